@@ -1,4 +1,4 @@
-// Expands the words of a command line before the parser reads them.
+// Words of a command line: expands them before the parser reads them, and parses numbers in them.
 //
 // @FILE is replaced by the words of a file: separated by white space; '...' and "..." quote; a
 // backslash escapes the next character, except inside '...'. Such files may nest 16 deep, 1000
@@ -8,10 +8,14 @@
 // its words.
 #pragma once
 
+#include <charconv>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/text.h"
 
 namespace wrinkle::cli {
 
@@ -22,5 +26,23 @@ std::optional<std::vector<std::string>> command_words(int argc, const char* cons
 
 // Files that the last call of command_words() read: inputs of the run, like any other.
 const std::vector<std::string>& option_files();
+
+// Parses all of `text` as a number; returns false for anything else.
+template <class T>
+bool parse_number(std::string_view text, T& number) {
+    const char* end = text.data() + text.size();
+    const auto [stop, problem] = std::from_chars(text.data(), end, number);
+    return problem == std::errc() && stop == end;
+}
+
+// Parses as many separated numbers as `numbers` holds: "0.5,0.25", "640x480".
+template <class T>
+bool parse_numbers(std::string_view text, char separator, std::span<T> numbers) {
+    const auto parts = split(text, separator);
+    if (parts.size() != numbers.size()) return false;
+    for (size_t i = 0; i < parts.size(); ++i)
+        if (!parse_number(parts[i], numbers[i])) return false;
+    return true;
+}
 
 }  // namespace wrinkle::cli

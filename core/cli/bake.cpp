@@ -1,10 +1,10 @@
 // wrinkle bake FILE --mesh NAME|PATH -o OUT: bakes a graph's maps onto the uv layout of a mesh.
 #include "base/overwrite.h"
-#include "base/text.h"
 #include "cli/arguments.h"
 #include "cli/bake_run.h"
 #include "cli/output.h"
 #include "image/formats.h"
+#include "json/write.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
@@ -83,31 +83,23 @@ struct BakeCommand {
         if (!options.resume) return bake_files(job, header, progress);
         const fs::path folder = options.output + ".part";
         BakeOutcome outcome = bake_part(job, folder, header, progress);
-        if (outcome.end != BakeEnd::done) return outcome;
+        if (!outcome.done) return outcome;
+        outcome.done = false;
         std::vector<fs::path> folders = {folder};
         const auto headers = read_parts(folders, outcome.environment);
+        if (headers.empty()) return outcome;
         Progress quiet(Progress::Form::none, "", 0);
-        BakeOutcome joined = join(folders, headers, outcome.environment, quiet);
+        BakeOutcome joined = join_parts(folders, headers, options.output, options.threads, quiet);
         joined.warnings = std::move(outcome.warnings);
         std::error_code ignored;
-        if (joined.end == BakeEnd::done) fs::remove_all(folder, ignored);
+        if (joined.done) fs::remove_all(folder, ignored);
         return joined;
-    }
-
-    BakeOutcome join(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
-                     const Diagnostics& problems, Progress& progress) const {
-        if (!headers.empty())
-            return join_parts(folders, headers, options.output, options.threads, progress);
-        BakeOutcome outcome;
-        outcome.end = BakeEnd::failed;
-        outcome.environment = problems;
-        return outcome;
     }
 
     // Writes the outputs and inputs of a finished bake; returns false if the write fails.
     bool write_depfile(const BakeJob& job, const BakeOutcome& outcome) const {
         const Depfile& depfile = options.depfile;
-        if (!depfile.wanted || outcome.end != BakeEnd::done) return true;
+        if (!depfile.wanted || !outcome.done) return true;
         return write_result(depfile_place(), make_rules({{outcome.files, job.inputs}}, depfile)) ==
                exit_success;
     }
@@ -128,22 +120,19 @@ struct BakeCommand {
         {
             Progress progress(Progress::form_for(options.json), "texels",
                               pictures * headers[0].width() * headers[0].height());
-            outcome = join(folders, headers, diagnostics, progress);
+            outcome = join_parts(folders, headers, options.output, options.threads, progress);
         }
         return finish(outcome);
     }
 
     int finish(const BakeOutcome& outcome) const {
-        if (outcome.end == BakeEnd::interrupted) Interruption::reraise();
-        if (outcome.end == BakeEnd::failed) {
+        if (!outcome.done && !outcome.environment.has_errors()) Interruption::reraise();
+        if (!outcome.done) {
             report(outcome.environment, options.common.diagnostics);
             return exit_environment;
         }
         if (!options.json) return exit_success;
-        std::string files;
-        for (const std::string& file : outcome.files)
-            files += (files.empty() ? "" : ", ") + json_quoted(file);
-        return write_result("-", "{\"files\": [" + files + "]}\n");
+        return write_result("-", "{\"files\": " + json::string_array(outcome.files) + "}\n");
     }
 };
 

@@ -1,10 +1,10 @@
 #include "cli/bake_header.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "base/sha256.h"
 #include "base/text.h"
+#include "cli/arguments.h"
 #include "json/parse.h"
 #include "json/write.h"
 
@@ -89,9 +89,7 @@ struct HeaderReader {
         BakeReport found;
         if (!fine) return found;
         const auto read = [&](size_t i, auto& number) {
-            const char* end = words[i].data() + words[i].size();
-            const auto [stop, problem] = std::from_chars(words[i].data(), end, number);
-            fine = fine && problem == std::errc() && stop == end;
+            fine = fine && parse_number(words[i], number);
         };
         read(0, found.overlapped);
         read(1, found.overlap_uv.x);

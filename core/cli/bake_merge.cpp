@@ -3,8 +3,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 
+#include "base/file.h"
 #include "base/file_problem.h"
 #include "cli/bake_run.h"
 
@@ -68,9 +68,6 @@ public:
     }
 
 private:
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
     void open(size_t part) {
         part_ = part;
         file_.reset(std::fopen(rows_file(folders_[part], picture_, map_).c_str(), "rb"));
@@ -79,7 +76,7 @@ private:
     const std::vector<fs::path>& folders_;
     const std::vector<PartHeader>& headers_;
     size_t picture_, map_, part_ = 0;
-    std::unique_ptr<std::FILE, Close> file_;
+    OpenedFile file_;
 };
 
 bool join_picture(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
@@ -130,13 +127,12 @@ BakeOutcome join_parts(const std::vector<fs::path>& folders, const std::vector<P
     BakeOutcome outcome;
     for (size_t picture = 0; picture < headers[0].pictures.size(); ++picture) {
         const auto files = headers[0].files(output, picture, threads);
-        if (!join_picture(folders, headers, picture, files, progress, outcome.environment)) {
-            outcome.end = outcome.environment.has_errors() ? BakeEnd::failed : BakeEnd::interrupted;
+        if (!join_picture(folders, headers, picture, files, progress, outcome.environment))
             return outcome;
-        }
         for (const MapFile& file : files)
             outcome.files.push_back(file.path.string());
     }
+    outcome.done = true;
     return outcome;
 }
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 
 #include "bake/bake.h"
 #include "base/text.h"
+#include "cli/arguments.h"
 #include "cli/meshes.h"
 
 namespace wrinkle::cli {
@@ -16,9 +16,7 @@ namespace {
 constexpr std::array<std::string_view, 4> types = {"u8", "u16", "half", "float"};
 
 bool parse_whole(std::string_view text, uint32_t most, uint32_t& number) {
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return problem == std::errc{} && end == text.data() + text.size() && number >= 1 &&
-           number <= most;
+    return parse_number(text, number) && number >= 1 && number <= most;
 }
 
 // Parses "2/8".
@@ -125,9 +123,7 @@ void declare_bake_maps(CLI::App& sub, BakeOptions& c) {
         ->type_name("CHANNELS")
         ->allow_extra_args(false)
         ->take_all();
-    sub.add_option("--space", c.space, bake_words::space)
-        ->check(CLI::IsMember({"tangent", "object", "world"}))
-        ->capture_default_str();
+    add_choice(sub, "--space", c.space, {"tangent", "object", "world"}, bake_words::space);
     sub.add_flag("--gl", c.gl, bake_words::gl);
     sub.add_flag("--dx", c.dx, bake_words::dx);
     sub.add_option("--scale", c.scale, bake_words::scale)->type_name("S")->capture_default_str();
@@ -158,10 +154,9 @@ void declare_bake_options(CLI::App& sub, BakeOptions& c) {
         ->required();
     declare_bake_maps(sub, c);
     declare_bake_layout(sub, c);
-    sub.add_option("--type", c.type, bake_words::type)
-        ->check(CLI::IsMember(std::vector<std::string>(types.begin(), types.end())));
-    sub.add_option("--format", c.format, "Of maps in a folder; default: png, or exr for floats")
-        ->check(CLI::IsMember(std::vector<std::string>(bake_formats.begin(), bake_formats.end())));
+    add_choice(sub, "--type", c.type, types, bake_words::type);
+    add_choice(sub, "--format", c.format, bake_formats,
+               "Of maps in a folder; default: png, or exr for floats");
     sub.add_option("--compression", c.compression, bake_words::compression)->type_name("NAME");
     sub.add_option("--tile", c.tile, bake_words::tile)
         ->type_name("N")

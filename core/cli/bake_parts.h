@@ -10,15 +10,14 @@
 // its rows once, O(bytes).
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/file.h"
 #include "base/xxh64.h"
 #include "cli/bake_header.h"
 #include "cli/bake_job.h"
@@ -54,17 +53,14 @@ public:
     bool done(uint64_t bands, const BakeReport& found, Diagnostics& diagnostics);
 
 private:
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
     bool fail(size_t map, Diagnostics& diagnostics) const;
     bool write_header(Diagnostics& diagnostics) const;
 
     std::filesystem::path folder_;
     PartHeader header_;
     size_t picture_ = 0;
-    std::vector<std::unique_ptr<std::FILE, Close>> files_;  // files of the current image, by map
-    std::vector<Xxh64> sums_;                               // checksums of the written rows, by map
+    std::vector<OpenedFile> files_;  // files of the current image, by map
+    std::vector<Xxh64> sums_;        // checksums of the written rows, by map
 };
 
 }  // namespace wrinkle::cli

@@ -40,22 +40,17 @@ public:
         return bake_texture_set(input, first, last, take, report);
     }
 
-    void finish(bool whole, BakeOutcome& outcome) const {
-        if (!whole)
-            outcome.end = outcome.environment.has_errors() ? BakeEnd::failed : BakeEnd::interrupted;
-        else
-            report.append_warnings(job_.options.file, job_.options.mesh, job_.plans[0].maps, outcome.warnings);
+    void finish(bool done, BakeOutcome& outcome) const {
+        outcome.done = done;
+        if (done)
+            report.append_warnings(job_.options.file, job_.options.mesh, job_.plans[0].maps,
+                                   outcome.warnings);
     }
 
 private:
     const BakeJob& job_;
     Progress& progress_;
 };
-
-void list_files(const std::vector<MapFile>& files, std::vector<std::string>& names) {
-    for (const MapFile& file : files)
-        names.push_back(file.path.string());
-}
 
 }  // namespace
 
@@ -72,7 +67,8 @@ BakeOutcome bake_files(const BakeJob& job, const PartHeader& header, Progress& p
         if (!baker.bake(number, 0, job.wishes.height, {keep, {}}) ||
             !writers->finish(outcome.environment))
             return false;
-        list_files(files, outcome.files);
+        for (const MapFile& file : files)
+            outcome.files.push_back(file.path.string());
         return true;
     };
     bool whole = true;

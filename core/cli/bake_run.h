@@ -12,10 +12,8 @@
 
 namespace wrinkle::cli {
 
-enum class BakeEnd : uint8_t { done, failed, interrupted };
-
 struct BakeOutcome {
-    BakeEnd end = BakeEnd::done;
+    bool done = false;               // else failed, or interrupted if `environment` has no error
     std::vector<std::string> files;  // written files
     Diagnostics warnings;            // about the contents of the maps
     Diagnostics environment;         // reason of a failure

@@ -1,13 +1,6 @@
 #include "cli/cache.h"
 
-#include <stdlib.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <chrono>
-#include <cstring>
 #include <vector>
 
 #include "base/file.h"
@@ -18,26 +11,14 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view form = "wrinkle cache 2\n";
-constexpr std::string_view temporary = ".tmp";
-constexpr auto temporary_life = std::chrono::hours(1);
 constexpr std::string_view digits = "0123456789abcdef";
 constexpr size_t key_size = 64;
-
-bool write_all(int file, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t written = write(file, bytes.data(), bytes.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) return false;
-        bytes.remove_prefix(static_cast<size_t>(written));
-    }
-    return true;
-}
 
 std::string sum_of(const std::string& key, std::string_view bytes) {
     return sha256(key + sha256(bytes));
 }
 
-struct Kept {
+struct CacheFile {
     fs::path path;
     fs::file_time_type used;
     uint64_t size = 0;
@@ -48,24 +29,16 @@ bool is_key(std::string_view name) {
     return name.size() == key_size && name.find_first_not_of(digits) == name.npos;
 }
 
-// Lists the entries in a folder and deletes old temporary files of entries.
-std::vector<Kept> kept_in(const fs::path& folder) {
-    std::vector<Kept> found;
-    const auto now = fs::file_time_type::clock::now();
+std::vector<CacheFile> list_cache_files(const fs::path& folder) {
+    std::vector<CacheFile> found;
     std::error_code error;
     fs::directory_iterator entry(folder, error);
     for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-        const std::string name = entry->path().filename().string();
-        const size_t key_end = std::min(name.find(temporary), name.size());
-        if (!is_key(std::string_view(name).substr(0, key_end))) continue;
+        if (!is_key(entry->path().filename().native())) continue;
         std::error_code gone;  // another process may prune concurrently
-        Kept kept{entry->path(), entry->last_write_time(gone), 0};
-        if (!gone) kept.size = entry->file_size(gone);
-        if (gone) continue;
-        if (key_end == name.size())
-            found.push_back(std::move(kept));
-        else if (now - kept.used > temporary_life)
-            fs::remove(kept.path, gone);
+        CacheFile file{entry->path(), entry->last_write_time(gone), 0};
+        if (!gone) file.size = entry->file_size(gone);
+        if (!gone) found.push_back(std::move(file));
     }
     return found;
 }
@@ -94,21 +67,14 @@ std::optional<std::string> Cache::find(const std::string& key) const {
 
 bool Cache::store(const std::string& key, std::string_view bytes, std::string& why) {
     const fs::path path = place(key);
-    const auto failed = [&] {
-        why = path.string() + ": " + std::strerror(errno);
-        return false;
-    };
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
-    std::string name = path.string() + std::string(temporary) + "XXXXXX";
-    const int file = mkstemp(name.data());
-    if (file < 0) return failed();
-    const bool written = fchmod(file, 0644) == 0 && write_all(file, form) &&
-                         write_all(file, sum_of(key, bytes) + "\n") && write_all(file, bytes);
-    const bool closed = close(file) == 0;
-    if (!written || !closed || rename(name.c_str(), path.c_str()) != 0) {
-        failed();
-        unlink(name.c_str());
+    auto file = Temporary::beside(path, error);
+    if (file) error = file->write(std::string(form) + sum_of(key, bytes) + "\n");
+    if (file && !error) error = file->write(bytes);
+    if (file && !error) error = file->place(path);
+    if (!file || error) {
+        why = path.string() + ": " + error.message();
         return false;
     }
     grown_[digits.find(key[0])] = true;
@@ -118,17 +84,17 @@ bool Cache::store(const std::string& key, std::string_view bytes, std::string& w
 void Cache::prune() {
     for (size_t i = 0; i < parts; ++i) {
         if (!grown_[i].exchange(false)) continue;
-        std::vector<Kept> kept = kept_in(folder_ / std::string(1, digits[i]));
-        std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) {
+        std::vector<CacheFile> files = list_cache_files(folder_ / std::string(1, digits[i]));
+        std::sort(files.begin(), files.end(), [](const CacheFile& a, const CacheFile& b) {
             return a.used != b.used ? a.used < b.used : a.path < b.path;
         });
         uint64_t size = 0;
-        for (const Kept& each : kept)
+        for (const CacheFile& each : files)
             size += each.size;
-        for (size_t k = 0; k < kept.size() && size > limit_ / parts; ++k) {
+        for (size_t k = 0; k < files.size() && size > limit_ / parts; ++k) {
             std::error_code gone;
-            fs::remove(kept[k].path, gone);
-            size -= kept[k].size;
+            fs::remove(files[k].path, gone);
+            size -= files[k].size;
         }
     }
 }

@@ -1,9 +1,8 @@
 // Folder of cached results. The file of an entry is named by its cache key: the SHA-256 of all
 // inputs.
 //
-// Entries are written atomically (temporary file, rename), so any number of processes and threads
-// may share a folder. A killed process leaves at most a temporary file, which prune() deletes after
-// one hour. An entry begins with the SHA-256 of its key and of the SHA-256 of its bytes. It is a
+// Entries are written atomically (base/temporary.h), so any number of processes and threads may
+// share a folder. An entry begins with the SHA-256 of its key and of the SHA-256 of its bytes. It is a
 // miss, and is replaced by the next store(), if it is damaged, was stored under another key, is not
 // a regular file, or is larger than the limit of its folder.
 //

@@ -1,11 +1,11 @@
 #include "cli/cache_entry.h"
 
-#include <charconv>
 #include <map>
 
 #include "base/file.h"
 #include "base/file_problem.h"
 #include "base/sha256.h"
+#include "cli/arguments.h"
 #include "cli/identity.h"
 #include "graph/write.h"
 #include "lower/named_images.h"
@@ -66,26 +66,16 @@ void add_warning(const Diagnostic& warning, const Project& project, Fields& fiel
                    warning.pointer, warning.node, warning.message, warning.expected});
 }
 
-uint32_t number(const std::string& text) {
-    uint32_t value = 0;
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
-}
-
 Diagnostic warning_of(const std::string* fields, const Project& project) {
-    Diagnostic warning;
-    warning.severity = Severity::warning;
+    Location where;
+    size_t file = 0;
     if (fields[0].starts_with('='))
-        warning.where.file = fields[0].substr(1);
-    else if (number(fields[0]) < project.files.size())
-        warning.where.file = project.files[number(fields[0])].document.file;
-    warning.where.line = number(fields[1]);
-    warning.where.column = number(fields[2]);
-    warning.pointer = fields[3];
-    warning.node = fields[4];
-    warning.message = fields[5];
-    warning.expected = fields[6];
-    return warning;
+        where.file = fields[0].substr(1);
+    else if (parse_number(fields[0], file) && file < project.files.size())
+        where.file = project.files[file].document.file;
+    parse_number(fields[1], where.line);
+    parse_number(fields[2], where.column);
+    return {Severity::warning, where, fields[3], fields[4], fields[5], fields[6]};
 }
 
 }  // namespace

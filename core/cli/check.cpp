@@ -1,7 +1,7 @@
 // wrinkle check FILE...: reports all problems of graphs.
-#include "cli/graph_files.h"
 #include "cli/material_run.h"
 #include "cli/output.h"
+#include "cli/session.h"
 
 namespace wrinkle::cli {
 namespace {

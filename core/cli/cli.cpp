@@ -54,12 +54,6 @@ int run_cli(int argc, const char* const* argv) {
 
 }  // namespace
 
-void declare_diagnostics(CLI::App& command, std::string& format) {
-    command.add_option("--diagnostics", format, "How problems are printed")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str();
-}
-
 }  // namespace wrinkle::cli
 
 // Flushes standard output, because a buffered write may still fail.

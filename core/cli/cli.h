@@ -10,6 +10,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <string>
 #include <utility>
@@ -40,7 +41,19 @@ std::pair<CLI::App&, Command&> add_command(CLI::App& app, Run& run, const char* 
     return {sub, *command};
 }
 
+// Adds an option whose value is one of `names`; its initial value is the default, "" for none.
+template <class Names = std::initializer_list<const char*>>
+CLI::Option* add_choice(CLI::App& command, const char* option, std::string& value,
+                        const Names& names, const std::string& doc) {
+    const std::vector<std::string> list(names.begin(), names.end());
+    return command.add_option(option, value, doc)
+        ->check(CLI::IsMember(list))
+        ->capture_default_str();
+}
+
 // Adds --diagnostics, the format of report().
-void declare_diagnostics(CLI::App& command, std::string& format);
+inline void declare_diagnostics(CLI::App& command, std::string& format) {
+    add_choice(command, "--diagnostics", format, {"text", "json"}, "How problems are printed");
+}
 
 }  // namespace wrinkle::cli

@@ -11,9 +11,9 @@
 #include "base/overwrite.h"
 #include "cli/arguments.h"
 #include "cli/compile_graph.h"
-#include "cli/graph_files.h"
 #include "cli/output.h"
 #include "cli/outputs.h"
+#include "cli/session.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
@@ -254,9 +254,8 @@ void declare_compile(CLI::App& app, Run& run) {
                    ->capture_default_str();
     declare_text(sub, c.text);
     declare_judgement(sub, c.text);
-    sub.add_option("--stage", c.outputs.stage, "Which stage goes to standard output")
-        ->check(CLI::IsMember({"vertex", "fragment"}))
-        ->capture_default_str();
+    add_choice(sub, "--stage", c.outputs.stage, {"vertex", "fragment"},
+               "Which stage goes to standard output");
     sub.add_option("--reflect", c.outputs.reflect,
                    "Writes what a caller must know as JSON; of several graphs into a folder")
         ->type_name("FILE");

@@ -53,16 +53,12 @@ Differentials differentials_of(const TextOptions& options) {
 
 void declare_text(CLI::App& sub, TextOptions& text) {
     sub.add_option("--target", text.target, "The language to write")->capture_default_str();
-    sub.add_option("--form", text.form,
-                   "Functions for your shader (the default of GLSL), or a complete pair")
-        ->check(CLI::IsMember({"function", "shader"}));
-    sub.add_option("--params", text.params, "Numbers as literals or as uniforms")
-        ->check(CLI::IsMember({"baked", "uniform"}))
-        ->capture_default_str();
-    sub.add_option("--differentials", text.differentials,
-                   "Taken from the screen or passed by the caller")
-        ->check(CLI::IsMember({"screen", "given"}))
-        ->capture_default_str();
+    add_choice(sub, "--form", text.form, {"function", "shader"},
+               "Functions for your shader (the default of GLSL), or a complete pair");
+    add_choice(sub, "--params", text.params, {"baked", "uniform"},
+               "Numbers as literals or as uniforms");
+    add_choice(sub, "--differentials", text.differentials, {"screen", "given"},
+               "Taken from the screen or passed by the caller");
     sub.add_option("--descriptor-set", text.set, "The descriptor set of the blocks and images")
         ->check(CLI::Range(0, max_descriptor_set))
         ->capture_default_str();

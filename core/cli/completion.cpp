@@ -202,9 +202,7 @@ struct CompleteCommand {
 void declare_completion(CLI::App& app, Run& run) {
     auto [sub, c] = add_command<CompletionCommand>(
         app, run, "completion", "A script that lets a shell complete these commands");
-    sub.add_option("SHELL", c.shell, "The shell")
-        ->required()
-        ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+    add_choice(sub, "SHELL", c.shell, {"bash", "zsh", "fish"}, "The shell")->required();
     auto [complete, command] =
         add_command<CompleteCommand>(app, run, "complete", "What a shell offers after WORD...");
     command.app = &app;

@@ -141,19 +141,15 @@ void declare_options(CLI::App& sub, ConvertCommand& c) {
     sub.add_option("-o", c.output, "The map to write: .exr, .tif, .png, .hdr or .jpg")
         ->type_name("OUT")
         ->required();
-    sub.add_option("--to", c.to, "What it is to be")
-        ->check(CLI::IsMember(names_in(target_kinds)))
-        ->required();
-    sub.add_option("--from", c.from, "What IN is; default: what it looks like, which is said")
-        ->check(CLI::IsMember(names_in(source_kinds)));
-    sub.add_option("--type", c.type, "Of its values; default: half, or what the format has")
-        ->check(CLI::IsMember({"u8", "u16", "half", "float"}));
+    add_choice(sub, "--to", c.to, names_in(target_kinds), "What it is to be")->required();
+    add_choice(sub, "--from", c.from, names_in(source_kinds),
+               "What IN is; default: what it looks like, which is said");
+    add_choice(sub, "--type", c.type, {"u8", "u16", "half", "float"},
+               "Of its values; default: half, or what the format has");
     sub.add_option("--compression", c.compression,
                    "exr: none rle zip zips piz; tif: none lzw zip; default: zip")
         ->type_name("NAME");
-    sub.add_option("--wrap", c.wrap, "What lies beyond the border")
-        ->check(CLI::IsMember({"clamp", "repeat"}))
-        ->capture_default_str();
+    add_choice(sub, "--wrap", c.wrap, {"clamp", "repeat"}, "What lies beyond the border");
     sub.add_flag("--mips", c.mips, "All levels, means of slopes and not of normals (.exr)");
     sub.add_option("--tile", c.tile, "Tiles of this side (.exr, .tif); default: none, 64 with mips")
         ->type_name("N");
@@ -162,15 +158,12 @@ void declare_options(CLI::App& sub, ConvertCommand& c) {
                    "Width, or width and height, of a texel in units of the scaled height")
         ->delimiter(',')
         ->type_name("W[,H]");
-    sub.add_option("--green", c.green, "Where green of a normal map points: up or down")
-        ->check(CLI::IsMember({"gl", "dx"}))
-        ->capture_default_str();
-    sub.add_option("--per", c.per, "Slopes written are per texel or per unit of uv")
-        ->check(CLI::IsMember({"texel", "uv"}))
-        ->capture_default_str();
-    sub.add_option("--from-per", c.from_per, "And those of a derivative map that is read")
-        ->check(CLI::IsMember({"texel", "uv"}))
-        ->capture_default_str();
+    add_choice(sub, "--green", c.green, {"gl", "dx"},
+               "Where green of a normal map points: up or down");
+    add_choice(sub, "--per", c.per, {"texel", "uv"},
+               "Slopes written are per texel or per unit of uv");
+    add_choice(sub, "--from-per", c.from_per, {"texel", "uv"},
+               "And those of a derivative map that is read");
     declare_diagnostics(sub, c.diagnostics);
 }
 

@@ -151,11 +151,9 @@ void declare_eval(CLI::App& app, Run& run) {
         ->capture_default_str();
     sub.add_option("-o", c.output, "A file in place of standard output: .json, .csv or .npy")
         ->type_name("OUT");
-    sub.add_option("--format", c.format, "The form of the result; default: as OUT ends, else json")
-        ->check(CLI::IsMember({"json", "csv", "npy"}));
-    sub.add_option("--precision", c.precision, "Of the arithmetic")
-        ->check(CLI::IsMember({"float", "double"}))
-        ->capture_default_str();
+    add_choice(sub, "--format", c.format, {"json", "csv", "npy"},
+               "The form of the result; default: as OUT ends, else json");
+    add_choice(sub, "--precision", c.precision, {"float", "double"}, "Of the arithmetic");
     declare_common(sub, c.common);
 }
 

@@ -3,7 +3,6 @@
 
 #include "base/file.h"
 #include "base/printable.h"
-#include "cli/graph_files.h"
 #include "cli/output.h"
 #include "cli/session.h"
 #include "graph/edit.h"

@@ -1,4 +1,4 @@
-// Identity of a result: what is hashed to tell whether it would be made again.
+// Identity of results: fields to be hashed, and the identity of the program, which is one of them.
 #pragma once
 
 #include <optional>

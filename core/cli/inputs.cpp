@@ -3,7 +3,6 @@
 
 #include "base/printable.h"
 #include "base/text.h"
-#include "cli/graph_files.h"
 #include "cli/output.h"
 #include "cli/session.h"
 #include "compile/inputs.h"

@@ -89,12 +89,11 @@ void declare_lint(CLI::App& app, Run& run) {
     auto [sub, c] =
         add_command<LintCommand>(app, run, "lint", "What maps are and what is wrong with them");
     sub.add_option("IMAGE", c.files, "Normal maps and height maps")->required();
-    sub.add_option("--expect", c.expect, "What each is to be; anything else is a defect")
-        ->check(CLI::IsMember({"normal_gl", "normal_dx", "height"}));
-    sub.add_option("--wrap", c.wrap,
-                   "clamp: a seam is not a defect; repeat: it is, in an atlas too; default: it is, "
-                   "but in an atlas")
-        ->check(CLI::IsMember({"repeat", "clamp"}));
+    add_choice(sub, "--expect", c.expect, {"normal_gl", "normal_dx", "height"},
+               "What each is to be; anything else is a defect");
+    add_choice(sub, "--wrap", c.wrap, {"repeat", "clamp"},
+               "clamp: a seam is not a defect; repeat: it is, in an atlas too; default: it is, "
+               "but in an atlas");
     sub.add_flag("--json", c.json, "Verdicts and numbers for programs");
     declare_diagnostics(sub, c.diagnostics);
 }

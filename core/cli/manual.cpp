@@ -5,6 +5,7 @@
 #include "base/limits.h"
 #include "cli/cli.h"
 #include "cli/output.h"
+#include "cli/texts.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -106,21 +107,6 @@ std::vector<const CLI::App*> commands_of(const CLI::App& app) {
     return commands;
 }
 
-constexpr const char* exit_codes = R"(.SH EXIT STATUS
-.TP
-0
-Fine.
-.TP
-1
-An input has errors or cannot be read.
-.TP
-2
-Wrong usage.
-.TP
-3
-The environment failed: an output cannot be written, there is no GL.
-)";
-
 std::string environment() {
     std::string text = ".SH ENVIRONMENT\nLimits of sizes, each a whole number from 1.\n";
     for (const LimitRow& row : limit_rows)
@@ -146,7 +132,8 @@ std::string manual_page(const CLI::App& app) {
            "\"...\" round those with white space.\n"
            ".TP\n\\fB\\-\\fR\nIn place of a file is standard input or standard output.\n"
            ".SH OPTIONS\n" +
-           options_of(app) + environment() + exit_codes + ".SH SEE ALSO\n" + pages + "\n";
+           options_of(app) + environment() + std::string(texts::exit_status_roff) +
+           ".SH SEE ALSO\n" + pages + "\n";
 }
 
 std::string manual_page(const CLI::App& app, const CLI::App& command) {
@@ -154,8 +141,8 @@ std::string manual_page(const CLI::App& app, const CLI::App& command) {
                        ".SH SYNOPSIS\n" + synopsis_of(command);
     if (const std::string arguments = arguments_of(command); !arguments.empty())
         text += ".SH ARGUMENTS\n" + arguments;
-    return text + ".SH OPTIONS\n" + options_of(command) + exit_codes + ".SH SEE ALSO\n.BR " +
-           plain(app.get_name()) + " (1)\n";
+    return text + ".SH OPTIONS\n" + options_of(command) + std::string(texts::exit_status_roff) +
+           ".SH SEE ALSO\n.BR " + plain(app.get_name()) + " (1)\n";
 }
 
 struct ManCommand {

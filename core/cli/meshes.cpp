@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "cli/output.h"
 #include "mesh/load.h"
 #include "mesh/shapes.h"
 
@@ -15,10 +16,7 @@ std::vector<std::string> shape_names() {
 }
 
 std::string mesh_help() {
-    std::string text;
-    for (const std::string& name : shape_names())
-        text += name + ", ";
-    return text + "or an OBJ or glTF file";
+    return joined(shape_names(), ", ") + ", or an OBJ or glTF file";
 }
 
 bool is_mesh_path(const std::string& name_or_path) {

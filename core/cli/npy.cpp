@@ -1,6 +1,6 @@
 #include "cli/npy.h"
 
-#include <charconv>
+#include "cli/arguments.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -102,9 +102,7 @@ private:
         field.offset = table_.record;
         size_t padding = 0;
         if (type.starts_with("|V")) {
-            const auto [end, error] =
-                std::from_chars(type.data() + 2, type.data() + type.size(), padding);
-            if (error != std::errc{} || end != type.data() + type.size() || padding > 65536)
+            if (!parse_number(std::string_view(type).substr(2), padding) || padding > 65536)
                 return broken();
         } else if (type == "<f4" || type == "<f8") {
             field.is_double = type == "<f8";

@@ -27,6 +27,15 @@ int write_result(const std::string& path, std::string text);
 // Prints nothing; returns false and the reason in `why` on failure.
 bool write_results(const std::vector<Result>& results, std::string& why);
 
+// Returns "a, b" for {"a", "b"} and ", ".
+template <class Words>
+std::string joined(const Words& words, std::string_view separator) {
+    std::string text;
+    for (size_t i = 0; i < words.size(); ++i)
+        text.append(i > 0 ? separator : "").append(words[i]);
+    return text;
+}
+
 // Prints the problems to standard error, as text or as JSON. Returns exit_input if there are
 // errors, otherwise exit_success.
 int report(const Diagnostics& diagnostics, const std::string& format);

@@ -1,41 +1,25 @@
 #include "cli/picture.h"
 
-#include <charconv>
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "bake/displace.h"
-#include "base/text.h"
+#include "base/file_problem.h"
+#include "cli/arguments.h"
 #include "cli/evaluation.h"
 #include "gpu/material.h"
 #include "image/load.h"
 #include "mesh/mesh.h"
 
 namespace wrinkle::cli {
-namespace {
-
-constexpr int max_side = 16384;
-
-bool parse_side(std::string_view text, int& side) {
-    const char* end = text.data() + text.size();
-    const auto [stop, problem] = std::from_chars(text.data(), end, side);
-    return problem == std::errc{} && stop == end && side >= 1 && side <= max_side;
-}
-
-}  // namespace
 
 bool parse_size(const std::string& text, int& width, int& height) {
-    const size_t cross = text.find('x');
-    return cross != text.npos && parse_side(std::string_view(text).substr(0, cross), width) &&
-           parse_side(std::string_view(text).substr(cross + 1), height);
-}
-
-std::vector<std::string> view_names() {
-    return {gpu::view_names().begin(), gpu::view_names().end()};
-}
-
-std::vector<std::string> lighting_names() {
-    return {gpu::lighting_names().begin(), gpu::lighting_names().end()};
+    constexpr int max_side = 16384;
+    int sides[2];
+    if (!parse_numbers<int>(text, 'x', sides)) return false;
+    width = sides[0];
+    height = sides[1];
+    return width >= 1 && width <= max_side && height >= 1 && height <= max_side;
 }
 
 std::optional<Mesh> displaced_mesh(const Mesh& still, const MaterialRun& run,
@@ -59,15 +43,11 @@ std::optional<Mesh> displaced_mesh(const Mesh& still, const MaterialRun& run,
 }
 
 bool parse_phong(const std::string& text, gpu::Phong& phong) {
-    const auto parts = split(text, ',');
-    float* values[] = {&phong.ambient, &phong.diffuse, &phong.specular, &phong.shininess};
-    if (parts.size() != std::size(values)) return false;
-    for (size_t i = 0; i < parts.size(); ++i) {
-        const char* end = parts[i].data() + parts[i].size();
-        const auto [stop, problem] = std::from_chars(parts[i].data(), end, *values[i]);
-        if (problem != std::errc{} || stop != end || !std::isfinite(*values[i]) || *values[i] < 0)
-            return false;
-    }
+    float values[4];
+    if (!parse_numbers<float>(text, ',', values)) return false;
+    for (const float value : values)
+        if (!std::isfinite(value) || value < 0) return false;
+    phong = {values[0], values[1], values[2], values[3]};
     return true;
 }
 
@@ -75,11 +55,10 @@ std::optional<Image> load_environment(const std::string& file, Diagnostics& diag
     auto image = load_image(file, diagnostics);
     if (!image || image->source == PixelType::half || image->source == PixelType::float32)
         return image;
-    Diagnostic problem;
-    problem.where.file = file;
-    problem.message = "holds " + std::string(name_of(image->source)) + " values, no radiance";
-    problem.expected = "an equirectangular .hdr or .exr";
-    diagnostics.add(std::move(problem));
+    diagnostics.add(
+        file_problem(Severity::error, file,
+                     "holds " + std::string(name_of(image->source)) + " values, no radiance",
+                     "an equirectangular .hdr or .exr"));
     return {};
 }
 

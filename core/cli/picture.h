@@ -29,8 +29,6 @@ struct PictureOptions {
 
 // Parses "640x480". Returns false if a side is not an integer from 1 to 16384.
 bool parse_size(const std::string& text, int& width, int& height);
-std::vector<std::string> view_names();
-std::vector<std::string> lighting_names();
 
 // Parses Ka, Kd, Ks and shininess, such as "0.1,0.7,0.4,32". Returns false if a value is negative
 // or not finite.

@@ -112,10 +112,8 @@ void declare_certify(CLI::App& command, CertifyOptions& options) {
         ->allow_extra_args(false)
         ->take_all()
         ->needs(file);
-    command
-        .add_option("--diagnostics", options.diagnostics, "How the findings of --test are printed")
-        ->check(CLI::IsMember({"text", "json"}))
-        ->capture_default_str()
+    add_choice(command, "--diagnostics", options.diagnostics, {"text", "json"},
+               "How the findings of --test are printed")
         ->needs(file);
 }
 

@@ -1,10 +1,11 @@
 #include "cli/point_source.h"
 
-#include <charconv>
 #include <cmath>
 #include <memory>
 
+#include "base/file_problem.h"
 #include "base/text.h"
+#include "cli/arguments.h"
 #include "cli/meshes.h"
 #include "mesh/sample.h"
 
@@ -21,27 +22,11 @@ std::string lacks(const std::string& who, const InputNeed& need) {
     return who + " lacks '" + name_of(need) + "'";
 }
 
-void report_where(Location where, Severity severity, std::string message, std::string expected,
-                  Diagnostics& diagnostics) {
-    Diagnostic problem;
-    problem.severity = severity;
-    problem.where = std::move(where);
-    problem.message = std::move(message);
-    problem.expected = std::move(expected);
-    diagnostics.add(std::move(problem));
-}
-
 std::optional<glm::dvec2> parse_uv(const std::string& text) {
-    const auto parts = split(text, ',');
-    glm::dvec2 uv(0);
-    if (parts.size() != 2) return {};
-    for (int i = 0; i < 2; ++i) {
-        const std::string_view part = parts[static_cast<size_t>(i)];
-        const auto [end, problem] = std::from_chars(part.data(), part.data() + part.size(), uv[i]);
-        if (problem != std::errc{} || end != part.data() + part.size() || !std::isfinite(uv[i]))
-            return {};
-    }
-    return uv;
+    double uv[2];
+    if (!parse_numbers<double>(text, ',', uv)) return {};
+    if (!std::isfinite(uv[0]) || !std::isfinite(uv[1])) return {};
+    return glm::dvec2(uv[0], uv[1]);
 }
 
 PointSource source_of(std::shared_ptr<const PointTable> table) {
@@ -49,17 +34,17 @@ PointSource source_of(std::shared_ptr<const PointTable> table) {
     source.count = table->count();
     source.report = [table](size_t point, Severity severity, std::string message,
                             std::string expected, Diagnostics& diagnostics) {
-        report_where(table->where(point), severity,
-                     "point " + std::to_string(point) + ": " + std::move(message),
-                     std::move(expected), diagnostics);
+        message = "point " + std::to_string(point) + ": " + message;
+        diagnostics.add({severity, table->where(point), "", "", message, std::move(expected)});
     };
     source.check = [table](const std::vector<InputNeed>& needs, Diagnostics& diagnostics) {
         bool fine = true;
         for (const InputNeed& need : needs) {
             if (is_facing(need) || table->gives(need)) continue;
-            report_where({table->where(0).file, 0, 0}, Severity::error, lacks("the table", need),
-                         "the graph needs it: " + column_name(name_of(need), 0, lanes_of(need)),
-                         diagnostics);
+            const std::string column = column_name(name_of(need), 0, lanes_of(need));
+            diagnostics.add(file_problem(Severity::error, table->where(0).file,
+                                         lacks("the table", need),
+                                         "the graph needs it: " + column));
             fine = false;
         }
         return fine;
@@ -211,8 +196,7 @@ PointSource source_of_uv(glm::dvec2 uv) {
     };
     source.report = [](size_t, Severity severity, std::string message, std::string expected,
                        Diagnostics& diagnostics) {
-        report_where({"--uv", 0, 0}, severity, std::move(message), std::move(expected),
-                     diagnostics);
+        diagnostics.add(file_problem(severity, "--uv", std::move(message), std::move(expected)));
     };
     return source;
 }
@@ -226,18 +210,7 @@ std::optional<TableForm> table_form(const std::string& at) {
 
 PointSource open_at(const std::string& at, Diagnostics& diagnostics) {
     const auto form = table_form(at);
-    if (!form) {
-        const auto points =
-            std::make_shared<const std::vector<Point>>(points_of_option(at, diagnostics));
-        PointSource source = source_of(*points);
-        // The capture keeps the points alive as long as the source.
-        source.report = [points, report = source.report](size_t point, Severity severity,
-                                                         std::string message, std::string expected,
-                                                         Diagnostics& problems) {
-            report(point, severity, std::move(message), std::move(expected), problems);
-        };
-        return source;
-    }
+    if (!form) return source_of(points_of_option(at, diagnostics));
     const std::string file = at.starts_with('@') ? at.substr(1) : at;
     auto bytes = read_text(file, diagnostics);
     if (!bytes) return {};
@@ -248,12 +221,13 @@ PointSource open_at(const std::string& at, Diagnostics& diagnostics) {
 
 }  // namespace
 
-PointSource source_of(const std::vector<Point>& points) {
+PointSource source_of(std::vector<Point> list) {
+    const auto points = std::make_shared<const std::vector<Point>>(std::move(list));
     PointSource source;
-    source.count = points.size();
-    source.check = [&points](const std::vector<InputNeed>& needs, Diagnostics& diagnostics) {
+    source.count = points->size();
+    source.check = [points](const std::vector<InputNeed>& needs, Diagnostics& diagnostics) {
         bool fine = true;
-        for (const Point& point : points)
+        for (const Point& point : *points)
             for (const InputNeed& need : needs) {
                 if (point[need].given) continue;
                 report_at(point.source, lacks(point.name, need), "the graph needs it", diagnostics);
@@ -261,25 +235,25 @@ PointSource source_of(const std::vector<Point>& points) {
             }
         return fine;
     };
-    source.fill = [&points](const std::vector<InputNeed>& needs, size_t first, PointSet& set,
-                            Diagnostics&) {
+    source.fill = [points](const std::vector<InputNeed>& needs, size_t first, PointSet& set,
+                           Diagnostics&) {
         for (const InputNeed& need : needs) {
             std::vector<double>& values = set.at(need.input, need.variant);
             values.clear();
             for (size_t k = 0; k < set.count; ++k) {
-                const auto& lanes = points[first + k][need].lanes;
+                const auto& lanes = (*points)[first + k][need].lanes;
                 values.insert(values.end(), lanes.begin(),
                               lanes.begin() + static_cast<long>(lanes_of(need)));
             }
         }
         return true;
     };
-    source.report = [&points](size_t point, Severity severity, std::string message,
-                              std::string expected, Diagnostics& diagnostics) {
+    source.report = [points](size_t index, Severity severity, std::string message,
+                             std::string expected, Diagnostics& diagnostics) {
         if (diagnostics.dropped() > 0) return diagnostics.add({});
+        const Point& point = (*points)[index];
         Diagnostic problem =
-            diagnose(points[point].source, "", points[point].name + ": " + std::move(message),
-                     std::move(expected));
+            diagnose(point.source, "", point.name + ": " + message, std::move(expected));
         problem.severity = severity;
         diagnostics.add(std::move(problem));
     };

@@ -27,8 +27,7 @@ struct PointSource {
         report;
 };
 
-// Precondition: `points` outlives the source.
-PointSource source_of(const std::vector<Point>& points);
+PointSource source_of(std::vector<Point> points);
 
 // Options that select points: --at, or --mesh with --at or --uv.
 struct PointOptions {

@@ -1,12 +1,12 @@
 #include "cli/point_table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 
 #include "base/text.h"
 #include "base/words.h"
+#include "cli/arguments.h"
 #include "cli/npy.h"
 
 namespace wrinkle::cli {
@@ -70,11 +70,8 @@ std::string column_name(const std::string& value, size_t lane, size_t lanes) {
 
 void PointTable::problem(uint32_t line, std::string message, std::string expected,
                          Diagnostics& diagnostics) const {
-    Diagnostic problem;
-    problem.where = {name_, line, line == 0 ? 0U : 1U};
-    problem.message = std::move(message);
-    problem.expected = std::move(expected);
-    diagnostics.add(std::move(problem));
+    const Location where = {name_, line, line == 0 ? 0U : 1U};
+    diagnostics.add({Severity::error, where, "", "", std::move(message), std::move(expected)});
 }
 
 Location PointTable::where(size_t point) const {
@@ -173,9 +170,7 @@ void PointTable::read_csv(std::string_view text, Diagnostics& diagnostics) {
             more = line.find(',') != line.npos;
             const std::string_view field = trimmed(take(line, ','));
             double value = 0;
-            const auto [end, error] =
-                std::from_chars(field.data(), field.data() + field.size(), value);
-            if (error != std::errc{} || end != field.data() + field.size())
+            if (!parse_number(field, value))
                 problem(where(count_).line,
                         "point " + std::to_string(count_) + ": '" +
                             std::string(field.substr(0, max_shown)) + "' is not a number",

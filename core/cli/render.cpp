@@ -176,28 +176,22 @@ void declare_render(CLI::App& app, Run& run) {
         ->check(check_mesh)
         ->capture_default_str();
     sub.add_option("--size", c.size, "Of the picture")->type_name("WxH")->capture_default_str();
-    sub.add_option("--view", c.view, "What it shows")
-        ->check(CLI::IsMember(view_names()))
-        ->capture_default_str();
+    add_choice(sub, "--view", c.view, gpu::view_names(), "What it shows");
     sub.add_flag("--displace", c.displace,
                  "Moves the mesh, in fine triangles, by the output 'displacement'");
     sub.add_option("--against", c.against,
                    "The output that the difference is taken against; "
                    "default: the normal without bumps")
         ->type_name("OUTPUT");
-    sub.add_option("--lighting", c.lighting, "Of the shaded view")
-        ->check(CLI::IsMember(lighting_names()))
-        ->capture_default_str();
+    add_choice(sub, "--lighting", c.lighting, gpu::lighting_names(), "Of the shaded view");
     sub.add_option("--phong", c.phong, "Of that lighting; default: 0.1,0.7,0.4,32")
         ->type_name("KA,KD,KS,SHININESS");
     sub.add_option("--environment", c.environment,
                    "What GGX reflects: an equirectangular .hdr or .exr, its middle behind the "
                    "object; default: a sky over a ground")
         ->type_name("FILE");
-    sub.add_option("--background", c.background,
-                   "Behind the object: that picture, where there is one, or a plain grey")
-        ->check(CLI::IsMember({"environment", "plain"}))
-        ->capture_default_str();
+    add_choice(sub, "--background", c.background, {"environment", "plain"},
+               "Behind the object: that picture, where there is one, or a plain grey");
     declare_common(sub, c.common);
 }
 

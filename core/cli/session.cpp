@@ -4,7 +4,6 @@
 
 #include "base/file.h"
 #include "base/limits.h"
-#include "cli/graph_files.h"
 #include "cli/output.h"
 #include "compile/inputs.h"
 #include "glsl/target.h"
@@ -18,6 +17,10 @@ void list_targets() {
     for (const Target& each : targets())
         text += std::string(each.name) + "  " + std::string(each.doc) + "\n";
     throw CLI::RuntimeError(write_result("-", text));
+}
+
+bool is_graph(std::string_view file) {
+    return !file.ends_with(test_suffix) && !file.ends_with(preset_suffix);
 }
 
 }  // namespace
@@ -74,6 +77,33 @@ void report_at(const json::Value& value, std::string message, std::string expect
                Diagnostics& diagnostics) {
     if (diagnostics.dropped() > 0) return diagnostics.add({});
     diagnostics.add(diagnose(value, "", std::move(message), std::move(expected)));
+}
+
+bool report_no_graph(const std::string& file, Diagnostics& diagnostics) {
+    if (is_graph(file)) return false;
+    const bool test = file.ends_with(test_suffix);
+    diagnostics.add(
+        file_problem(Severity::error, file,
+                     test ? "is a regression test, not a graph" : "is a preset, not a graph",
+                     test ? "wrinkle test runs it" : "name the graph that it belongs to"));
+    return true;
+}
+
+std::vector<std::string> graphs_among(const std::vector<std::string>& files,
+                                      Diagnostics& diagnostics) {
+    std::vector<std::string> graphs, others;
+    for (const std::string& file : files)
+        (is_graph(file) ? graphs : others).push_back(file);
+    if (graphs.empty() || others.empty()) return files;
+    constexpr size_t max_names = 3;
+    std::string names;
+    for (size_t i = 0; i < others.size() && i < max_names; ++i)
+        names += (i ? ", " : "") + others[i];
+    if (others.size() > max_names)
+        names += " and " + std::to_string(others.size() - max_names) + " more";
+    diagnostics.add(file_problem(Severity::warning, "",
+                                 "left out, as tests and presets are not graphs: " + names, ""));
+    return graphs;
 }
 
 Project open_project(const std::string& file, const CommonOptions& options,

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/cli.h"
@@ -34,6 +35,19 @@ Nodes load_nodes(const CommonOptions& options, Diagnostics& diagnostics);
 // Loads a graph and its sub-graphs. A stream such as "-" uses the working folder.
 Project open_project(const std::string& file, const CommonOptions& options,
                      Diagnostics& diagnostics);
+
+// NAME.test.json is a regression test (cli/test_case.h) and NAME.preset.json a set of values; both
+// are in the folder of the graph NAME.json, so `*.json` matches them too.
+inline constexpr std::string_view test_suffix = ".test.json";
+inline constexpr std::string_view preset_suffix = ".preset.json";
+
+// Reports an error with a hint and returns true if `file` is named like a test or a preset.
+bool report_no_graph(const std::string& file, Diagnostics& diagnostics);
+
+// Returns the graphs and reports one warning that lists the other files. If there are no graphs,
+// returns all files, and reading them reports the errors.
+std::vector<std::string> graphs_among(const std::vector<std::string>& files,
+                                      Diagnostics& diagnostics);
 
 // Reads a complete file or stream; returns std::nullopt and reports an error on failure.
 std::optional<std::string> read_text(const std::string& file, Diagnostics& diagnostics);

@@ -4,7 +4,6 @@
 #include "base/file.h"
 #include "cli/output.h"
 #include "cli/test_run.h"
-#include "cli/test_schema.h"
 
 namespace wrinkle::cli {
 namespace {

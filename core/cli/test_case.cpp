@@ -5,8 +5,8 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "cli/meshes.h"
+#include "cli/output.h"
 #include "cli/session.h"
-#include "cli/test_schema.h"
 #include "graph/document.h"
 #include "json/parse.h"
 
@@ -90,7 +90,7 @@ private:
             else if (member.key == "mesh")
                 read_mesh(member.value, render);
             else if (member.key == "view")
-                read_view(member, render.picture);
+                read_view(member.value, render.picture);
             else if (member.key == "size")
                 read_size(member.value, render.picture);
             else if (member.key == "against" && wants(member.value, Kind::string, "against"))
@@ -108,9 +108,14 @@ private:
             error(value, "mesh: there is no '" + render.picture.mesh + "'", mesh_help());
     }
 
-    void read_view(const json::Member& member, PictureOptions& picture) {
-        std::string name;
-        if (choose(member, view_names(), name)) picture.view = *gpu::view_named(name);
+    void read_view(const Value& value, PictureOptions& picture) {
+        if (!wants(value, Kind::string, "view")) return;
+        const auto view = gpu::view_named(value.as_string());
+        if (view)
+            picture.view = *view;
+        else
+            error(value, "view: there is no '" + std::string(value.as_string()) + "'",
+                  joined(gpu::view_names(), ", "));
     }
 
     void read_size(const Value& value, PictureOptions& picture) {
@@ -119,28 +124,11 @@ private:
             error(value, "size does not fit", "a text such as \"512x512\"");
     }
 
-    bool choose(const json::Member& member, const std::vector<std::string>& names,
-                std::string& chosen) {
-        const Value& value = member.value;
-        if (!wants(value, Kind::string, std::string(member.key).c_str())) return false;
-        chosen = value.as_string();
-        if (std::find(names.begin(), names.end(), chosen) != names.end()) return true;
-        error(value, std::string(member.key) + ": there is no '" + chosen + "'", list(names));
-        return false;
-    }
-
-    static std::string list(const std::vector<std::string>& names) {
-        std::string text;
-        for (const std::string& name : names)
-            text += (text.empty() ? "" : ", ") + name;
-        return text;
-    }
-
     bool is_known(const json::Member& member, std::span<const CaseKey> keys) {
         const std::vector<std::string> names = names_of(keys);
         if (std::find(names.begin(), names.end(), member.key) != names.end()) return true;
         error(member.value, "unknown key '" + std::string(member.key) + "'",
-              did_you_mean(member.key, names, list(names)));
+              did_you_mean(member.key, names, joined(names, ", ")));
         return false;
     }
 

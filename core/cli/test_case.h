@@ -1,16 +1,16 @@
 // Regression cases of a graph NAME.json, read from NAME.test.json in the same folder. They are
-// documented in docs/test-cases.md; cli/test_schema.h lists the keys. All keys are optional;
-// unknown keys are errors.
+// documented in docs/test-cases.md. All keys are optional; unknown keys are errors.
 #pragma once
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "cli/graph_files.h"
 #include "cli/picture.h"
 #include "cli/points.h"
+#include "cli/session.h"
 #include "json/value.h"
 
 namespace wrinkle::cli {
@@ -36,6 +36,19 @@ struct TestCase {
 
     std::filesystem::path golden(const std::string& extension) const;
 };
+
+// Key of a test file, for the reader and for the JSON Schema that `wrinkle test --schema` prints.
+// Values are JSON text. `schema` holds the members of the JSON Schema of the value.
+struct CaseKey {
+    std::string name, doc, schema, fallback, example;  // fallback "": no default
+};
+
+const std::vector<CaseKey>& case_keys();    // top-level keys
+const std::vector<CaseKey>& render_keys();  // keys of "render"
+
+std::vector<std::string> names_of(std::span<const CaseKey> keys);
+
+std::string case_schema();
 
 // Returns std::nullopt and reports a problem on failure. If `updating` is set, `expect` and
 // `points` may differ in length.

@@ -1,4 +1,4 @@
-#include "cli/test_compare.h"
+// Comparison of results with the expected values of a test.
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,7 @@
 
 #include "base/angle.h"
 #include "base/text.h"
+#include "cli/test_run.h"
 #include "json/write.h"
 
 namespace wrinkle::cli {

@@ -39,13 +39,6 @@ bool is_finite(const std::vector<OutputColumn>& columns, size_t point) {
     return true;
 }
 
-std::string joined(const std::vector<std::string>& sentences) {
-    std::string text;
-    for (const std::string& sentence : sentences)
-        text += (text.empty() ? "" : "; ") + sentence;
-    return text;
-}
-
 // Opens the mesh of a render case; a path is resolved like the image paths of the graph. Returns
 // std::nullopt and reports an error on failure.
 std::optional<Mesh> mesh_of(const RenderCase& render, const Project& project,
@@ -134,7 +127,7 @@ void TestRun::values(const TestCase& test, const MaterialRun& run, const Texture
             pass();
         else
             fail(test, test.points[point].source, "",
-                 "point " + std::to_string(point) + ", " + joined(sentences));
+                 "point " + std::to_string(point) + ", " + joined(sentences, "; "));
     }
     if (options_.update) update_values(test, *columns, differs);
 }
@@ -241,12 +234,10 @@ void TestRun::fail(const TestCase& test, const json::Value& place, const char* p
                    const std::string& sentence) {
     ++tally_.failed;
     std::printf("FAIL %s\n", printable(test.file.string() + ": " + sentence).c_str());
-    Diagnostic failure;
-    if (place.has_location())
-        failure = diagnose(place, "", sentence, "");
-    else
-        failure.where.file = test.file, failure.pointer = pointer, failure.message = sentence;
-    failures_.add(std::move(failure));
+    failures_.add(
+        place.has_location()
+            ? diagnose(place, "", sentence, "")
+            : Diagnostic{Severity::error, {test.file.string()}, pointer, "", sentence, ""});
 }
 
 }  // namespace wrinkle::cli

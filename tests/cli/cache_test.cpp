@@ -1,6 +1,8 @@
 // Tests of wrinkle compile --cache: hits and misses write the same output, and no change of the
 // cache folder makes a wrong output.
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -298,17 +300,19 @@ TEST_F(CacheTest, WhatWasNotUsedForLongGoesFirst) {
     const auto now = fs::file_time_type::clock::now();
     const fs::path old = entry.parent_path() / std::string(64, 'd'),
                    used = entry.parent_path() / std::string(64, 'e'),
-                   killed = entry.parent_path() / (std::string(64, 'f') + ".tmpabcdef"),
-                   at_work = entry.parent_path() / (std::string(64, 'e') + ".tmpabcdef");
+                   killed = entry.parent_path() / ".wrinkle-tmp-1-0",
+                   at_work = entry.parent_path() / ".wrinkle-tmp-1-1";
     for (const fs::path& path : {old, used}) {
         std::ofstream(path) << std::string(4000, 'x');
         fs::last_write_time(path, now - std::chrono::hours(path == old ? 3 : 2));
     }
     std::ofstream(killed) << "killed";
-    fs::last_write_time(killed, now - std::chrono::hours(2));
     std::ofstream(at_work) << "at work";
+    const int lock = open(at_work.c_str(), O_RDONLY);  // as its writer holds it
+    ASSERT_EQ(flock(lock, LOCK_EX), 0);
     fs::remove(entry);
     ASSERT_EQ(compile({"--cache-size", std::to_string(16 * 7000)}).code, 0);
+    close(lock);
     EXPECT_EQ(entries().size(), 3u);
     EXPECT_TRUE(fs::exists(at_work));
     EXPECT_FALSE(fs::exists(killed));
