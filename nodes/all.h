@@ -1,7 +1,7 @@
 // The built-in nodes as one plugin. all.cpp lists them; there is no self-registration.
 #pragma once
 
-#include "wrinkle/plugin.h"
+struct wr_plugin;
 
 namespace wrinkle {
 

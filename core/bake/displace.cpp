@@ -7,6 +7,8 @@
 #include "bake/mesh_check.h"
 #include "mesh/weld.h"
 
+#include "ir/op.h"
+
 namespace wrinkle {
 namespace {
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <random>
 
+#include "ir/op.h"
+
 namespace wrinkle::certify {
 namespace {
 

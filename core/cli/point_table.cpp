@@ -8,6 +8,7 @@
 #include "base/words.h"
 #include "cli/arguments.h"
 #include "cli/npy.h"
+#include "ir/op.h"
 
 namespace wrinkle::cli {
 namespace {

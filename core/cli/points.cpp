@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "graph/document.h"
+#include "ir/op.h"
 #include "json/parse.h"
 
 namespace wrinkle::cli {

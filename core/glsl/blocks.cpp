@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "ir/op.h"
+
 namespace wrinkle {
 namespace {
 

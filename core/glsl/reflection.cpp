@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "glsl/target.h"
+#include "ir/op.h"
 
 namespace wrinkle {
 namespace {

@@ -10,9 +10,12 @@
 #include <vector>
 
 #include "base/texture_options.h"
-#include "ir/op.h"
 
 namespace wrinkle {
+
+enum class SurfaceInput : uint8_t;  // ir/op.h, like the next two
+enum class Type : uint8_t;
+enum class Variant : uint8_t;
 
 // Set and binding of a resource if the target numbers them (Bindings in glsl/target.h).
 struct Binding {
@@ -31,7 +34,7 @@ struct Block {
 // A uniform made from a parameter of the module.
 struct UniformInfo {
     std::string name;  // "softer_amount"; for a graph input "input_amount"
-    Type type = Type::float_;
+    Type type{};
     std::array<double, 4> value{};  // value in the graph
     std::string node;               // path; "" for a graph input
     std::string port;
@@ -59,16 +62,16 @@ struct SamplerInfo {
 // from the origin. The `input` of that member is `position`.
 struct MemberInfo {
     std::string name;  // "uv0", "position_relative"; with given differentials also "uv0_dx"
-    Type type = Type::float_;
-    SurfaceInput input = SurfaceInput::position_;
-    Variant variant = Variant::value;
+    Type type{};
+    SurfaceInput input{};
+    Variant variant{};
     bool relative = false;
 };
 
 struct FunctionInfo {
     std::string output;    // "normal"
     std::string function;  // "wrinkle_NAME_normal"
-    Type type = Type::vec3_;
+    Type type{};
     uint32_t port_type = 0;  // WR_PORT_*
     int location = -1;       // location of the fragment output; shader form only
     std::string variable;    // name of the fragment output
@@ -77,9 +80,9 @@ struct FunctionInfo {
 // A vertex attribute of the shader form, at its location in glsl/attributes.h.
 struct AttributeInfo {
     std::string name;
-    Type type = Type::vec3_;
+    Type type{};
     int location = 0;
-    SurfaceInput input = SurfaceInput::position_;
+    SurfaceInput input{};
     std::string semantic;  // HLSL: "POSITION", "TEXCOORD0"
 };
 

@@ -3,6 +3,8 @@
 #include "gpu/material.h"
 #include "gpu/point_runner.h"
 
+#include "ir/op.h"
+
 namespace wrinkle::gpu {
 namespace {
 

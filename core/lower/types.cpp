@@ -4,6 +4,7 @@
 
 #include "graph/wires.h"
 #include "lower/literal.h"
+#include "wrinkle/plugin.h"
 
 namespace wrinkle {
 namespace {

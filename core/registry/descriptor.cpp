@@ -8,9 +8,20 @@
 
 #include "base/printable.h"
 #include "base/text.h"
+#include "wrinkle/plugin.h"
 
 namespace wrinkle {
 namespace {
+
+static_assert(Port::Kind{WR_KIND_INPUT} == Port::Kind::input &&
+              Port::Kind{WR_KIND_OUTPUT} == Port::Kind::output &&
+              Port::Kind{WR_KIND_CHOICE} == Port::Kind::choice &&
+              Port::Kind{WR_KIND_COUNT} == Port::Kind::count &&
+              Port::Kind{WR_KIND_FLAG} == Port::Kind::flag &&
+              Port::Kind{WR_KIND_FIELD} == Port::Kind::field);
+static_assert(Port::Default{WR_DEFAULT_NONE} == Port::Default::none &&
+              Port::Default{WR_DEFAULT_CONSTANT} == Port::Default::constant &&
+              Port::Default{WR_DEFAULT_SURFACE} == Port::Default::surface);
 
 constexpr uint32_t most_nodes = 10'000;
 constexpr uint32_t max_ports = 256;  // also the limit of choices and renames

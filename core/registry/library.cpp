@@ -8,6 +8,7 @@
 
 #include "base/printable.h"
 #include "registry/descriptor.h"
+#include "wrinkle/plugin.h"
 
 namespace wrinkle {
 namespace {

@@ -9,6 +9,7 @@
 #include "json/write.h"
 #include "registry/descriptor.h"
 #include "registry/port_text.h"
+#include "wrinkle/plugin.h"
 
 namespace wrinkle {
 namespace {

@@ -1,10 +1,16 @@
 #include "registry/port_type.h"
 
+#include <wrinkle/plugin.h>
+
 #include <algorithm>
 #include <array>
 
 namespace wrinkle {
 namespace {
+
+#define X(name, number, value) static_assert(static_cast<int>(PortType::name##_) == number);
+WR_PORT_TYPES(X)
+#undef X
 
 #define X(name, number, value) #name,
 constexpr std::array<std::string_view, port_type_count> names = {WR_PORT_TYPES(X)};

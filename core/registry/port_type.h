@@ -1,8 +1,6 @@
-// Port types, generated from the table in wrinkle/plugin.h. lower/conversion.h defines the
-// conversions between them.
+// Port types: the rows of WR_PORT_TYPES in wrinkle/plugin.h, which port_type.cpp compares.
+// lower/conversion.h defines the conversions between them.
 #pragma once
-
-#include <wrinkle/plugin.h>
 
 #include <cstdint>
 #include <optional>
@@ -11,9 +9,18 @@
 
 namespace wrinkle {
 
-#define X(name, number, value) name##_ = number,
-enum class PortType : uint8_t { WR_PORT_TYPES(X) };
-#undef X
+enum class PortType : uint8_t {
+    float_ = 1,
+    vec2_,
+    vec3_,
+    vec4_,
+    color_,
+    height_,
+    derivative_,
+    gradient_,
+    normal_,
+    image_
+};
 inline constexpr uint32_t port_type_count = 10;  // numbered from 1
 
 std::string_view name_of(PortType type);

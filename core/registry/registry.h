@@ -18,21 +18,18 @@
 #include "base/texture_options.h"
 #include "registry/port_type.h"
 
+struct wr_builder;
+struct wr_plugin;
+
 namespace wrinkle {
 
+// Kind and Default have the numbers of WR_KIND_* and WR_DEFAULT_* (wrinkle/plugin.h).
 struct Port {
-    enum class Kind : uint8_t {
-        input = WR_KIND_INPUT,
-        output = WR_KIND_OUTPUT,
-        choice = WR_KIND_CHOICE,
-        count = WR_KIND_COUNT,
-        flag = WR_KIND_FLAG,
-        field = WR_KIND_FIELD,
-    };
+    enum class Kind : uint8_t { input = 1, output, choice, count, flag, field };
     enum class Default : uint8_t {
-        none = WR_DEFAULT_NONE,  // required; a gradient or a derivative is flat
-        constant = WR_DEFAULT_CONSTANT,
-        surface = WR_DEFAULT_SURFACE,
+        none,  // required; a gradient or a derivative is flat
+        constant,
+        surface
     };
     Kind kind = Kind::input;
     PortType type = PortType::float_;  // for inputs, outputs and fields

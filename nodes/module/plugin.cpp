@@ -1,3 +1,4 @@
+#include "wrinkle/plugin.h"
 #include "nodes/all.h"
 
 const wr_plugin* wrinkle_plugin(void) {

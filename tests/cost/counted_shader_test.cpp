@@ -1,5 +1,6 @@
 // Tests of the attribution of lines and helper functions to nodes.
 #include "cost/counted_shader.h"
+#include "ir/op.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@ Shader shader_of(std::vector<std::pair<std::string, uint32_t>> lines) {
     }
     FunctionInfo& function = shader.reflection.functions.emplace_back();
     function.output = "not an identifier";
+    function.type = Type::vec3_;
     function.function = "f";
     shader.reflection.node_paths = {"", "weave", "strap/tilt"};
     return shader;

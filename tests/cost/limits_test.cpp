@@ -1,5 +1,6 @@
 // Tests of the resources named when a shader exceeds the guaranteed minimum of a target.
 #include "cost/limits.h"
+#include "ir/op.h"
 
 #include <gtest/gtest.h>
 
@@ -26,6 +27,7 @@ std::string excess_of(const char* target, int count) {
     for (int i = 0; i < count; ++i) {
         FunctionInfo& function = reflection.functions.emplace_back();
         function.output = "o" + std::to_string(i);
+        function.type = Type::vec3_;
         function.location = i;
     }
     return draw_buffer_excess(reflection).problem;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ir/op.h"
 #include "json/parse.h"
 
 namespace wrinkle::test {
@@ -17,6 +18,7 @@ Shader small_shader() {
     r.members = {{"normal", Type::vec3_}};
     FunctionInfo& function = r.functions.emplace_back();
     function.output = "normal";
+    function.type = Type::vec3_;
     function.function = "f";
     r.lines = {no_node, 0, 1, 2, 2, no_node};
     r.node_paths = {"", "weave", "strap/tilt"};

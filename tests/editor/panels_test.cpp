@@ -11,6 +11,7 @@
 #include "editor/panels/help.h"
 #include "editor/panels/panels.h"
 #include "headless.h"
+#include "wrinkle/plugin.h"
 
 namespace wrinkle::editor {
 namespace {

@@ -15,6 +15,7 @@
 #include "json/parse.h"
 #include "registry/listing.h"
 #include "registry/reference.h"
+#include "wrinkle/plugin.h"
 
 namespace wrinkle::fuzz {
 namespace {

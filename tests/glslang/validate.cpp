@@ -5,6 +5,8 @@
 
 #include <sstream>
 
+#include "ir/op.h"
+
 namespace wrinkle::test {
 namespace {
 

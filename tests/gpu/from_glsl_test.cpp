@@ -3,6 +3,7 @@
 
 #include "fixture.h"
 #include "glsl/emit.h"
+#include "ir/op.h"
 
 namespace wrinkle::gpu {
 namespace {
@@ -25,6 +26,7 @@ Shader written_by_hand() {
     FunctionInfo normal;
     normal.output = "normal";
     normal.function = "wrinkle_hand_normal";
+    normal.type = Type::vec3_;
     reflection.functions = {normal};
     UniformInfo amount;
     amount.name = "bump_amount";

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "registry/registry.h"
+#include "wrinkle/plugin.h"
 
 namespace wrinkle {
 namespace {

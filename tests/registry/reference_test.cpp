@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "registry/reference.h"
+#include "wrinkle/plugin.h"
 
 namespace wrinkle {
 namespace {

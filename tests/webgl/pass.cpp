@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "image/stored.h"
+#include "ir/op.h"
 
 namespace wrinkle::test {
 namespace {
