@@ -100,7 +100,7 @@ float* TexelPoints::fill_row(std::span<const uint32_t> owners, const double* u, 
         if (owner == Coverage::none) continue;
         CachedTriangle& triangle = cache[owner % cache.size()];
         if (triangle.triangle != owner) insert(owner, triangle);
-        const PlaceRow run = {u + first, v, end - first};
+        const PointRow run = {u + first, v, end - first};
         interpolate_(triangle.planes, run, out, stride);
         for (const Source& source : views_)
             fill_view(triangle, run, source, out + source.plane * stride);
@@ -144,7 +144,7 @@ void TexelPoints::insert(uint32_t triangle, CachedTriangle& one) const {
                   one.constant.size()};
 }
 
-void TexelPoints::fill_uvs(const PlaceRow& row, size_t stride, float* out) const {
+void TexelPoints::fill_uvs(const PointRow& row, size_t stride, float* out) const {
     for (const Source& source : uvs_) {
         float* to = out + source.plane * stride;
         for (size_t i = 0; i < row.count; ++i)
@@ -152,7 +152,7 @@ void TexelPoints::fill_uvs(const PlaceRow& row, size_t stride, float* out) const
     }
 }
 
-void TexelPoints::fill_view(const CachedTriangle& one, const PlaceRow& row, const Source& source,
+void TexelPoints::fill_view(const CachedTriangle& one, const PointRow& row, const Source& source,
                             float* out) const {
     const uint32_t* corners = mesh_.indices.data() + 3 * size_t{one.triangle};
     const auto at = [&](const glm::dvec3& w) {

@@ -66,8 +66,8 @@ private:
     // Fills the points of adjacent texels; returns the output position after them.
     float* fill_row(std::span<const uint32_t> owners, const double* u, double v, size_t stride,
                     float* out, TriangleCache& cache) const;
-    void fill_uvs(const PlaceRow& row, size_t stride, float* out) const;
-    void fill_view(const CachedTriangle& one, const PlaceRow& row, const Source& source,
+    void fill_uvs(const PointRow& row, size_t stride, float* out) const;
+    void fill_view(const CachedTriangle& one, const PointRow& row, const Source& source,
                    float* out) const;
 
     const Mesh& mesh_;

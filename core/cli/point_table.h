@@ -64,7 +64,7 @@ private:
     std::string name_, bytes_;  // records
     size_t first_ = 0, record_ = 0, count_ = 0;
     uint32_t first_line_ = 0;  // line of the first point; 0: no lines (NPY)
-    std::array<std::array<Places, 3>, surface_input_count> places_;
+    std::array<std::array<Places, 3>, PointSet::inputs> places_;
 };
 
 }  // namespace wrinkle::cli

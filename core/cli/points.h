@@ -24,7 +24,7 @@ struct Point {
         bool given = false;
         std::array<double, 4> lanes{};
     };
-    std::array<Slot, size_t{surface_input_count} * 3> slots;
+    std::array<Slot, PointSet::inputs * 3> slots;
     std::string name;    // "point 3", for messages
     json::Value source;  // value that the point was read from
 

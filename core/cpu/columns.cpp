@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "ir/op.h"
 
 namespace wrinkle {
 namespace {
@@ -32,6 +33,10 @@ std::vector<std::string> surface_input_names() {
     for (int i = 0; i < surface_input_count; ++i)
         names.emplace_back(info(static_cast<SurfaceInput>(i)).name);
     return names;
+}
+
+size_t lanes_of(const InputNeed& need) {
+    return info(info(need.input).type).lanes;
 }
 
 std::vector<OutputColumn> evaluate_columns(const Program& program, const PointSet& points,

@@ -15,9 +15,7 @@ namespace wrinkle {
 std::string name_of(const InputNeed& need);
 std::optional<InputNeed> find_input(std::string_view name);
 std::vector<std::string> surface_input_names();  // without differentials
-inline size_t lanes_of(const InputNeed& need) {
-    return info(info(need.input).type).lanes;
-}
+size_t lanes_of(const InputNeed& need);
 
 enum class Precision : uint8_t { single, full };
 

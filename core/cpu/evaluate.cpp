@@ -4,9 +4,12 @@
 #include <set>
 
 #include "cpu/tile.h"
+#include "ir/op.h"
 
 namespace wrinkle {
 namespace {
+
+static_assert(PointSet::inputs == surface_input_count);
 
 template <class T>
 void load(const PointSet& points, const Program::Input& input, size_t first, size_t count, T* out) {

@@ -18,35 +18,34 @@
 #include <vector>
 
 #include "cpu/texture.h"
-#include "ir/op.h"
 
 namespace wrinkle {
 
-class Module;  // ir/module.h
+class Module;              // ir/module.h
+enum class Op : uint16_t;  // ir/op.h, like the next three
+enum class Type : uint8_t;
+enum class SurfaceInput : uint8_t;
+enum class Variant : uint8_t;
 
 // Surface points as arrays: [point * lanes + lane] by input and variant; empty if not given. Units
 // and spaces are those of the table of surface inputs; dx and dy are differentials per pixel.
 struct PointSet {
+    static constexpr size_t inputs = 10;  // surface_input_count of ir/op.h
     size_t count = 0;
-    std::array<std::array<std::vector<double>, 3>, surface_input_count> values;
+    std::array<std::array<std::vector<double>, 3>, inputs> values;
 
-    std::vector<double>& at(SurfaceInput input, Variant variant = Variant::value) {
+    std::vector<double>& at(SurfaceInput input, Variant variant = {}) {
         return values[static_cast<size_t>(input)][static_cast<size_t>(variant)];
     }
-    const std::vector<double>& at(SurfaceInput input, Variant variant = Variant::value) const {
+    const std::vector<double>& at(SurfaceInput input, Variant variant = {}) const {
         return values[static_cast<size_t>(input)][static_cast<size_t>(variant)];
     }
 };
 
-// Returns true if values of this type are stored in integer registers.
-constexpr bool is_integer_type(Type type) {
-    return type == Type::int_ || type == Type::uint_ || type == Type::bool_;
-}
-
-// One operation on a tile. Operands are scalars; dot (a, then b), cross and normalize take two or
-// three components of a vector at once, which saves passes over memory. Float and integer registers
-// (bools are 0 or 1) are two separate register files.
-struct Step {
+// One step of a program: an operation on a tile. Operands are scalars; dot (a, then b), cross and
+// normalize take two or three components of a vector at once, which saves passes over memory.
+// Floats and whole numbers (is_whole_type(); bools are 0 or 1) are in two separate register files.
+struct CpuInst {
     enum class Kind : uint8_t {
         op,
         pair,         // second(op(in[0], in[1]), in[2]), or second(in[2], op(...))
@@ -62,18 +61,18 @@ struct Step {
         loop_end,     // extra: the index of the step of its loop_begin
     };
     Kind kind = Kind::op;
-    Op op = Op::poison_;
-    Op second = Op::poison_;
+    Op op{};
+    Op second{};
     bool swapped = false;
-    Type type = Type::float_;  // type of the operands
-    uint8_t count = 0;         // number of operands
+    Type type{};        // of the operands
+    uint8_t count = 0;  // number of operands
     uint8_t outputs = 0;
     uint8_t channels = 4;
     std::array<uint32_t, 4> out{};
     std::array<uint32_t, 6> in{};
     uint32_t extra = 0;  // resource index, or as listed at Kind
     uint32_t bias = 0;
-    uint16_t loop = 0;  // loop_of() in kernel_table.h, for kinds op, pair and depth
+    uint16_t kernel = 0;  // kernel_index() in kernel_table.h, for kinds op, pair and depth
     // Resource index + 1 if the result is used only for that texture's lod; 0 if it has other uses.
     uint32_t lod_of = 0;
 };
@@ -97,7 +96,7 @@ struct Program {
         Type type;
         uint32_t reg;
     };
-    std::vector<Step> steps;
+    std::vector<CpuInst> steps;
     std::vector<Input> inputs;
     std::vector<ConstantRegister> presets;
     std::vector<double> constants;
@@ -118,8 +117,8 @@ Program compile_program(const Module& module, std::string& why,
 
 // Returns the inputs that a program reads, each once, in the order of the enumerators.
 struct InputNeed {
-    SurfaceInput input = SurfaceInput::position_;
-    Variant variant = Variant::value;
+    SurfaceInput input{};
+    Variant variant{};
 };
 std::vector<InputNeed> needed_inputs(const Program& program);
 

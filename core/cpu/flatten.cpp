@@ -23,7 +23,7 @@ void Flattener::refuse(std::string why) {
     if (why_.empty()) why_ = std::move(why);
 }
 
-void Flattener::push(const Step& step) {
+void Flattener::push(const CpuInst& step) {
     if (program_.steps.size() < max_steps_)
         program_.steps.push_back(step);
     else
@@ -32,12 +32,12 @@ void Flattener::push(const Step& step) {
 }
 
 uint32_t Flattener::fresh(Type type) {
-    integer_.push_back(is_integer_type(type));
+    integer_.push_back(is_whole_type(type));
     return static_cast<uint32_t>(integer_.size() - 1);
 }
 
 uint32_t Flattener::add(Op op, Type operands, Type result, const Lanes& in) {
-    Step step;
+    CpuInst step;
     step.op = op;
     step.type = operands;
     std::copy(in.begin(), in.end(), step.in.begin());
@@ -49,8 +49,8 @@ uint32_t Flattener::add(Op op, Type operands, Type result, const Lanes& in) {
 }
 
 void Flattener::move(Type type, uint32_t from, uint32_t to, bool masked) {
-    Step step;
-    step.kind = masked ? Step::Kind::masked_move : Step::Kind::move;
+    CpuInst step;
+    step.kind = masked ? CpuInst::Kind::masked_move : CpuInst::Kind::move;
     step.type = type;
     step.in[0] = from;
     step.count = 1;
@@ -61,12 +61,12 @@ void Flattener::move(Type type, uint32_t from, uint32_t to, bool masked) {
 
 // Emits the constant at its first use, so that few constants are live at once.
 uint32_t Flattener::constant(double value, Type type) {
-    const bool integer = is_integer_type(type);
-    const auto [entry, added] = constants_.try_emplace({std::bit_cast<uint64_t>(value), integer});
+    const auto [entry, added] =
+        constants_.try_emplace({std::bit_cast<uint64_t>(value), is_whole_type(type)});
     if (!added) return entry->second;
-    Step step;
-    step.kind = Step::Kind::constant;
-    step.type = integer ? type : Type::float_;
+    CpuInst step;
+    step.kind = CpuInst::Kind::constant;
+    step.type = component_type(type);
     step.extra = static_cast<uint32_t>(program_.constants.size());
     step.outputs = 1;
     step.out[0] = entry->second = fresh(type);
@@ -167,7 +167,7 @@ std::vector<Flattener::Lanes> Flattener::looped(const Inst& inst, const std::vec
     const Region& region = module_->region(inst.extra);
     std::vector<Lanes> state;
     for (size_t k = 0; k < args.size(); ++k) {
-        const Type type = is_integer_type(region.params[k]) ? region.params[k] : Type::float_;
+        const Type type = component_type(region.params[k]);
         Lanes lanes;
         for (const uint32_t lane : args[k]) {
             lanes.push_back(fresh(type));
@@ -176,8 +176,8 @@ std::vector<Flattener::Lanes> Flattener::looped(const Inst& inst, const std::vec
         state.push_back(std::move(lanes));
     }
     const auto begin = static_cast<uint32_t>(program_.steps.size());
-    Step step;
-    step.kind = Step::Kind::loop_begin;
+    CpuInst step;
+    step.kind = CpuInst::Kind::loop_begin;
     step.extra = region.max_iterations;
     push(step);
     if (context_.size() <= region.level) context_.resize(region.level + 1u);
@@ -185,7 +185,7 @@ std::vector<Flattener::Lanes> Flattener::looped(const Inst& inst, const std::vec
     context_[region.level].params = state;
     compute(region.results, region.level);
     if (!refused()) advance_state(region, state);
-    step.kind = Step::Kind::loop_end;
+    step.kind = CpuInst::Kind::loop_end;
     step.extra = begin;
     push(step);
     context_[region.level] = {};
@@ -201,7 +201,7 @@ void Flattener::advance_state(const Region& region, const std::vector<Lanes>& st
     };
     std::vector<Move> moves;
     for (size_t k = 0; k < state.size(); ++k) {
-        const Type type = is_integer_type(region.params[k]) ? region.params[k] : Type::float_;
+        const Type type = component_type(region.params[k]);
         const Lanes next = lanes(region.results[k + 1]);
         for (size_t i = 0; i < next.size(); ++i) {
             if (next[i] == state[k][i]) continue;
@@ -210,8 +210,8 @@ void Flattener::advance_state(const Region& region, const std::vector<Lanes>& st
             moves.push_back({type, copy, state[k][i]});
         }
     }
-    Step test;
-    test.kind = Step::Kind::loop_test;
+    CpuInst test;
+    test.kind = CpuInst::Kind::loop_test;
     test.type = Type::bool_;
     test.in[0] = lanes(region.results[0])[0];
     test.count = 1;
@@ -235,8 +235,8 @@ Program Flattener::run(std::string& why) {
     mark_live_channels(program_, integer_.size());
     fuse_steps(program_, integer_.size());
     allocate_registers(program_, integer_);
-    for (Step& step : program_.steps)
-        step.loop = static_cast<uint16_t>(loop_of(step));
+    for (CpuInst& step : program_.steps)
+        step.kernel = static_cast<uint16_t>(kernel_index(step));
     static std::atomic<uint64_t> compilations = 0;
     program_.serial = ++compilations;
     return std::move(program_);

@@ -51,7 +51,7 @@ private:
     uint32_t constant(double value, Type type);
     uint32_t dot(const Lanes& a, const Lanes& b);
     Lanes add_vector(Op op, size_t outputs, const Lanes& in);
-    void push(const Step& step);
+    void push(const CpuInst& step);
     void refuse(std::string why);
     bool refused() const { return !why_.empty(); }
 
@@ -66,11 +66,30 @@ private:
     std::string why_;             // reason if the program is refused
 };
 
+// Returns the type of a component of a value.
+inline Type component_type(Type type) {
+    return is_whole_type(type) ? type : Type::float_;
+}
+
+// Removes steps; loops keep their extent.
+template <class F>
+void remove_steps(std::vector<CpuInst>& steps, F is_removed) {
+    std::vector<uint32_t> new_index;
+    std::vector<CpuInst> kept;
+    for (const CpuInst& step : steps) {
+        new_index.push_back(static_cast<uint32_t>(kept.size()));
+        if (is_removed(step)) continue;
+        kept.push_back(step);
+        if (step.kind == CpuInst::Kind::loop_end) kept.back().extra = new_index[step.extra];
+    }
+    steps = std::move(kept);
+}
+
 // If the program has few constants, turns them into presets, written once before the first step,
 // and removes their steps.
 void hoist_constants(Program& program);
 
-// Sets Step::lod_of and Step::channels. Precondition: each register is written once, except loop
+// Sets CpuInst::lod_of and CpuInst::channels. Precondition: each register is written once, except loop
 // state.
 void mark_live_channels(Program& program, size_t registers);
 

@@ -19,8 +19,9 @@ uint32_t lane_of(const Lanes& lanes, size_t k) {
 
 // Adds a vector op as a single step.
 Flattener::Lanes Flattener::add_vector(Op op, size_t outputs, const Lanes& in) {
-    Step step;
+    CpuInst step;
     step.op = op;
+    step.type = Type::float_;
     std::copy(in.begin(), in.end(), step.in.begin());
     step.count = static_cast<uint8_t>(in.size());
     step.outputs = static_cast<uint8_t>(outputs);
@@ -113,15 +114,12 @@ Flattener::Lanes Flattener::rearranged(const Inst& inst, const std::vector<Lanes
 
 Flattener::Lanes Flattener::lanewise(const Inst& inst, Type operands,
                                      const std::vector<Lanes>& args) {
-    const Type operand =
-        is_float_type(operands) || operands == Type::mat3_ ? Type::float_ : operands;
-    const Type result = is_integer_type(inst.type) ? inst.type : Type::float_;
     Lanes lanes;
     for (size_t k = 0; k < lane_count(inst.type); ++k) {
         Lanes in;
         for (const Lanes& arg : args)
             in.push_back(lane_of(arg, k));
-        lanes.push_back(add(inst.op, operand, result, in));
+        lanes.push_back(add(inst.op, component_type(operands), component_type(inst.type), in));
     }
     return lanes;
 }
@@ -169,14 +167,14 @@ Flattener::Lanes Flattener::transformed(const std::vector<Lanes>& args) {
 }
 
 Flattener::Lanes Flattener::sampled(const Inst& inst, const std::vector<Lanes>& args) {
-    Step step;
-    step.kind = inst.op == Op::image_size_ ? Step::Kind::size : Step::Kind::sample;
+    CpuInst step;
+    step.kind = inst.op == Op::image_size_ ? CpuInst::Kind::size : CpuInst::Kind::sample;
     step.extra = inst.extra;
     if (inst.op == Op::sample_lod_) {
         step.in = {args[0][0], args[0][1], args[1][0]};
         step.count = 3;
     }
-    step.outputs = step.kind == Step::Kind::sample ? 4 : 2;
+    step.outputs = step.kind == CpuInst::Kind::sample ? 4 : 2;
     Lanes result;
     for (size_t k = 0; k < step.outputs; ++k)
         result.push_back(step.out[k] = fresh(Type::float_));

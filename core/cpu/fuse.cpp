@@ -15,56 +15,56 @@ public:
     Fuser(Program& program, size_t registers)
         : steps_(program.steps),
           presets_(program.presets),
-          maker_(registers, no_step),
-          reader_(registers, no_step),
-          reads_(registers, 0) {
+          def_(registers, no_step),
+          user_(registers, no_step),
+          uses_(registers, 0) {
         for (uint32_t s = 0; s < steps_.size(); ++s)
             for (uint32_t i = 0; i < steps_[s].count; ++i) {
-                ++reads_[steps_[s].in[i]];
-                reader_[steps_[s].in[i]] = s;
+                ++uses_[steps_[s].in[i]];
+                user_[steps_[s].in[i]] = s;
             }
         for (const Program::Output& output : program.outputs)
             for (const uint32_t reg : output.regs)
-                ++reads_[reg];
+                ++uses_[reg];
     }
 
     void run() {
-        for (Step& step : steps_)
-            if (step.kind == Step::Kind::sample) subtract(step);
+        for (CpuInst& step : steps_)
+            if (step.kind == CpuInst::Kind::sample) subtract(step);
         for (uint32_t s = 0; s < steps_.size(); ++s) {
-            Step& step = steps_[s];
+            CpuInst& step = steps_[s];
             // Moves and loop steps are barriers: values defined before them may be read again.
-            if (step.kind >= Step::Kind::move) block_ = s;
-            if (step.kind != Step::Kind::op || step.type != Type::float_) continue;
+            if (step.kind >= CpuInst::Kind::move) block_ = s;
+            if (step.kind != CpuInst::Kind::op || step.type != Type::float_) continue;
             if (!depth(step) && !sum_of_products(step)) pair(step);
-            if (step.outputs == 1) maker_[step.out[0]] = s;
+            if (step.outputs == 1) def_[step.out[0]] = s;
         }
-        drop_what_was_taken();
+        remove_steps(steps_, is_taken);
     }
 
 private:
-    // Returns the step that defines operand i if `reader` is its only user and the step can be
-    // moved down to `reader`; otherwise null.
-    Step* single_use_producer(const Step& reader, uint32_t i) {
-        const uint32_t maker = maker_[reader.in[i]];
-        if (maker == no_step || maker < block_ || reads_[reader.in[i]] != 1) return nullptr;
-        Step& step = steps_[maker];
-        return step.lod_of == reader.lod_of ? &step : nullptr;
+    // Returns the step that defines operand i if `user` is its only user and the step can be
+    // moved down to `user`; otherwise null.
+    CpuInst* single_use_producer(const CpuInst& user, uint32_t i) {
+        const uint32_t def = def_[user.in[i]];
+        if (def == no_step || def < block_ || uses_[user.in[i]] != 1) return nullptr;
+        CpuInst& step = steps_[def];
+        return step.lod_of == user.lod_of ? &step : nullptr;
     }
 
-    static bool is(const Step* step, Op op, uint8_t count) {
-        return step && step->kind == Step::Kind::op && step->op == op && step->count == count;
+    static bool is(const CpuInst* step, Op op, uint8_t count) {
+        return step && step->kind == CpuInst::Kind::op && step->op == op && step->count == count;
     }
 
     // Returns 1 + the index of the preset subtracted from all used channels of a sample; 0: none.
-    uint32_t bias_of(const Step& sample) const {
+    uint32_t bias_of(const CpuInst& sample) const {
         uint32_t bias = 0;
         for (uint32_t c = 0; c < 4; ++c) {
-            const uint32_t reads = reads_[sample.out[c]];
-            if (reads == 0) continue;
-            const uint32_t reader = reader_[sample.out[c]];
-            if (reads > 1 || reader == no_step) return 0;
-            const Step& step = steps_[reader];
+            const uint32_t uses = uses_[sample.out[c]];
+            if (uses == 0) continue;
+            const uint32_t user = user_[sample.out[c]];
+            if (uses > 1 || user == no_step) return 0;
+            const CpuInst& step = steps_[user];
             if (!is(&step, Op::sub_, 2) || step.in[0] != sample.out[c]) return 0;
             const auto preset = std::find_if(
                 presets_.begin(), presets_.end(),
@@ -79,45 +79,45 @@ private:
 
     // Folds the subtraction of one constant from all channels into the sample: the first operation
     // of normal map decoding.
-    void subtract(Step& sample) {
+    void subtract(CpuInst& sample) {
         sample.bias = bias_of(sample);
         for (uint32_t c = 0; c < 4 && sample.bias != 0; ++c) {
-            if (reads_[sample.out[c]] == 0) continue;
-            Step& step = steps_[reader_[sample.out[c]]];
+            if (uses_[sample.out[c]] == 0) continue;
+            CpuInst& step = steps_[user_[sample.out[c]]];
             sample.out[c] = step.out[0];
             take(step);
         }
     }
 
-    static bool is_size_max(const Step* step) {
-        return step && step->kind == Step::Kind::pair && step->op == Op::abs_ &&
+    static bool is_size_max(const CpuInst* step) {
+        return step && step->kind == CpuInst::Kind::pair && step->op == Op::abs_ &&
                step->second == Op::max_ && !step->swapped;
     }
 
     // Fuses the depth of a decoded normal, as ir/expand.h emits it; saves four passes.
-    bool depth(Step& step) {
+    bool depth(CpuInst& step) {
         if (step.op != Op::max_) return false;
-        Step* inner = single_use_producer(step, 0);
+        CpuInst* inner = single_use_producer(step, 0);
         if (!is_size_max(inner)) return false;
-        Step* least = single_use_producer(*inner, 2);
+        CpuInst* least = single_use_producer(*inner, 2);
         if (!is(least, Op::mul_, 2)) return false;
-        Step* greatest = single_use_producer(*least, 0);
+        CpuInst* greatest = single_use_producer(*least, 0);
         if (!is_size_max(greatest)) return false;
-        Step* size = single_use_producer(*greatest, 2);
+        CpuInst* size = single_use_producer(*greatest, 2);
         if (!is(size, Op::abs_, 1)) return false;
-        step.kind = Step::Kind::depth;
+        step.kind = CpuInst::Kind::depth;
         step.in = {greatest->in[0], size->in[0], least->in[1], inner->in[0], step.in[1]};
         step.count = 5;
-        for (Step* taken : {inner, least, greatest, size})
+        for (CpuInst* taken : {inner, least, greatest, size})
             take(*taken);
         return true;
     }
 
     // Fuses a * b + c * d, or a dot of two components plus a * b, into a dot with the same order of
     // summation.
-    bool sum_of_products(Step& step) {
+    bool sum_of_products(CpuInst& step) {
         if (step.op != Op::add_ || step.in[0] == step.in[1]) return false;
-        Step *a = single_use_producer(step, 0), *b = single_use_producer(step, 1);
+        CpuInst *a = single_use_producer(step, 0), *b = single_use_producer(step, 1);
         if (is(a, Op::mul_, 2) && is(b, Op::dot_, 4)) std::swap(a, b);
         if (!is(b, Op::mul_, 2)) return false;
         if (is(a, Op::mul_, 2)) {
@@ -135,47 +135,38 @@ private:
         return true;
     }
 
-    void pair(Step& step) {
+    void pair(CpuInst& step) {
         if (step.count != 2 || !stands_in(second_ops, step.op) || step.in[0] == step.in[1]) return;
         for (const uint32_t i : {0u, 1u}) {
-            Step* first = single_use_producer(step, i);
-            if (!first || first->kind != Step::Kind::op || !stands_in(first_ops, first->op))
+            CpuInst* first = single_use_producer(step, i);
+            if (!first || first->kind != CpuInst::Kind::op || !stands_in(first_ops, first->op))
                 continue;
             const uint32_t other = step.in[1 - i];
             step.second = step.op;
             step.swapped = i == 1;
             step.op = first->op;
-            step.kind = Step::Kind::pair;
+            step.kind = CpuInst::Kind::pair;
             step.in = {first->in[0], first->count == 2 ? first->in[1] : first->in[0], other};
             step.count = 3;
             return take(*first);
         }
     }
 
-    // Marks a step as fused into another one; drop_what_was_taken() removes it.
-    static void take(Step& step) {
+    // Marks a step as fused into another one; run() removes it.
+    static void take(CpuInst& step) {
         step.outputs = 0;
         step.count = 0;
-        step.kind = Step::Kind::op;
+        step.kind = CpuInst::Kind::op;
+    }
+    static bool is_taken(const CpuInst& step) {
+        return step.kind == CpuInst::Kind::op && step.outputs == 0;
     }
 
-    void drop_what_was_taken() {
-        std::vector<uint32_t> place;
-        std::vector<Step> kept;
-        for (const Step& step : steps_) {
-            place.push_back(static_cast<uint32_t>(kept.size()));
-            if (step.kind == Step::Kind::op && step.outputs == 0) continue;
-            kept.push_back(step);
-            if (step.kind == Step::Kind::loop_end) kept.back().extra = place[step.extra];
-        }
-        steps_ = std::move(kept);
-    }
-
-    std::vector<Step>& steps_;
+    std::vector<CpuInst>& steps_;
     const std::vector<Program::ConstantRegister>& presets_;
-    std::vector<uint32_t> maker_;   // by register, like the following two
-    std::vector<uint32_t> reader_;  // the last user
-    std::vector<uint32_t> reads_;
+    std::vector<uint32_t> def_;   // by register, like the following two
+    std::vector<uint32_t> user_;  // the last user
+    std::vector<uint32_t> uses_;
     uint32_t block_ = 0;  // steps before it are not fused
 };
 

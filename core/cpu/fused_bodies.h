@@ -38,7 +38,7 @@ struct AbsOfFirst {
 };
 
 template <class T, class First, class Second, bool swapped>
-void pair(const Step& step, const Registers<T>& registers, size_t n) {
+void pair(const CpuInst& step, const Registers<T>& registers, size_t n) {
     const T *a = lanes_of<T>(registers, step.in[0]), *b = lanes_of<T>(registers, step.in[1]),
             *c = lanes_of<T>(registers, step.in[2]);
     T* __restrict out = lanes_of<T>(registers, step.out[0]);
@@ -50,7 +50,7 @@ void pair(const Step& step, const Registers<T>& registers, size_t n) {
 }
 
 template <class T>
-void depth(const Step& step, const Registers<T>& registers, size_t n) {
+void depth(const CpuInst& step, const Registers<T>& registers, size_t n) {
     const T* in[5];
     for (size_t i = 0; i < 5; ++i)
         in[i] = lanes_of<T>(registers, step.in[i]);
@@ -62,52 +62,33 @@ void depth(const Step& step, const Registers<T>& registers, size_t n) {
     }
 }
 
-template <class T, class First, class Second>
-StepKernel<T> pair_of(bool swapped) {
-    return swapped ? pair<T, First, Second, true> : pair<T, First, Second, false>;
-}
-
 template <class T, class First>
-StepKernel<T> pair_with(Op second, bool swapped) {
-    switch (second) {
-        case Op::add_:
-            return pair_of<T, First, add_>(swapped);
-        case Op::sub_:
-            return pair_of<T, First, sub_>(swapped);
-        case Op::mul_:
-            return pair_of<T, First, mul_>(swapped);
-        case Op::min_:
-            return pair_of<T, First, min_>(swapped);
-        case Op::max_:
-            return pair_of<T, First, max_>(swapped);
-        default:
-            return nullptr;
-    }
+void add_pairs(KernelTable<T>& table, Op first) {
+    const auto add = [&]<class Second>(Op second, Second) {
+        table[fused_kernel(first, second, false)] = pair<T, First, Second, false>;
+        table[fused_kernel(first, second, true)] = pair<T, First, Second, true>;
+    };
+    add(Op::add_, add_{});
+    add(Op::sub_, sub_{});
+    add(Op::mul_, mul_{});
+    add(Op::min_, min_{});
+    add(Op::max_, max_{});
 }
 
+// Enters the kernels of all pairs of first_ops and second_ops.
 template <class T>
-[[gnu::noinline]] StepKernel<T> pair_kernel(Op first, Op second, bool swapped) {
-    switch (first) {
-        case Op::abs_:
-            return pair_with<T, AbsOfFirst>(second, swapped);
-        case Op::add_:
-            return pair_with<T, add_>(second, swapped);
-        case Op::sub_:
-            return pair_with<T, sub_>(second, swapped);
-        case Op::mul_:
-            return pair_with<T, mul_>(second, swapped);
-        case Op::min_:
-            return pair_with<T, min_>(second, swapped);
-        case Op::max_:
-            return pair_with<T, max_>(second, swapped);
-        default:
-            return nullptr;
-    }
+void add_pairs(KernelTable<T>& table) {
+    add_pairs<T, AbsOfFirst>(table, Op::abs_);
+    add_pairs<T, add_>(table, Op::add_);
+    add_pairs<T, sub_>(table, Op::sub_);
+    add_pairs<T, mul_>(table, Op::mul_);
+    add_pairs<T, min_>(table, Op::min_);
+    add_pairs<T, max_>(table, Op::max_);
 }
 
 // Dot product of two or three components, summed in order of the components.
 template <class T>
-void dot(const Step& step, const Registers<T>& registers, size_t n) {
+void dot(const CpuInst& step, const Registers<T>& registers, size_t n) {
     const T *a[3], *b[3];
     const size_t lanes = step.count / 2;
     for (size_t i = 0; i < 3; ++i) {
@@ -123,7 +104,7 @@ void dot(const Step& step, const Registers<T>& registers, size_t n) {
 }
 
 template <class T>
-void cross(const Step& step, const Registers<T>& registers, size_t n) {
+void cross(const CpuInst& step, const Registers<T>& registers, size_t n) {
     const T* in[6];
     for (size_t i = 0; i < 6; ++i)
         in[i] = lanes_of<T>(registers, step.in[i]);
@@ -140,7 +121,7 @@ void cross(const Step& step, const Registers<T>& registers, size_t n) {
 
 // Multiplies two or three components by the reciprocal of their length.
 template <class T>
-void normalize(const Step& step, const Registers<T>& registers, size_t n) {
+void normalize(const CpuInst& step, const Registers<T>& registers, size_t n) {
     const size_t last = step.count - 1u;
     const T *a = lanes_of<T>(registers, step.in[0]), *b = lanes_of<T>(registers, step.in[1]),
             *c = lanes_of<T>(registers, step.in[last]);
@@ -158,20 +139,6 @@ void normalize(const Step& step, const Registers<T>& registers, size_t n) {
         x[k] = a[k] * scale;
         y[k] = b[k] * scale;
         z[k] = c[k] * scale;
-    }
-}
-
-template <class T>
-StepKernel<T> of_vectors(Op op) {
-    switch (op) {
-        case Op::dot_:
-            return dot<T>;
-        case Op::cross_:
-            return cross<T>;
-        case Op::normalize_:
-            return normalize<T>;
-        default:
-            return nullptr;
     }
 }
 

@@ -35,14 +35,14 @@ struct TrianglePlanes {
     size_t constant_count = 0;
 };
 
-struct PlaceRow {
+struct PointRow {
     const double* u;  // u of each point; read to the end of the last SIMD vector
     double v;
     size_t count;
 };
 
 // Plane i begins at out + i * stride.
-using Interpolate = void (*)(const TrianglePlanes& triangle, const PlaceRow& row, float* out,
+using Interpolate = void (*)(const TrianglePlanes& triangle, const PointRow& row, float* out,
                              size_t stride);
 
 }  // namespace wrinkle

@@ -40,18 +40,18 @@ CornerWeights weights_at(const TrianglePlanes& triangle, Doubles u, double v, si
     return weights;
 }
 
-void interpolate(const TrianglePlanes& triangle, const PlaceRow& row, float* out, size_t stride) {
+void interpolate(const TrianglePlanes& triangle, const PointRow& row, float* out, size_t stride) {
     // Local copies, which the stores below cannot alias.
     const TrianglePlanes planes = triangle;
-    const PlaceRow places = row;
+    const PointRow points = row;
     const VaryingInput* const end = planes.linear + planes.linear_count;
     const FlatInput* const constant_end = planes.constant + planes.constant_count;
-    for (size_t k = 0; k < places.count; k += double_lanes) {
+    for (size_t k = 0; k < points.count; k += double_lanes) {
         for (const FlatInput* each = planes.constant; each != constant_end; ++each)
             store(out + each->plane * stride + k, NarrowFloats{} + each->value);
         if (planes.linear == end) continue;
-        const auto u = load<Doubles>(places.u + k);
-        const CornerWeights weights = weights_at(planes, u, places.v, places.count - k);
+        const auto u = load<Doubles>(points.u + k);
+        const CornerWeights weights = weights_at(planes, u, points.v, points.count - k);
         for (const VaryingInput* each = planes.linear; each != end; ++each) {
             const Doubles at = each->corner[0] * weights.a + each->corner[1] * weights.b +
                                each->corner[2] * weights.c;

@@ -19,7 +19,7 @@ namespace {
 
 // Computes out = f(a), f(a, b) or f(a, b, c) on every lane.
 template <class T, class A, class Out, class F>
-void each(const Step& step, const Registers<T>& registers, size_t n) {
+void each(const CpuInst& step, const Registers<T>& registers, size_t n) {
     const A *a = lanes_of<A>(registers, step.in[0]), *b = lanes_of<A>(registers, step.in[1]),
             *c = lanes_of<A>(registers, step.in[2]);
     Out* __restrict out = lanes_of<Out>(registers, step.out[0]);
@@ -35,10 +35,10 @@ void each(const Step& step, const Registers<T>& registers, size_t n) {
 }
 
 template <class T, class A, class Out>
-constexpr auto kernel_for = []<class F>(F) -> StepKernel<T> { return each<T, A, Out, F>; };
+constexpr auto kernel_for = []<class F>(F) -> InstKernel<T> { return each<T, A, Out, F>; };
 
 template <class T, class Lane>
-void select(const Step& step, const Registers<T>& registers, size_t n) {
+void select(const CpuInst& step, const Registers<T>& registers, size_t n) {
     const uint32_t* condition = lanes_of<uint32_t>(registers, step.in[0]);
     const Lane *a = lanes_of<Lane>(registers, step.in[1]),
                *b = lanes_of<Lane>(registers, step.in[2]);
@@ -57,61 +57,60 @@ uint32_t truncated(T x) {
 }
 
 template <class T>
-StepKernel<T> on_floats(Op op) {
+InstKernel<T> on_floats(Op op) {
     if (op == Op::select_) return select<T, T>;
     if (op == Op::to_int_) return kernel_for<T, T, uint32_t>([](T x) { return truncated(x); });
-    if (const auto found = meaning::floats::find<StepKernel<T>>(op, kernel_for<T, T, T>))
+    if (const auto found = meaning::floats::find<InstKernel<T>>(op, kernel_for<T, T, T>))
         return found;
     if (const auto found =
-            meaning::comparisons::find<StepKernel<T>>(op, kernel_for<T, T, uint32_t>))
+            meaning::comparisons::find<InstKernel<T>>(op, kernel_for<T, T, uint32_t>))
         return found;
-    return of_vectors<T>(op);
+    if (op == Op::dot_) return dot<T>;
+    if (op == Op::cross_) return cross<T>;
+    return op == Op::normalize_ ? normalize<T> : nullptr;
 }
 
 template <class T, class S>
-StepKernel<T> on_integers(Op op) {
+InstKernel<T> on_integers(Op op) {
     using Word = uint32_t;
     if (op == Op::select_) return select<T, Word>;
     if (op == Op::to_float_) return kernel_for<T, S, T>([](S x) { return static_cast<T>(x); });
     if (op == Op::to_int_ || op == Op::to_uint_)
         return kernel_for<T, Word, Word>([](Word x) { return x; });
-    if (const auto found = meaning::words::find<StepKernel<T>>(op, kernel_for<T, Word, Word>))
+    if (const auto found = meaning::words::find<InstKernel<T>>(op, kernel_for<T, Word, Word>))
         return found;
-    if (const auto found = meaning::ordered::find<StepKernel<T>>(op, kernel_for<T, S, S>))
+    if (const auto found = meaning::ordered::find<InstKernel<T>>(op, kernel_for<T, S, S>))
         return found;
-    return meaning::comparisons::find<StepKernel<T>>(op, kernel_for<T, S, Word>);
+    return meaning::comparisons::find<InstKernel<T>>(op, kernel_for<T, S, Word>);
 }
 
 template <class T>
-[[gnu::noinline]] StepKernel<T> kernel_of(Op op, Type type) {
+[[gnu::noinline]] InstKernel<T> kernel_of(Op op, Type type) {
     if (type == Type::float_) return on_floats<T>(op);
     return type == Type::int_ ? on_integers<T, int32_t>(op) : on_integers<T, uint32_t>(op);
 }
 
 // Called once per process: optimised for size, not for speed.
 template <class T>
-[[gnu::cold]] KernelTable<T> make_loops() {
-    KernelTable<T> loops{};
+[[gnu::cold]] KernelTable<T> make_kernel_table() {
+    KernelTable<T> table{};
     for (const Type type : {Type::float_, Type::int_, Type::uint_})
         for (size_t op = 0; op < tables::op_count; ++op)
-            loops[op_kernel(static_cast<Op>(op), type)] = kernel_of<T>(static_cast<Op>(op), type);
-    for (const Op first : first_ops)
-        for (const Op second : second_ops)
-            for (const bool swapped : {false, true})
-                loops[fused_kernel(first, second, swapped)] =
-                    pair_kernel<T>(first, second, swapped);
-    loops[depth_loop] = depth<T>;
-    return loops;
+            table[op_kernel(static_cast<Op>(op), type)] = kernel_of<T>(static_cast<Op>(op), type);
+    add_pairs<T>(table);
+    table[depth_kernel] = depth<T>;
+    return table;
 }
 
 template <class T>
-const KernelTable<T>& loops() {
-    static const KernelTable<T> made = make_loops<T>();
+const KernelTable<T>& kernels_of_type() {
+    static const KernelTable<T> made = make_kernel_table<T>();
     return made;
 }
 
 }  // namespace
 
-const Kernels kernels = {loops<float>, loops<double>, sample_level, interpolate};
+const Kernels kernels = {kernels_of_type<float>, kernels_of_type<double>, sample_level,
+                         interpolate};
 
 }  // namespace wrinkle::WRINKLE_ISA

@@ -10,6 +10,7 @@
 #include <array>
 
 #include "cpu/evaluate.h"
+#include "ir/op.h"
 
 namespace wrinkle {
 
@@ -18,8 +19,8 @@ inline constexpr std::array first_ops = {Op::abs_, Op::add_, Op::sub_,
 inline constexpr std::array second_ops = {Op::add_, Op::sub_, Op::mul_, Op::min_, Op::max_};
 
 inline constexpr size_t first_pair = 3 * tables::op_count;
-inline constexpr size_t depth_loop = first_pair + first_ops.size() * second_ops.size() * 2;
-inline constexpr size_t loop_count = depth_loop + 1;
+inline constexpr size_t depth_kernel = first_pair + first_ops.size() * second_ops.size() * 2;
+inline constexpr size_t kernel_count = depth_kernel + 1;
 
 template <size_t count>
 constexpr size_t index_in(const std::array<Op, count>& ops, Op op) {
@@ -40,10 +41,10 @@ constexpr size_t fused_kernel(Op first, Op second, bool swapped) {
     return first_pair + (row + index_in(second_ops, second)) * 2 + (swapped ? 1 : 0);
 }
 
-inline size_t loop_of(const Step& step) {
-    if (step.kind == Step::Kind::depth) return depth_loop;
-    return step.kind == Step::Kind::pair ? fused_kernel(step.op, step.second, step.swapped)
-                                         : op_kernel(step.op, step.type);
+inline size_t kernel_index(const CpuInst& step) {
+    if (step.kind == CpuInst::Kind::depth) return depth_kernel;
+    return step.kind == CpuInst::Kind::pair ? fused_kernel(step.op, step.second, step.swapped)
+                                            : op_kernel(step.op, step.type);
 }
 
 }  // namespace wrinkle

@@ -11,7 +11,7 @@
 #include "cpu/evaluate.h"
 #include "cpu/interpolate.h"
 #include "cpu/kernel_table.h"
-#include "cpu/texels.h"
+#include "cpu/packed_mip_chain.h"
 
 namespace wrinkle {
 
@@ -26,16 +26,16 @@ struct Registers {
 
 // Runs a step of kind `op`, `pair` or `depth` on the first n lanes.
 template <class T>
-using StepKernel = void (*)(const Step& step, const Registers<T>& registers, size_t n);
+using InstKernel = void (*)(const CpuInst& step, const Registers<T>& registers, size_t n);
 
 // Samples the first channels of a level at n points with bilinear filtering, as
 // Texture::sample_lod<float>() does, and subtracts `bias`; out[channel][lane].
 using SampleLevel = void (*)(const TexelLevel& level, float bias, const float* u, const float* v,
                              float* const* out, size_t n);
 
-// Indexed by loop_of(); null if an op has no kernel.
+// Indexed by kernel_index(); null if an op has no kernel.
 template <class T>
-using KernelTable = std::array<StepKernel<T>, loop_count>;
+using KernelTable = std::array<InstKernel<T>, kernel_count>;
 
 struct Kernels {
     const KernelTable<float>& (*of_float)();

@@ -19,7 +19,7 @@ uint32_t both(uint32_t a, uint32_t b) {
     return b == no_users ? a : many_users;
 }
 
-uint8_t channels_of(const Step& sample, const std::vector<uint32_t>& serves) {
+uint8_t channels_of(const CpuInst& sample, const std::vector<uint32_t>& serves) {
     uint8_t channels = 1;
     for (uint8_t c = 1; c < 4; ++c)
         if (serves[sample.out[c]] != no_users) channels = c == 3 ? 4 : 3;
@@ -30,17 +30,13 @@ uint8_t channels_of(const Step& sample, const std::vector<uint32_t>& serves) {
 
 void hoist_constants(Program& program) {
     if (program.constants.size() > max_presets) return;
-    std::vector<uint32_t> place;  // index of each step among the remaining ones
-    std::vector<Step> kept;
-    for (const Step& step : program.steps) {
-        place.push_back(static_cast<uint32_t>(kept.size()));
-        if (step.kind == Step::Kind::constant)
+    const auto is_constant = [](const CpuInst& step) {
+        return step.kind == CpuInst::Kind::constant;
+    };
+    for (const CpuInst& step : program.steps)
+        if (is_constant(step))
             program.presets.push_back({program.constants[step.extra], step.type, step.out[0]});
-        else
-            kept.push_back(step);
-        if (step.kind == Step::Kind::loop_end) kept.back().extra = place[step.extra];
-    }
-    program.steps = std::move(kept);
+    remove_steps(program.steps, is_constant);
 }
 
 void mark_live_channels(Program& program, size_t registers) {
@@ -49,24 +45,24 @@ void mark_live_channels(Program& program, size_t registers) {
         for (const uint32_t reg : output.regs)
             serves[reg] = many_users;
     // Values that a loop moves or tests are read again by earlier steps, in the next iteration.
-    const auto is_pure = [](const Step& step) {
-        return step.kind == Step::Kind::op || step.kind == Step::Kind::sample ||
-               step.kind == Step::Kind::size;
+    const auto is_pure = [](const CpuInst& step) {
+        return step.kind == CpuInst::Kind::op || step.kind == CpuInst::Kind::sample ||
+               step.kind == CpuInst::Kind::size;
     };
-    for (const Step& step : program.steps)
+    for (const CpuInst& step : program.steps)
         if (!is_pure(step))
             for (uint32_t i = 0; i < step.count; ++i)
                 serves[step.in[i]] = many_users;
     for (size_t s = program.steps.size(); s-- > 0;) {
-        Step& step = program.steps[s];
+        CpuInst& step = program.steps[s];
         if (!is_pure(step)) continue;
         uint32_t whom = no_users;
         for (uint32_t i = 0; i < step.outputs; ++i)
             whom = both(whom, serves[step.out[i]]);
-        if (step.kind == Step::Kind::sample) step.channels = channels_of(step, serves);
+        if (step.kind == CpuInst::Kind::sample) step.channels = channels_of(step, serves);
         step.lod_of = whom == many_users ? 0 : whom;
         for (uint32_t i = 0; i < step.count; ++i) {
-            const bool lod = step.kind == Step::Kind::sample && i == 2;
+            const bool lod = step.kind == CpuInst::Kind::sample && i == 2;
             serves[step.in[i]] = both(serves[step.in[i]], lod ? step.extra + 1 : whom);
         }
     }

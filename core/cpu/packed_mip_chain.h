@@ -30,9 +30,9 @@ struct TexelLevel {
     bool has_alpha = false;
 };
 
-class Texels {
+class PackedMipChain {
 public:
-    explicit Texels(std::shared_ptr<const MipChain> chain) : chain_(std::move(chain)) {}
+    explicit PackedMipChain(std::shared_ptr<const MipChain> chain) : chain_(std::move(chain)) {}
 
     const std::shared_ptr<const MipChain>& chain() const { return chain_; }
     // Returns an empty span if the image is too large for 32-bit indices.

@@ -40,11 +40,11 @@ void evaluate_planes(const Program& program, std::span<const Texture> textures,
     for (const Program::Input& input : program.inputs)
         taken[input.reg] = 1;
     for (const Program::ConstantRegister& preset : program.presets)
-        if (!is_integer_type(preset.type)) taken[preset.reg] = 1;
+        if (!is_whole_type(preset.type)) taken[preset.reg] = 1;
     written.clear();
     each_plane(program,
                [&, &is = taken, &list = written](const auto& output, uint32_t reg, size_t) {
-                   list.push_back(!is_integer_type(output.type) && !is[reg]);
+                   list.push_back(!is_whole_type(output.type) && !is[reg]);
                    if (list.back()) is[reg] = 1;
                });
     Tile<float> tile(program, textures, set, memory);
@@ -52,9 +52,9 @@ void evaluate_planes(const Program& program, std::span<const Texture> textures,
         const size_t n = std::min(tile_points, count - first);
         // No step writes an input register, so its memory is not modified.
         for (size_t i = 0; i < program.inputs.size(); ++i)
-            tile.place(program.inputs[i].reg, const_cast<float*>(planes.inputs[i] + first));
+            tile.bind_register(program.inputs[i].reg, const_cast<float*>(planes.inputs[i] + first));
         each_plane(program, [&, &list = written](const auto&, uint32_t reg, size_t plane) {
-            if (list[plane]) tile.place(reg, planes.outputs[plane] + first);
+            if (list[plane]) tile.bind_register(reg, planes.outputs[plane] + first);
         });
         tile.run(n);
         each_plane(program, [&, &list = written](const auto& output, uint32_t reg, size_t plane) {

@@ -13,7 +13,7 @@ constexpr uint32_t live_out = never - 1;
 std::vector<uint32_t> last_uses(const Program& program, size_t registers) {
     std::vector<uint32_t> born(registers, 0), last(registers, 0), loop_end(program.steps.size());
     for (uint32_t s = 0; s < program.steps.size(); ++s)
-        if (program.steps[s].kind == Step::Kind::loop_end) loop_end[program.steps[s].extra] = s;
+        if (program.steps[s].kind == CpuInst::Kind::loop_end) loop_end[program.steps[s].extra] = s;
     std::vector<uint32_t> open;  // loop_begin steps of the enclosing loops
     std::vector<bool> written(registers, false);
     const auto touch = [&](uint32_t reg, uint32_t step) {
@@ -26,7 +26,7 @@ std::vector<uint32_t> last_uses(const Program& program, size_t registers) {
         last[reg] = std::max(last[reg], until);
     };
     for (uint32_t s = 0; s < program.steps.size(); ++s) {
-        const Step& step = program.steps[s];
+        const CpuInst& step = program.steps[s];
         for (uint32_t i = 0; i < step.count; ++i)
             touch(step.in[i], s);
         for (uint32_t i = 0; i < step.outputs; ++i) {
@@ -35,8 +35,8 @@ std::vector<uint32_t> last_uses(const Program& program, size_t registers) {
             written[reg] = true;
             touch(reg, s);
         }
-        if (step.kind == Step::Kind::loop_begin) open.push_back(s);
-        if (step.kind == Step::Kind::loop_end) open.pop_back();
+        if (step.kind == CpuInst::Kind::loop_begin) open.push_back(s);
+        if (step.kind == CpuInst::Kind::loop_end) open.pop_back();
     }
     for (const Program::Input& input : program.inputs)
         last[input.reg] = live_out;
@@ -63,14 +63,14 @@ struct File {
 
 struct Allocator {
     const std::vector<bool>& integer;
-    std::vector<uint32_t> place;
+    std::vector<uint32_t> slot;
     File files[2];
 
     File& file(uint32_t reg) { return files[integer[reg] ? 1 : 0]; }
     void define(uint32_t reg) {
-        if (place[reg] == never) place[reg] = file(reg).take();
+        if (slot[reg] == never) slot[reg] = file(reg).take();
     }
-    void release(uint32_t reg) { file(reg).free.push_back(place[reg]); }
+    void release(uint32_t reg) { file(reg).free.push_back(slot[reg]); }
 };
 
 }  // namespace
@@ -86,23 +86,23 @@ void allocate_registers(Program& program, const std::vector<bool>& integer) {
     for (const Program::ConstantRegister& preset : program.presets)
         allocator.define(preset.reg);
     for (uint32_t s = 0; s < program.steps.size(); ++s) {
-        Step& step = program.steps[s];
+        CpuInst& step = program.steps[s];
         for (uint32_t i = 0; i < step.outputs; ++i)
             allocator.define(step.out[i]);
         for (const uint32_t reg : dying[s])
-            if (allocator.place[reg] != never) allocator.release(reg);
+            if (allocator.slot[reg] != never) allocator.release(reg);
         for (uint32_t i = 0; i < step.count; ++i)
-            step.in[i] = allocator.place[step.in[i]];
+            step.in[i] = allocator.slot[step.in[i]];
         for (uint32_t i = 0; i < step.outputs; ++i)
-            step.out[i] = allocator.place[step.out[i]];
+            step.out[i] = allocator.slot[step.out[i]];
     }
     for (Program::Input& input : program.inputs)
-        input.reg = allocator.place[input.reg];
+        input.reg = allocator.slot[input.reg];
     for (Program::ConstantRegister& preset : program.presets)
-        preset.reg = allocator.place[preset.reg];
+        preset.reg = allocator.slot[preset.reg];
     for (Program::Output& output : program.outputs)
         for (uint32_t& reg : output.regs)
-            reg = allocator.place[reg];
+            reg = allocator.slot[reg];
     program.float_registers = allocator.files[0].size;
     program.integer_registers = allocator.files[1].size;
 }

@@ -10,6 +10,7 @@
 
 #include "base/transcendental.h"
 #include "cpu/kernels.h"
+#include "cpu/wrap.h"
 
 namespace wrinkle::WRINKLE_ISA {
 namespace {
@@ -64,13 +65,13 @@ struct Packed {
         const int32_t row = level.width + 2;
         const uint32_t* low = level.packed + row + 1;  // texel (0, 0)
         const uint32_t* high = low + row;
-        const Ints place = j * row + i;
+        const Ints index = j * row + i;
         // Neighbouring texels, e.g. when baking a map at its own resolution: one contiguous load
         // and a permutation.
         for (const size_t end : {size_t{0}, vector_lanes - 1}) {
             if (!near) break;
-            const int32_t start = place[end];
-            const Ints lane = place - start;
+            const int32_t start = index[end];
+            const Ints lane = index - start;
             if (!are_lanes(lane)) continue;
             const auto row_at = [&](const uint32_t* from) {
                 return permute(load<Ints>(from + start), lane);
@@ -78,8 +79,8 @@ struct Packed {
             return {{row_at(low), row_at(low + 1), row_at(high), row_at(high + 1)}};
         }
         near = false;
-        return {{gather(low, place), gather(low + 1, place), gather(high, place),
-                 gather(high + 1, place)}};
+        return {{gather(low, index), gather(low + 1, index), gather(high, index),
+                 gather(high + 1, index)}};
     }
 
     // Computes byte / 255 to the last bit without a division: three times a byte is exact, and its
@@ -101,7 +102,7 @@ struct Packed {
 // Corner texels of a TexelLevel::floats level.
 struct Stored {
     const float* floats;
-    Ints place[4];
+    Ints index[4];
 
     template <Wrap wrap>
     WRINKLE_INLINE static Stored at(const TexelLevel& level, Ints i, Ints j, bool&) {
@@ -123,7 +124,7 @@ struct Stored {
 
     template <int channel>
     WRINKLE_INLINE Floats value(size_t corner) const {
-        return reinterpret_cast<Floats>(gather(floats + channel, place[corner]));
+        return reinterpret_cast<Floats>(gather(floats + channel, index[corner]));
     }
 };
 
@@ -135,12 +136,12 @@ struct Single {
     WRINKLE_INLINE static Single at(const TexelLevel& level, Ints i, Ints j, bool& near) {
         const Stored far = Stored::at<wrap>(level, i, j, near);
         const float* floats = far.floats;
-        const auto& place = far.place;
+        const auto& index = far.index;
         for (const size_t end : {size_t{0}, vector_lanes - 1}) {
             if (!near) break;
-            const int32_t low = place[0][end], high = place[2][end];
-            const Ints lane = place[0] - low;
-            const Ints other = ((place[2] - high) != lane) | (place[1] - place[0] != 1);
+            const int32_t low = index[0][end], high = index[2][end];
+            const Ints lane = index[0] - low;
+            const Ints other = ((index[2] - high) != lane) | (index[1] - index[0] != 1);
             const int32_t last = (low < high ? high : low) + static_cast<int32_t>(vector_lanes);
             if (last >= level.width * level.height || !are_lanes(lane | other)) continue;
             const auto row_at = [&](const float* from) {
@@ -151,7 +152,7 @@ struct Single {
         }
         near = false;
         const auto one = [&](Ints at) { return reinterpret_cast<Floats>(gather(floats, at)); };
-        return {{one(place[0]), one(place[1]), one(place[2]), one(place[3])}};
+        return {{one(index[0]), one(index[1]), one(index[2]), one(index[3])}};
     }
 
     template <int>
@@ -194,11 +195,11 @@ void bilinear(const TexelLevel& of, float bias, const float* u, const float* v, 
     }
     if (k == n) return;
     // The arrays end at lane n: the remaining lanes are processed in local buffers.
-    float places[2][vector_lanes] = {}, values[4][vector_lanes];
+    float uvs[2][vector_lanes] = {}, values[4][vector_lanes];
     float* const rest[] = {values[0], values[1], values[2], values[3]};
-    __builtin_memcpy(places[0], u + k, (n - k) * sizeof(float));
-    __builtin_memcpy(places[1], v + k, (n - k) * sizeof(float));
-    vector<wrap, channels, Corners>(level, bias, places[0], places[1], rest, 0, near);
+    __builtin_memcpy(uvs[0], u + k, (n - k) * sizeof(float));
+    __builtin_memcpy(uvs[1], v + k, (n - k) * sizeof(float));
+    vector<wrap, channels, Corners>(level, bias, uvs[0], uvs[1], rest, 0, near);
     for (size_t c = 0; c < static_cast<size_t>(channels); ++c)
         __builtin_memcpy(out[c] + k, values[c], (n - k) * sizeof(float));
 }
@@ -213,15 +214,7 @@ SampleLevel of_channels(const TexelLevel& level, size_t channels) {
 }
 
 SampleLevel sample_level(const TexelLevel& level, Wrap wrap, size_t channels) {
-    switch (wrap) {
-        case Wrap::repeat:
-            return of_channels<Wrap::repeat>(level, channels);
-        case Wrap::clamp:
-            return of_channels<Wrap::clamp>(level, channels);
-        case Wrap::mirror:
-            return of_channels<Wrap::mirror>(level, channels);
-    }
-    return nullptr;
+    return with_wrap(wrap, [&](auto mode) { return of_channels<mode.value>(level, channels); });
 }
 
 #undef WRINKLE_INLINE

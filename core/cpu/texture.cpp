@@ -7,27 +7,10 @@
 
 namespace wrinkle {
 
-std::shared_ptr<const Texels> Texture::black() {
-    static const std::shared_ptr<const Texels> texels = [] {
-        Image texel = make_image(1, 1, 4);
-        texel.data = {0, 0, 0, 1};
-        return std::make_shared<const Texels>(
-            std::make_shared<const MipChain>(build_mips(std::move(texel))));
-    }();
-    return texels;
-}
-
-Texture::Texture(std::shared_ptr<const Texels> texels, const TextureOptions& options)
-    : options_(options) {
-    if (texels && !texels->chain()->levels.empty()) texels_ = std::move(texels);
-}
-
-Texture::Texture(MipChain chain, const TextureOptions& options)
-    : Texture(std::make_shared<const Texels>(std::make_shared<const MipChain>(std::move(chain))),
-              options) {}
+namespace {
 
 template <Wrap wrap, class T>
-std::array<T, 4> Texture::bilinear_of(const Image& level, T u, T v) const {
+std::array<T, 4> bilinear(const Image& level, T u, T v) {
     const T x = wrapped<wrap>(u) * static_cast<T>(level.width) - T(0.5);
     const T y = wrapped<wrap>(v) * static_cast<T>(level.height) - T(0.5);
     const T x_floor = std::floor(x), y_floor = std::floor(y);
@@ -48,21 +31,8 @@ std::array<T, 4> Texture::bilinear_of(const Image& level, T u, T v) const {
     return expand_texel(result.data(), level.channels, level.has_alpha);
 }
 
-template <class T>
-std::array<T, 4> Texture::bilinear(const Image& level, T u, T v) const {
-    switch (options_.wrap) {
-        case Wrap::repeat:
-            return bilinear_of<Wrap::repeat>(level, u, v);
-        case Wrap::clamp:
-            return bilinear_of<Wrap::clamp>(level, u, v);
-        case Wrap::mirror:
-            return bilinear_of<Wrap::mirror>(level, u, v);
-    }
-    return {};
-}
-
 template <Wrap wrap, class T>
-std::array<T, 4> Texture::nearest_of(const Image& level, T u, T v) const {
+std::array<T, 4> nearest(const Image& level, T u, T v) {
     const T x = std::floor(wrapped<wrap>(u) * static_cast<T>(level.width));
     const T y = std::floor(wrapped<wrap>(v) * static_cast<T>(level.height));
     const auto column = texel_index<Wrap::clamp>(static_cast<int64_t>(x), int64_t{level.width});
@@ -72,34 +42,50 @@ std::array<T, 4> Texture::nearest_of(const Image& level, T u, T v) const {
     return {T(rgba[0]), T(rgba[1]), T(rgba[2]), T(rgba[3])};
 }
 
-template <class T>
-std::array<T, 4> Texture::nearest(const Image& level, T u, T v) const {
-    switch (options_.wrap) {
-        case Wrap::repeat:
-            return nearest_of<Wrap::repeat>(level, u, v);
-        case Wrap::clamp:
-            return nearest_of<Wrap::clamp>(level, u, v);
-        case Wrap::mirror:
-            return nearest_of<Wrap::mirror>(level, u, v);
-    }
-    return {};
-}
-
-template <class T>
-std::array<T, 4> Texture::sample_lod(T u, T v, T lod) const {
-    const auto last = static_cast<T>(levels().size() - 1);
+template <Wrap wrap, class T>
+std::array<T, 4> sampled(const std::vector<Image>& levels, Filter filter, T u, T v, T lod) {
+    const auto last = static_cast<T>(levels.size() - 1);
     const T inside = lod > 0 ? (lod < last ? lod : last) : T(0);  // NaN reads level 0
-    if (options_.filter == Filter::nearest)
-        return nearest(levels()[static_cast<size_t>(inside + T(0.5))], u, v);
+    if (filter == Filter::nearest)
+        return nearest<wrap>(levels[static_cast<size_t>(inside + T(0.5))], u, v);
     const T base = std::floor(inside);
     const T between = inside - base;
     const auto level = static_cast<size_t>(base);
-    std::array<T, 4> result = bilinear(levels()[level], u, v);
+    std::array<T, 4> result = bilinear<wrap>(levels[level], u, v);
     if (between <= 0) return result;
-    const std::array<T, 4> coarser = bilinear(levels()[level + 1], u, v);
+    const std::array<T, 4> coarser = bilinear<wrap>(levels[level + 1], u, v);
     for (size_t k = 0; k < 4; ++k)
         result[k] += (coarser[k] - result[k]) * between;
     return result;
+}
+
+}  // namespace
+
+std::shared_ptr<const PackedMipChain> Texture::black() {
+    static const std::shared_ptr<const PackedMipChain> texels = [] {
+        Image texel = make_image(1, 1, 4);
+        texel.data = {0, 0, 0, 1};
+        return std::make_shared<const PackedMipChain>(
+            std::make_shared<const MipChain>(build_mips(std::move(texel))));
+    }();
+    return texels;
+}
+
+Texture::Texture(std::shared_ptr<const PackedMipChain> texels, const TextureOptions& options)
+    : options_(options) {
+    if (texels && !texels->chain()->levels.empty()) texels_ = std::move(texels);
+}
+
+Texture::Texture(MipChain chain, const TextureOptions& options)
+    : Texture(std::make_shared<const PackedMipChain>(
+                  std::make_shared<const MipChain>(std::move(chain))),
+              options) {}
+
+template <class T>
+std::array<T, 4> Texture::sample_lod(T u, T v, T lod) const {
+    return with_wrap(options_.wrap, [&](auto wrap) {
+        return sampled<wrap.value>(levels(), options_.filter, u, v, lod);
+    });
 }
 
 template std::array<float, 4> Texture::sample_lod(float, float, float) const;

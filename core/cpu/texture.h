@@ -5,14 +5,14 @@
 // `nearest` takes the nearest texel of the nearest level. NaN and infinite coordinates are treated
 // as 0. Missing channels follow expand_texel() of image/image.h.
 //
-// The mip chain is shared and never copied; tiles sample it in the layout of texels.h.
+// The mip chain is shared and never copied; tiles sample it in the layout of packed_mip_chain.h.
 #pragma once
 
 #include <array>
 #include <memory>
 
 #include "base/texture_options.h"
-#include "cpu/texels.h"
+#include "cpu/packed_mip_chain.h"
 #include "image/mips.h"
 
 namespace wrinkle {
@@ -20,13 +20,14 @@ namespace wrinkle {
 class Texture {
 public:
     Texture() = default;  // one black texel
-    Texture(std::shared_ptr<const Texels> texels, const TextureOptions& options);  // null: black
+    Texture(std::shared_ptr<const PackedMipChain> texels,
+            const TextureOptions& options);  // null: black
     Texture(MipChain chain, const TextureOptions& options);
 
     uint32_t width() const { return levels()[0].width; }
     uint32_t height() const { return levels()[0].height; }
     uint32_t level_count() const { return static_cast<uint32_t>(levels().size()); }
-    const Texels& texels() const { return *texels_; }
+    const PackedMipChain& texels() const { return *texels_; }
     const TextureOptions& options() const { return options_; }
 
     // Returns r, g, b, a. The weights are computed in T.
@@ -34,21 +35,12 @@ public:
     std::array<T, 4> sample_lod(T u, T v, T lod) const;
 
 private:
-    template <class T>
-    std::array<T, 4> bilinear(const Image& level, T u, T v) const;
-    template <Wrap wrap, class T>
-    std::array<T, 4> bilinear_of(const Image& level, T u, T v) const;
-    template <Wrap wrap, class T>
-    std::array<T, 4> nearest_of(const Image& level, T u, T v) const;
-    template <class T>
-    std::array<T, 4> nearest(const Image& level, T u, T v) const;
-
     const std::vector<Image>& levels() const { return texels_->chain()->levels; }
 
-    std::shared_ptr<const Texels> texels_ = black();
+    std::shared_ptr<const PackedMipChain> texels_ = black();
     TextureOptions options_;
 
-    static std::shared_ptr<const Texels> black();
+    static std::shared_ptr<const PackedMipChain> black();
 };
 
 }  // namespace wrinkle

@@ -18,7 +18,7 @@ std::shared_ptr<const MipChain> TextureStore::read(const std::string& file, Diag
     if (!image || image->empty()) return nullptr;
     bytes_ += bytes_with_mips(*image);
     auto chain = std::make_shared<const MipChain>(build_mips(std::move(*image)));
-    texels_[file] = std::make_shared<const Texels>(chain);
+    texels_[file] = std::make_shared<const PackedMipChain>(chain);
     return chain;
 }
 

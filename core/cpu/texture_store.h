@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    std::map<std::string, std::shared_ptr<const Texels>> texels_;
+    std::map<std::string, std::shared_ptr<const PackedMipChain>> texels_;
     uint64_t bytes_ = 0;  // total of all images
     uint64_t max_bytes_ = limit_of(Limit::all_images_bytes);
 };

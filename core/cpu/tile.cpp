@@ -4,22 +4,20 @@
 #include <cassert>
 #include <type_traits>
 
-#include "cpu/tile_sample.h"
-
 namespace wrinkle {
 namespace {
 
 template <class Lane>
-void allot(AlignedVector<Lane>& memory, std::vector<Lane*>& places, size_t registers) {
+void allot(AlignedVector<Lane>& memory, std::vector<Lane*>& pointers, size_t registers) {
     memory.resize(std::max(memory.size(), registers * tile_points));
-    places.resize(registers);
+    pointers.resize(registers);
     for (size_t reg = 0; reg < registers; ++reg)
-        places[reg] = memory.data() + reg * tile_points;
+        pointers[reg] = memory.data() + reg * tile_points;
 }
 
-bool has_loop(const Step& step) {
-    return step.kind == Step::Kind::op || step.kind == Step::Kind::pair ||
-           step.kind == Step::Kind::depth;
+bool has_kernel(const CpuInst& step) {
+    return step.kind == CpuInst::Kind::op || step.kind == CpuInst::Kind::pair ||
+           step.kind == CpuInst::Kind::depth;
 }
 
 template <class Lane>
@@ -36,7 +34,7 @@ Tile<T>::Tile(const Program& program, std::span<const Texture> textures, Instruc
     : program_(program),
       textures_(textures),
       kernels_(kernels_of(set)),
-      loops_(kernel_table<T>(kernels_)),
+      kernel_table_(kernel_table<T>(kernels_)),
       memory_(memory) {
     allot(memory_.floats, memory_.float_pointers, program.float_registers);
     allot(memory_.integers, memory_.integer_pointers, program.integer_registers);
@@ -83,47 +81,47 @@ void Tile<T>::run(size_t count) {
     const Registers<T> registers = {memory_.float_pointers.data(), memory_.integer_pointers.data()};
     const auto end = static_cast<uint32_t>(program_.steps.size());
     for (uint32_t index = next[0]; index < end;) {
-        const Step& step = program_.steps[index];
-        if (!has_loop(step)) {
+        const CpuInst& step = program_.steps[index];
+        if (!has_kernel(step)) {
             index = next[execute(index)];
             continue;
         }
-        assert(loops_[step.loop] && "an op without a CPU case");
-        loops_[step.loop](step, registers, count_);
+        assert(kernel_table_[step.kernel] && "an op without a CPU case");
+        kernel_table_[step.kernel](step, registers, count_);
         index = next[index + 1];
     }
 }
 
 template <class T>
 uint32_t Tile<T>::execute(uint32_t index) {
-    const Step& step = program_.steps[index];
+    const CpuInst& step = program_.steps[index];
     switch (step.kind) {
-        case Step::Kind::op:
-        case Step::Kind::pair:
-        case Step::Kind::depth:
+        case CpuInst::Kind::op:
+        case CpuInst::Kind::pair:
+        case CpuInst::Kind::depth:
             break;  // done by run()
-        case Step::Kind::constant:
+        case CpuInst::Kind::constant:
             fill(step.out[0], step.type, program_.constants[step.extra], count_);
             break;
-        case Step::Kind::sample:
+        case CpuInst::Kind::sample:
             sample(step);
             break;
-        case Step::Kind::size:
+        case CpuInst::Kind::size:
             size(step);
             break;
-        case Step::Kind::move:
+        case CpuInst::Kind::move:
             move(step, nullptr);
             break;
-        case Step::Kind::masked_move:
+        case CpuInst::Kind::masked_move:
             move(step, memory_.loops.back().active.data());
             break;
-        case Step::Kind::loop_begin:
+        case CpuInst::Kind::loop_begin:
             begin(step);
             break;
-        case Step::Kind::loop_test:
+        case CpuInst::Kind::loop_test:
             test(step);
             break;
-        case Step::Kind::loop_end:
+        case CpuInst::Kind::loop_end:
             return end(step, index);
     }
     return index + 1;
@@ -138,7 +136,7 @@ void Tile<T>::fill(uint32_t reg, Type type, double value, size_t count) {
 }
 
 template <class T>
-void Tile<T>::sample(const Step& step) {
+void Tile<T>::sample(const CpuInst& step) {
     const Texture& texture = textures_[step.extra];
     const T *u = floats(step.in[0]), *v = floats(step.in[1]), *lod = floats(step.in[2]);
     const T bias = step.bias ? static_cast<T>(program_.presets[step.bias - 1].value) : T(0);
@@ -162,14 +160,14 @@ void Tile<T>::sample(const Step& step) {
 }
 
 template <class T>
-void Tile<T>::size(const Step& step) {
+void Tile<T>::size(const CpuInst& step) {
     const Texture& texture = textures_[step.extra];
     std::fill_n(floats(step.out[0]), count_, static_cast<T>(texture.width()));
     std::fill_n(floats(step.out[1]), count_, static_cast<T>(texture.height()));
 }
 
 template <class T>
-void Tile<T>::move(const Step& step, const uint8_t* mask) {
+void Tile<T>::move(const CpuInst& step, const uint8_t* mask) {
     if (step.type == Type::float_)
         move_lanes(floats(step.out[0]), floats(step.in[0]), mask, count_);
     else
@@ -177,7 +175,7 @@ void Tile<T>::move(const Step& step, const uint8_t* mask) {
 }
 
 template <class T>
-void Tile<T>::begin(const Step& step) {
+void Tile<T>::begin(const CpuInst& step) {
     RunningLoop loop;
     loop.limit = step.extra;
     if (memory_.loops.empty())
@@ -188,7 +186,7 @@ void Tile<T>::begin(const Step& step) {
 }
 
 template <class T>
-void Tile<T>::test(const Step& step) {
+void Tile<T>::test(const CpuInst& step) {
     RunningLoop& loop = memory_.loops.back();
     const uint32_t* goes_on = integers(step.in[0]);
     const bool may_run = loop.iterations < loop.limit;
@@ -197,7 +195,7 @@ void Tile<T>::test(const Step& step) {
 }
 
 template <class T>
-uint32_t Tile<T>::end(const Step& step, uint32_t index) {
+uint32_t Tile<T>::end(const CpuInst& step, uint32_t index) {
     RunningLoop& loop = memory_.loops.back();
     ++loop.iterations;
     const bool any = std::any_of(loop.active.begin(), loop.active.begin() + count_,

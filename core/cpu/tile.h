@@ -12,6 +12,8 @@
 #include "cpu/aligned.h"
 #include "cpu/evaluate.h"
 #include "cpu/kernels.h"
+#include "cpu/texture.h"
+#include "ir/op.h"
 
 namespace wrinkle {
 
@@ -46,13 +48,13 @@ public:
 
     // Stores a float register at `lanes`, which holds as many lanes as run() will process. For
     // input registers, which no step writes, and output registers.
-    void place(uint32_t reg, T* lanes) { memory_.float_pointers[reg] = lanes; }
+    void bind_register(uint32_t reg, T* lanes) { memory_.float_pointers[reg] = lanes; }
 
     void run(size_t count);
 
     // Returns lane k of one of an output's registers as a number.
     double value(const Program::Output& output, uint32_t reg, size_t k) {
-        if (!is_integer_type(output.type)) return static_cast<double>(floats(reg)[k]);
+        if (!is_whole_type(output.type)) return static_cast<double>(floats(reg)[k]);
         const uint32_t bits = integers(reg)[k];
         return output.type == Type::int_ ? static_cast<double>(static_cast<int32_t>(bits))
                                          : static_cast<double>(bits);
@@ -63,20 +65,33 @@ private:
     bool is_prepared();
     void skip_lods();
     void fill(uint32_t reg, Type type, double value, size_t count);
-    void sample(const Step& step);
-    void size(const Step& step);
-    void move(const Step& step, const uint8_t* mask);
-    void begin(const Step& step);
-    void test(const Step& step);
-    uint32_t end(const Step& step, uint32_t index);
+    void sample(const CpuInst& step);
+    void size(const CpuInst& step);
+    void move(const CpuInst& step, const uint8_t* mask);
+    void begin(const CpuInst& step);
+    void test(const CpuInst& step);
+    uint32_t end(const CpuInst& step, uint32_t index);
 
     const Program& program_;
     std::span<const Texture> textures_;
     const Kernels& kernels_;
-    const KernelTable<T>& loops_;
+    const KernelTable<T>& kernel_table_;
     TileMemory<T>& memory_;
     size_t count_ = 0;
 };
+
+// Samples one texture at the points of a tile, in float. Results are those of
+// Texture::sample_lod<float>() for each lane.
+struct TileSample {
+    size_t channels = 4;  // more may be written
+    float bias = 0;       // subtracted from every channel
+    const float* u = nullptr;
+    const float* v = nullptr;
+    const float* lod = nullptr;  // not read if the texture has one level
+    std::array<float*, 4> out{};
+    size_t count = 0;  // at most tile_points
+};
+void sample_tile(const Texture& texture, const Kernels& kernels, const TileSample& sample);
 
 extern template class Tile<float>;
 extern template class Tile<double>;

@@ -1,8 +1,8 @@
-#include "cpu/tile_sample.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
+
+#include "cpu/tile.h"
 
 namespace wrinkle {
 namespace {

@@ -59,8 +59,8 @@ WRINKLE_INLINE Whole floor_to_int(Floats v) {
 WRINKLE_INLINE Floats above_zero(Floats v) {
     return _mm512_maskz_max_ps(0xFFFF, v, _mm512_setzero_ps());
 }
-WRINKLE_INLINE Ints gather(const void* from, Ints places) {
-    const auto at = reinterpret_cast<__m512i>(places);
+WRINKLE_INLINE Ints gather(const void* from, Ints indices) {
+    const auto at = reinterpret_cast<__m512i>(indices);
     return reinterpret_cast<Ints>(
         _mm512_mask_i32gather_epi32(_mm512_setzero_si512(), 0xFFFF, at, from, 4));
 }
@@ -92,8 +92,8 @@ WRINKLE_INLINE Whole floor_to_int(Floats v) {
 WRINKLE_INLINE Floats above_zero(Floats v) {
     return _mm256_max_ps(v, _mm256_setzero_ps());
 }
-WRINKLE_INLINE Ints gather(const void* from, Ints places) {
-    const auto at = reinterpret_cast<__m256i>(places);
+WRINKLE_INLINE Ints gather(const void* from, Ints indices) {
+    const auto at = reinterpret_cast<__m256i>(indices);
     return reinterpret_cast<Ints>(_mm256_i32gather_epi32(static_cast<const int*>(from), at, 4));
 }
 WRINKLE_INLINE uint32_t lanes_below_zero(Doubles v) {
@@ -121,10 +121,10 @@ WRINKLE_INLINE Floats above_zero(Floats v) {
         v[k] = v[k] > 0 ? v[k] : 0;
     return v;
 }
-WRINKLE_INLINE Ints gather(const void* from, Ints places) {
+WRINKLE_INLINE Ints gather(const void* from, Ints indices) {
     for (size_t k = 0; k < vector_lanes; ++k)
-        places[k] = static_cast<const int32_t*>(from)[places[k]];
-    return places;
+        indices[k] = static_cast<const int32_t*>(from)[indices[k]];
+    return indices;
 }
 WRINKLE_INLINE uint32_t lanes_below_zero(Doubles v) {
     return static_cast<uint32_t>(v[0] < 0) | static_cast<uint32_t>(v[1] < 0) << 1;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <type_traits>
 
 #include "base/texture_options.h"
 #include "base/transcendental.h"
@@ -26,6 +27,20 @@ template <Wrap wrap, class Int>
 [[gnu::always_inline]] inline Int texel_index(Int i, Int size) {
     if constexpr (wrap == Wrap::repeat) return i < 0 ? i + size : i >= size ? i - size : i;
     return i < 0 ? 0 : i >= size ? size - 1 : i;
+}
+
+// Calls f with the wrap mode as a constant, an std::integral_constant.
+template <class F>
+[[gnu::always_inline]] inline auto with_wrap(Wrap wrap, F f) {
+    switch (wrap) {
+        case Wrap::repeat:
+            return f(std::integral_constant<Wrap, Wrap::repeat>());
+        case Wrap::clamp:
+            return f(std::integral_constant<Wrap, Wrap::clamp>());
+        case Wrap::mirror:
+            break;
+    }
+    return f(std::integral_constant<Wrap, Wrap::mirror>());
 }
 
 }  // namespace wrinkle

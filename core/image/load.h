@@ -43,7 +43,7 @@ struct ImageInfo {
 };
 
 // Returns the memory in bytes that sampling needs: floats, their mips (a third more) and, for u8,
-// one packed level (cpu/texels.h).
+// one packed level (cpu/packed_mip_chain.h).
 uint64_t bytes_with_mips(const ImageInfo& info);
 uint64_t bytes_with_mips(const Image& image);
 

@@ -29,7 +29,7 @@ Slope slope_at(double u, double v) {
             0.09 * wave(170, 60, 0) - 0.28 * wave(-90, 210, 1) + 0.1 * wave(0, 1, 0)};
 }
 
-using Picture = std::shared_ptr<const Texels>;
+using Picture = std::shared_ptr<const PackedMipChain>;
 
 Picture picture_of(std::array<double, 3> (*color)(Slope)) {
     Image image = make_image(fine, fine, 3);
@@ -39,7 +39,7 @@ Picture picture_of(std::array<double, 3> (*color)(Slope)) {
             for (size_t c = 0; c < 3; ++c)
                 image.texel(x, y)[c] = static_cast<float>(lanes[c]);
         }
-    return std::make_shared<const Texels>(
+    return std::make_shared<const PackedMipChain>(
         std::make_shared<const MipChain>(build_mips(std::move(image))));
 }
 

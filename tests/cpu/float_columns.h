@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cpu/planes.h"
+#include "ir/op.h"
 
 namespace wrinkle::test {
 

@@ -136,8 +136,8 @@ TEST(Fused, NothingIntoALoop) {
     s.output(m.apply(use, start)[0]);
     std::string why;
     const Program program = compile_program(s.m, why);
-    for (const Step& step : program.steps)
-        EXPECT_NE(step.kind, Step::Kind::pair);
+    for (const CpuInst& step : program.steps)
+        EXPECT_NE(step.kind, CpuInst::Kind::pair);
     expect_as_interpreted(s, 1e-12);
 }
 
