@@ -8,17 +8,18 @@
 #include <vector>
 
 #include "base/texture_options.h"
-#include "ir/inst.h"
 
 namespace wrinkle {
 
-class Module;  // ir/module.h
+class Module;               // ir/module.h
+enum class Type : uint8_t;  // ir/op.h
+using Id = uint32_t;        // ir/inst.h
 
 // A number the user may change. Its index in Module::parameters is its identity.
 struct Parameter {
     uint32_t node = 0;  // Module::nodes; 0 for a graph input
     std::string port;   // "amount"; for a graph input its name
-    Type type = Type::float_;
+    Type type{};
     std::array<double, 4> value{};
     bool graph_input = false;  // stays a uniform when parameters are baked
 };
@@ -50,9 +51,9 @@ struct Named {
 };
 
 struct ModuleOutput {
-    std::string name;  // "normal"
-    uint32_t port_type = WR_PORT_float;
-    Id value = no_id;
+    std::string name;        // "normal"
+    uint32_t port_type = 0;  // WR_PORT_*
+    Id value = 0;
 };
 
 struct Problem {
