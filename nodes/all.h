@@ -1,4 +1,4 @@
-// The built-in nodes as one plugin. all.cpp lists them; there is no self-registration.
+// The built-in nodes as one plugin. all.cpp lists the files, each file its nodes.
 #pragma once
 
 struct wr_plugin;

@@ -5,6 +5,10 @@
 
 namespace wrinkle::nodes {
 
+constexpr auto comparison_family(const char* id, const char* title, const char* doc) {
+    return sdk::node(id, title, doc).family("comparison");
+}
+
 inline sdk::vec3 linear_blend(sdk::vec3 a, sdk::vec3 b) {
     return normalize(a + b);
 }

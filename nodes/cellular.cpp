@@ -1,5 +1,7 @@
 // Relief from random points or strokes, a fixed number per cell: each position evaluates its cell
 // and the cells around it.
+#include <span>
+
 #include "nodes/footprint.h"
 #include "nodes/relief.h"
 
@@ -53,35 +55,6 @@ static std::pair<Float, Float> worley(vec3 p, Float jitter) {
             length(next + feature(cell + next, jitter) - from)};
 }
 
-struct Worley {
-    vec3 point;
-    Float scale, jitter;
-    Choice distance;
-    Float amplitude;
-};
-
-Node worley_noise_node =
-    relief(in_space(node("worley_noise", "Worley noise",
-                         "Cells around random points in space: pebbles by the distance to the "
-                         "nearest, cracks by f2_minus_f1.")
-                        .family("noise"),
-                    6)
-               .in<Float>("jitter", 1, "How irregular: 0 is a grid of points", slider(0, 1),
-                          limits(0, 1))
-               .choice("distance", {"f1", "f2", "f2_minus_f1"},
-                       "To the nearest point, to the second nearest, or their difference, which is "
-                       "0 between cells"),
-           0.03, "The distance in cells, 0 to about 1")
-        .body([](Worley in) {
-            const vec3 p = in.point * in.scale;
-            const auto [first, second] = worley(p, in.jitter);
-            const Float found[] = {first, second, second - first};
-            const Float mean[] = {0.48 + 0.04 * in.jitter, 0.703 + 0.015 * in.jitter,
-                                  0.223 - 0.025 * in.jitter};  // measured
-            const Float value = mix(mean[in.distance], found[in.distance], fade(footprint(p)));
-            return relief_of(value, in.amplitude);
-        });
-
 struct Scratches {
     vec2 uv;
     Float scale, density, length, width, direction, spread;
@@ -124,24 +97,44 @@ static Float strokes(const Scratches& in, vec2 p, Int layer) {
     return stroke(cell + found, from - found, layer);
 }
 
-Node scratches_node =
-    relief(on_uv(node("scratches", "Scratches",
-                      "Random grooves on a uv set: at most one stroke in a cell and layer, turned "
-                      "any way or all one way.")
-                     .family("pattern"),
-                 "scale", 4, "Cells per uv unit")
-               .in<Float>("density", 0.7, "Share of the cells that have a stroke", slider(0, 1),
+static constinit Node cellular_list[] = {
+    relief(noise_in_space("worley_noise", "Worley noise",
+                          "Cells around random points in space: pebbles by the distance to the "
+                          "nearest, cracks by f2_minus_f1.",
+                          6)
+               .in<Float>("jitter", 1, "How irregular: 0 is a grid of points", slider(0, 1),
                           limits(0, 1))
-               .in<Float>("length", 1.4, "Of the longest strokes, in cells", slider(0, 1.5),
-                          limits(0, 1.5))
-               .in<Float>("width", 0.06, "From the middle of a stroke to its rim, in cells",
-                          slider(0.04, 0.25), limits(0.001, 0.25))
-               .in<Float>("direction", 0, "Of the strokes, anticlockwise from u", slider(-180, 180),
-                          unit("deg"))
-               .in<Float>("spread", 360, "How far they turn away from it in all", slider(0, 360),
-                          unit("deg"))
-               .count("layers", 2, 1, 4, "How many strokes may lie in a cell"),
-           0.004, "How deep, 0 to -1")
+               .choice("distance", {"f1", "f2", "f2_minus_f1"},
+                       "To the nearest point, to the second nearest, or their difference, which is "
+                       "0 between cells"),
+           0.03, "The distance in cells, 0 to about 1")
+        .body([](vec3 point, Float scale, Float jitter, Choice which, Float amplitude) {
+            const vec3 p = point * scale;
+            const auto [first, second] = worley(p, jitter);
+            const Float found[] = {first, second, second - first};
+            const Float mean[] = {0.48 + 0.04 * jitter, 0.703 + 0.015 * jitter,
+                                  0.223 - 0.025 * jitter};  // measured
+            const Float value = mix(mean[which], found[which], fade(footprint(p)));
+            return relief_of(value, amplitude);
+        }),
+
+    relief(
+        pattern_on_uv("scratches", "Scratches",
+                      "Random grooves on a uv set: at most one stroke in a cell and layer, turned "
+                      "any way or all one way.",
+                      "scale", 4, "Cells per uv unit")
+            .in<Float>("density", 0.7, "Share of the cells that have a stroke", slider(0, 1),
+                       limits(0, 1))
+            .in<Float>("length", 1.4, "Of the longest strokes, in cells", slider(0, 1.5),
+                       limits(0, 1.5))
+            .in<Float>("width", 0.06, "From the middle of a stroke to its rim, in cells",
+                       slider(0.04, 0.25), limits(0.001, 0.25))
+            .in<Float>("direction", 0, "Of the strokes, anticlockwise from u", slider(-180, 180),
+                       unit("deg"))
+            .in<Float>("spread", 360, "How far they turn away from it in all", slider(0, 360),
+                       unit("deg"))
+            .count("layers", 2, 1, 4, "How many strokes may lie in a cell"),
+        0.004, "How deep, 0 to -1")
         .body([](Scratches in) {
             Float depth = 0;
             for (int layer = 0; layer < in.layers; ++layer) {
@@ -153,6 +146,7 @@ Node scratches_node =
             const Float mean = saturate(in.length * in.width * in.density * (0.5 * in.layers));
             const Float grooves = footprint(in.uv * in.scale) / (4 * in.width);
             return relief_of(-mix(mean, depth, fade(grooves)), in.amplitude);
-        });
+        })};
+constinit std::span<Node> cellular_nodes = cellular_list;
 
 }  // namespace wrinkle::nodes

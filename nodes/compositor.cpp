@@ -1,4 +1,6 @@
 // Several layers of bumps in one node, from bottom to top.
+#include <span>
+
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
@@ -44,7 +46,7 @@ struct Compositor {
         .in<Float>("mask" #n, 1, "Where layer " #n " is: 0 nowhere, 1 fully", slider(0, 1),       \
                    limits(0, 1))
 
-Node gradient_compositor_node =
+static constinit Node compositor_list[] = {
     node("gradient_compositor", "Compositor",
          "Lays up to four bumps over a base. Layers that are added or subtracted may change "
          "places; one that is `over` hides what comes before it.")
@@ -64,7 +66,8 @@ Node gradient_compositor_node =
             for (int i = 0; i < in.layers; ++i)
                 sum = laid(sum, layers[i]);
             return sum;
-        });
+        })};
+constinit std::span<Node> compositor_nodes = compositor_list;
 
 #undef LAYER
 

@@ -4,6 +4,8 @@
 // a `grid` of three by two, +x -x +y above -y +z -z. Each face is oriented as seen from outside the
 // cube, y up; for +y, -z is up, and for -y, +z is up. This is the order and orientation of OpenGL's
 // cube maps.
+#include <span>
+
 #include "nodes/ports.h"
 #include "nodes/projection.h"
 #include "wrinkle/node.h"
@@ -33,41 +35,30 @@ static vec4 read_cube(Image image, Arrangement arrangement, vec3 direction) {
     return image.sample_grad((inside + column_row) / faces, x * least / faces, y * least / faces);
 }
 
-struct CubeNormalMap {
-    Image image;
-    vec3 direction;
-    Arrangement arrangement;
-    Float strength;
-    vec3 base;
-};
-
-Node cube_normal_map_node =
-    node("cube_normal_map", "Cube normal map",
-         "A bump from a cube map of object-space normals, looked up by a direction.")
-        .family("image")
+static constinit Node cube_map_list[] = {
+    image_family("cube_normal_map", "Cube normal map",
+                 "A bump from a cube map of object-space normals, looked up by a direction.")
         .in<Image>("image", "Object-space normals, any length, in six faces of a power of two",
                    encoding("normal_gl"))
         .in<vec3>("direction", surface::position, "Where to look, from the centre; any length")
         .choice("arrangement", {"strip", "grid"},
                 "The faces of the picture: +x -x +y -y +z -z in a row, or +x -x +y above -y +z -z")
-        .in<Float>("strength", 1,
-                   "Factor of the slopes: 1 leaves it unchanged, negative inverts it",
-                   slider(-2, 2), unit("x"))
-        .in<Normal>("base", surface::normal, BASE_DOC)
+        .in<Float>("strength", 1, strength_doc, slider(-2, 2), unit("x"))
+        .in<Normal>("base", surface::normal, base_doc)
         .out<Gradient>("gradient", "The bump that leads to these normals")
         .out<vec3>(
             "volume",
             "The gradient in object space that turns the direction itself into these "
             "normals: what a sphere round the origin lends to other surfaces; limited to 128")
-        .body([](CubeNormalMap in) {
-            const vec3 normal = read_cube(in.image, in.arrangement, in.direction).xyz();
-            const vec3 out = normalize(in.direction);
+        .body([](Image image, vec3 direction, Arrangement arrangement, Float strength, vec3 base) {
+            const vec3 normal = read_cube(image, arrangement, direction).xyz();
+            const vec3 out = normalize(direction);
             const Float outward = dot(out, normal);
             // Limits slopes to 128, as in tangent-space maps.
             const Float steepest = max(length(normal) / 128, 1e-6);
-            const vec3 volume =
-                (out * outward - normal) / max(abs(outward), steepest) * in.strength;
-            return std::tuple{gradient_from_normal(normal, Base(in.base)) * in.strength, volume};
-        });
+            const vec3 volume = (out * outward - normal) / max(abs(outward), steepest) * strength;
+            return std::tuple{gradient_from_normal(normal, Base(base)) * strength, volume};
+        })};
+constinit std::span<Node> cube_map_nodes = cube_map_list;
 
 }  // namespace wrinkle::nodes

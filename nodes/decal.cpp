@@ -1,16 +1,23 @@
 // Decals: images projected onto any surface inside a box, cone, sphere or capsule, and the two ways
 // to combine their bump with the existing one. A projector faces along its direction; its image is
 // not mirrored as seen from the projector.
+#include <span>
+
 #include "nodes/projection.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
 
-#define NORMAL_DOC "Of the surface that receives it; what is turned away receives nothing"
-#define EDGE_DOC "The part of its reach over which it fades out; 0 is a hard edge"
-#define ANGLE_FADE_DOC "Exponent of the cosine to the surface: 0 reaches every side"
-#define ATTENUATION_DOC "0 to 1: how much of the decal arrives"
+static constexpr auto decal_family(const char* id, const char* title, const char* doc) {
+    return node(id, title, doc).family("decal");
+}
+
+constexpr char decal_normal_doc[] =
+    "Of the surface that receives it; what is turned away receives nothing";
+constexpr char edge_doc[] = "The part of its reach over which it fades out; 0 is a hard edge";
+constexpr char angle_fade_doc[] = "Exponent of the cosine to the surface: 0 reaches every side";
+constexpr char attenuation_doc[] = "0 to 1: how much of the decal arrives";
 
 // Returns 1 inside, fading to 0 at the border, where `reached` is 1; `edge` is the width of the
 // fade.
@@ -27,20 +34,34 @@ struct DecalBox {
     Float edge, angle_fade;
 };
 
-Node decal_box_node =
-    node("decal_box", "Box decal", "Projects a picture through a box.")
-        .family("decal")
-        .in<vec3>("point", surface::position, POINT_DOC)
-        .in<Normal>("normal", surface::normal, NORMAL_DOC)
+struct DecalCone {
+    vec3 point, normal, origin, direction, up;
+    Float angle, range, edge, angle_fade;
+};
+
+struct DecalSphere {
+    vec3 point, normal, origin, axis, front;
+    Float radius, edge, angle_fade;
+};
+
+struct DecalCapsule {
+    vec3 point, normal, start, end, front;
+    Float radius, edge, angle_fade;
+};
+
+static constinit Node decal_list[] = {
+    decal_family("decal_box", "Box decal", "Projects a picture through a box.")
+        .in<vec3>("point", surface::position, point_doc)
+        .in<Normal>("normal", surface::normal, decal_normal_doc)
         .in<vec3>("origin", {0, 0, 1}, "The centre of the box", slider(-2, 2))
         .in<vec3>("direction", {0, 0, -1}, "Where it projects to; any length", slider(-1, 1))
         .in<vec3>("up", {0, 1, 0}, "Where v grows; any length", slider(-1, 1))
         .in<vec3>("size", 1, "Width, height and depth in length units", slider(0.01, 4),
                   limits(1e-6, 1e6))
-        .in<Float>("edge", 0.1, EDGE_DOC, slider(0, 1), limits(0, 1))
-        .in<Float>("angle_fade", 0.2, ANGLE_FADE_DOC, slider(0, 4), limits(0, 64))
+        .in<Float>("edge", 0.1, edge_doc, slider(0, 1), limits(0, 1))
+        .in<Float>("angle_fade", 0.2, angle_fade_doc, slider(0, 4), limits(0, 64))
         .out<vec2>("uv", "0 to 1 across the box")
-        .out<Float>("attenuation", ATTENUATION_DOC)
+        .out<Float>("attenuation", attenuation_doc)
         .body([](DecalBox in) {
             const Axes axes = axes_of(-in.direction, in.up);
             const vec3 place = into(axes, in.point - in.origin) / in.size;
@@ -49,18 +70,12 @@ Node decal_box_node =
                                  inside(reached.z(), in.edge);
             return std::tuple{place.xy() + vec2(0.5),
                               within * angle_fade(in.normal, axes.z, in.angle_fade)};
-        });
+        }),
 
-struct DecalCone {
-    vec3 point, normal, origin, direction, up;
-    Float angle, range, edge, angle_fade;
-};
-
-Node decal_cone_node =
-    node("decal_cone", "Cone decal", "Projects a picture from a point, like a slide projector.")
-        .family("decal")
-        .in<vec3>("point", surface::position, POINT_DOC)
-        .in<Normal>("normal", surface::normal, NORMAL_DOC)
+    decal_family("decal_cone", "Cone decal",
+                 "Projects a picture from a point, like a slide projector.")
+        .in<vec3>("point", surface::position, point_doc)
+        .in<Normal>("normal", surface::normal, decal_normal_doc)
         .in<vec3>("origin", {0, 0, 2}, "Where the projector stands", slider(-4, 4))
         .in<vec3>("direction", {0, 0, -1}, "Where it projects to; any length", slider(-1, 1))
         .in<vec3>("up", {0, 1, 0}, "Where v grows; any length", slider(-1, 1))
@@ -68,10 +83,10 @@ Node decal_cone_node =
                    unit("deg"))
         .in<Float>("range", 2, "How far it reaches, in length units", slider(0.01, 8),
                    limits(1e-6, 1e6))
-        .in<Float>("edge", 0.1, EDGE_DOC, slider(0, 1), limits(0, 1))
-        .in<Float>("angle_fade", 0.2, ANGLE_FADE_DOC, slider(0, 4), limits(0, 64))
+        .in<Float>("edge", 0.1, edge_doc, slider(0, 1), limits(0, 1))
+        .in<Float>("angle_fade", 0.2, angle_fade_doc, slider(0, 4), limits(0, 64))
         .out<vec2>("uv", "0 to 1 across the cone")
-        .out<Float>("attenuation", ATTENUATION_DOC)
+        .out<Float>("attenuation", attenuation_doc)
         .body([](DecalCone in) {
             const Axes axes = axes_of(-in.direction, in.up);
             const vec3 way = in.point - in.origin;
@@ -83,19 +98,13 @@ Node decal_cone_node =
                                  inside(ahead / in.range, in.edge) * step(1e-6, ahead);
             return std::tuple{across * 0.5 + vec2(0.5),
                               within * angle_fade(in.normal, -normalize(way), in.angle_fade)};
-        });
+        }),
 
-struct DecalSphere {
-    vec3 point, normal, origin, axis, front;
-    Float radius, edge, angle_fade;
-};
-
-Node decal_sphere_node =
-    node("decal_sphere", "Sphere decal",
-         "Projects a picture from a point to all sides: a cube map by direction, or by longitude "
-         "and latitude.")
-        .family("decal")
-        .in<vec3>("point", surface::position, POINT_DOC)
+    decal_family(
+        "decal_sphere", "Sphere decal",
+        "Projects a picture from a point to all sides: a cube map by direction, or by longitude "
+        "and latitude.")
+        .in<vec3>("point", surface::position, point_doc)
         .in<Normal>("normal", surface::normal,
                     "Of the surface that receives it, where the angle counts")
         .in<vec3>("origin", {0, 0, 1}, "The centre", slider(-2, 2))
@@ -103,32 +112,25 @@ Node decal_sphere_node =
         .in<vec3>("front", {0, 0, 1}, "Where u is 0.5; any length", slider(-1, 1))
         .in<Float>("radius", 0.5, "How far it reaches, in length units", slider(0.01, 4),
                    limits(1e-6, 1e6))
-        .in<Float>("edge", 0.3, EDGE_DOC, slider(0, 1), limits(0, 1))
+        .in<Float>("edge", 0.3, edge_doc, slider(0, 1), limits(0, 1))
         .in<Float>("angle_fade", 0,
                    "Exponent of the cosine between the surface and the way out of the ball: 0 "
                    "reaches every side",
                    slider(0, 4), limits(0, 64))
         .out<vec2>("uv", "Longitude and latitude, 0 to 1, as seen from outside")
         .out<vec3>("direction", "Out of the centre, unit, in object space")
-        .out<Float>("attenuation", ATTENUATION_DOC)
+        .out<Float>("attenuation", attenuation_doc)
         .body([](DecalSphere in) {
             const vec3 way = in.point - in.origin, out = normalize(way);
             const vec2 uv = longitude_latitude(round_place(way, in.axis, in.front));
             return std::tuple{uv, out,
                               inside(length(way) / in.radius, in.edge) *
                                   angle_fade(in.normal, out, in.angle_fade)};
-        });
+        }),
 
-struct DecalCapsule {
-    vec3 point, normal, start, end, front;
-    Float radius, edge, angle_fade;
-};
-
-Node decal_capsule_node =
-    node("decal_capsule", "Capsule decal",
-         "Projects a picture from a line to all sides: a ball that was drawn out.")
-        .family("decal")
-        .in<vec3>("point", surface::position, POINT_DOC)
+    decal_family("decal_capsule", "Capsule decal",
+                 "Projects a picture from a line to all sides: a ball that was drawn out.")
+        .in<vec3>("point", surface::position, point_doc)
         .in<Normal>("normal", surface::normal,
                     "Of the surface that receives it, where the angle counts")
         .in<vec3>("start", {-0.4, 0, 1}, "One end of the line, v = 0", slider(-2, 2))
@@ -136,14 +138,14 @@ Node decal_capsule_node =
         .in<vec3>("front", {0, 0, 1}, "Where u is 0.5; any length", slider(-1, 1))
         .in<Float>("radius", 0.4, "How far it reaches, in length units", slider(0.01, 4),
                    limits(1e-6, 1e6))
-        .in<Float>("edge", 0.3, EDGE_DOC, slider(0, 1), limits(0, 1))
+        .in<Float>("edge", 0.3, edge_doc, slider(0, 1), limits(0, 1))
         .in<Float>("angle_fade", 0,
                    "Exponent of the cosine between the surface and the way out of the line: 0 "
                    "reaches every side",
                    slider(0, 4), limits(0, 64))
         .out<vec2>("uv", "u once around, v from end to end; beyond the ends v stays")
         .out<vec3>("direction", "Out of the line, unit, in object space")
-        .out<Float>("attenuation", ATTENUATION_DOC)
+        .out<Float>("attenuation", attenuation_doc)
         .body([](DecalCapsule in) {
             const vec3 line = in.end - in.start, way = in.point - in.start;
             const Float along = saturate(divide(dot(way, line), dot(line, line)));
@@ -152,30 +154,27 @@ Node decal_capsule_node =
             return std::tuple{uv, out,
                               inside(length(off) / in.radius, in.edge) *
                                   angle_fade(in.normal, out, in.angle_fade)};
-        });
+        }),
 
-Node decal_add_node =
-    node("decal_add", "Add decal", "Lays a decal's bump over what is there.")
-        .family("decal")
+    decal_family("decal_add", "Add decal", "Lays a decal's bump over what is there.")
         .in<Gradient>("gradient", "The bump that is there")
         .in<Gradient>("decal", "The decal's bump")
-        .in<Float>("attenuation", 1, ATTENUATION_DOC, slider(0, 1))
+        .in<Float>("attenuation", 1, attenuation_doc, slider(0, 1))
         .in<Float>("strength", 1, "Factor of the decal's slopes", slider(-2, 2), unit("x"))
         .out<Gradient>("gradient", "Both together")
         .body([](Gradient there, Gradient decal, Float attenuation, Float strength) {
             return there + decal * (attenuation * strength);
-        });
+        }),
 
-Node decal_mask_node =
-    node("decal_mask", "Masked decal", "Puts a decal's bump in place of what is there.")
-        .family("decal")
+    decal_family("decal_mask", "Masked decal", "Puts a decal's bump in place of what is there.")
         .in<Gradient>("gradient", "The bump that is there")
         .in<Gradient>("decal", "The decal's bump")
-        .in<Float>("attenuation", 1, ATTENUATION_DOC, slider(0, 1))
+        .in<Float>("attenuation", 1, attenuation_doc, slider(0, 1))
         .in<Float>("strength", 1, "Factor of the decal's slopes", slider(-2, 2), unit("x"))
         .out<Gradient>("gradient", "The decal where it arrives, else what is there")
         .body([](Gradient there, Gradient decal, Float attenuation, Float strength) {
             return mix(there, decal * strength, attenuation);
-        });
+        })};
+constinit std::span<Node> decal_nodes = decal_list;
 
 }  // namespace wrinkle::nodes

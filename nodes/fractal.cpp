@@ -1,4 +1,6 @@
 // Relief made of octaves of noise, each finer and weaker than the one before.
+#include <span>
+
 #include "nodes/footprint.h"
 #include "nodes/noise.h"
 #include "nodes/relief.h"
@@ -17,9 +19,8 @@ struct FractalNoise {
     Fractal fractal() const { return {point * scale, octaves, lacunarity, gain}; }
 };
 
-template <class Declaration>
-static constexpr auto fractal(const Declaration& declaration) {
-    return with_octaves(in_space(declaration, 3))
+static constexpr auto fractal(const char* id, const char* title, const char* doc) {
+    return with_octaves(noise_in_space(id, title, doc, 3))
         .choice("basis", basis_names, "The noise that is added up");
 }
 
@@ -66,33 +67,6 @@ static Float ridges(const Fractal& fractal, Basis basis) {
     return weighted_mean(octaves);
 }
 
-Node fbm_node =
-    relief(fractal(node("fbm", "Fractal noise",
-                        "Natural roughness in space: fractional Brownian motion, a sum of octaves "
-                        "of noise.")
-                       .family("noise")),
-           0.04, "The sum, about -1 to 1, mostly within -0.5 to 0.5")
-        .body([](FractalNoise in) { return relief_of(fbm(in.fractal(), in.basis), in.amplitude); });
-
-Node turbulence_node =
-    relief(fractal(node("turbulence", "Turbulence",
-                        "Billows that meet in sharp creases: a sum of octaves of the absolute "
-                        "value of noise.")
-                       .family("noise")),
-           0.06, "The sum, 0 to about 1, mostly below 0.5")
-        .body([](FractalNoise in) {
-            return relief_of(billows(in.fractal(), in.basis), in.amplitude);
-        });
-
-Node ridged_node =
-    relief(fractal(node("ridged", "Ridged noise",
-                        "Mountain ridges: octaves of folded noise, finer ones on the ridges only.")
-                       .family("noise")),
-           0.06, "The sum, 0 to 1, 1 on the ridges")
-        .body([](FractalNoise in) {
-            return relief_of(ridges(in.fractal(), in.basis), in.amplitude);
-        });
-
 struct Dents {
     vec3 point;
     Float scale;
@@ -100,15 +74,33 @@ struct Dents {
     Float lacunarity, gain, threshold, power, amplitude;
 };
 
-Node dents_node =
+static constinit Node fractal_list[] = {
+    relief(fractal("fbm", "Fractal noise",
+                   "Natural roughness in space: fractional Brownian motion, a sum of octaves "
+                   "of noise."),
+           0.04, "The sum, about -1 to 1, mostly within -0.5 to 0.5")
+        .body([](FractalNoise in) { return relief_of(fbm(in.fractal(), in.basis), in.amplitude); }),
+
+    relief(fractal("turbulence", "Turbulence",
+                   "Billows that meet in sharp creases: a sum of octaves of the absolute "
+                   "value of noise."),
+           0.06, "The sum, 0 to about 1, mostly below 0.5")
+        .body([](FractalNoise in) {
+            return relief_of(billows(in.fractal(), in.basis), in.amplitude);
+        }),
+
+    relief(fractal("ridged", "Ridged noise",
+                   "Mountain ridges: octaves of folded noise, finer ones on the ridges only."),
+           0.06, "The sum, 0 to 1, 1 on the ridges")
+        .body([](FractalNoise in) {
+            return relief_of(ridges(in.fractal(), in.basis), in.amplitude);
+        }),
+
     relief(
         with_octaves(
-            in_space(
-                node(
-                    "dents", "Dents",
-                    "Hammered metal: a power of what turbulence has above a threshold, pressed in.")
-                    .family("noise"),
-                3))
+            noise_in_space(
+                "dents", "Dents",
+                "Hammered metal: a power of what turbulence has above a threshold, pressed in.", 3))
             .in<Float>("threshold", 0.2, "Turbulence up to this is left alone", slider(0, 0.6),
                        limits(0, 0.99))
             .in<Float>("power", 1.5, "Higher makes dents steeper and their rims softer",
@@ -118,6 +110,7 @@ Node dents_node =
             const Fractal fractal{in.point * in.scale, in.octaves, in.lacunarity, in.gain};
             const Float over = billows(fractal, Basis::gradient) - in.threshold;
             return relief_of(-pow(saturate(over / (1 - in.threshold)), in.power), in.amplitude);
-        });
+        })};
+constinit std::span<Node> fractal_nodes = fractal_list;
 
 }  // namespace wrinkle::nodes

@@ -1,14 +1,19 @@
 // Tangent frames as values: their vectors, a tangent from a map, a normal in tangent space, and a
 // normal that faces the viewer.
+#include <span>
+
 #include "nodes/ports.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
 
+static constexpr auto normal_family(const char* id, const char* title, const char* doc) {
+    return node(id, title, doc).family("normal");
+}
+
 // Frame methods that define vectors independently of a slope, in the order of FrameMethod.
-#define VECTOR_FRAMES \
-    { "auto", "vertex", "derived" }
+constexpr const char* vector_frames[] = {"auto", "vertex", "derived"};
 
 static vec3 along(vec2 way, Frame basis, Base base = {}) {
     return Gradient(Derivative(way, basis), base).vector();
@@ -18,48 +23,7 @@ static Frame unit_frame(vec2 uv, FrameMethod method) {
     return frame(uv, method, Scale::unit, surface::normal);
 }
 
-Node tangent_frame_node =
-    node("tangent_frame", "Tangent frame",
-         "The vectors along which a texture's u and v run on the surface, mirrored where the uv is "
-         "mirrored.")
-        .family("normal")
-        .in<vec2>("uv", surface::uv0, "The uv whose directions are meant")
-        .choice("frame", VECTOR_FRAMES, "The vertex tangent of uv0, or derived from the uv")
-        .out<vec3>("tangent", "Along u, object space; unit but for a scaled vertex tangent")
-        .out<vec3>("bitangent", "Along v, object space")
-        .body([](vec2 uv, FrameMethod method) {
-            const Frame basis = unit_frame(uv, method);
-            return std::tuple{along(vec2(1, 0), basis), along(vec2(0, 1), basis)};
-        });
-
 enum class DirectionSpace { tangent, object };
-
-Node tangent_map_node =
-    node("tangent_map", "Tangent map",
-         "A direction along the surface from a picture: the tangent of brushed metal or combed "
-         "hair. Wire it to the `direction` of a map whose frame is `guess`.")
-        .family("normal")
-        .in<Image>("image", "Directions: x in red, y in green, z in blue; 0.5 is 0",
-                   encoding("normal_gl"))
-        .in<vec2>("uv", surface::uv0, "Where to read it")
-        .choice("space", {"tangent", "object"},
-                "Whether the picture holds directions along u and v, or of object space")
-        .choice("frame", VECTOR_FRAMES,
-                "What u and v are: the vertex tangent of uv0, or derived from the uv")
-        .out<vec3>("direction", "Object space, any length; its part along the surface counts")
-        .body([](Image image, vec2 uv, DirectionSpace space, FrameMethod method) {
-            const vec3 read = image.sample(uv).xyz();
-            return space == DirectionSpace::object ? read
-                                                   : along(read.xy(), unit_frame(uv, method));
-        });
-
-struct IntoTangentSpace {
-    vec3 normal;
-    vec2 uv;
-    Scale scale;
-    FrameMethod frame;
-    vec3 direction, base;
-};
 
 // Applies the inverse of [T B N] by cofactors. A positive factor does not change the direction, so
 // only the sign of the determinant is used.
@@ -70,34 +34,67 @@ static vec3 into_frame(vec3 v, vec3 t, vec3 b, vec3 n) {
     return select(dot(m, m) > 0, normalize(m), vec3(0, 0, 1));
 }
 
-Node tangent_space_normal_node =
-    node("tangent_space_normal", "Normal in tangent space",
-         "What a tangent-space normal map must hold to give this normal or bump: decoded in the "
-         "same frame, on the same base, it is that normal again.")
-        .family("normal")
+static constinit Node frame_list[] = {
+    normal_family(
+        "tangent_frame", "Tangent frame",
+        "The vectors along which a texture's u and v run on the surface, mirrored where the uv is "
+        "mirrored.")
+        .in<vec2>("uv", surface::uv0, "The uv whose directions are meant")
+        .choice("frame", vector_frames, "The vertex tangent of uv0, or derived from the uv")
+        .out<vec3>("tangent", "Along u, object space; unit but for a scaled vertex tangent")
+        .out<vec3>("bitangent", "Along v, object space")
+        .body([](vec2 uv, FrameMethod method) {
+            const Frame basis = unit_frame(uv, method);
+            return std::tuple{along(vec2(1, 0), basis), along(vec2(0, 1), basis)};
+        }),
+
+    normal_family(
+        "tangent_map", "Tangent map",
+        "A direction along the surface from a picture: the tangent of brushed metal or combed "
+        "hair. Wire it to the `direction` of a map whose frame is `guess`.")
+        .in<Image>("image", "Directions: x in red, y in green, z in blue; 0.5 is 0",
+                   encoding("normal_gl"))
+        .in<vec2>("uv", surface::uv0, "Where to read it")
+        .choice("space", {"tangent", "object"},
+                "Whether the picture holds directions along u and v, or of object space")
+        .choice("frame", vector_frames,
+                "What u and v are: the vertex tangent of uv0, or derived from the uv")
+        .out<vec3>("direction", "Object space, any length; its part along the surface counts")
+        .body([](Image image, vec2 uv, DirectionSpace space, FrameMethod method) {
+            const vec3 read = image.sample(uv).xyz();
+            return space == DirectionSpace::object ? read
+                                                   : along(read.xy(), unit_frame(uv, method));
+        }),
+
+    normal_family(
+        "tangent_space_normal", "Normal in tangent space",
+        "What a tangent-space normal map must hold to give this normal or bump: decoded in the "
+        "same frame, on the same base, it is that normal again.")
         .in<Normal>("normal", surface::normal, "A resolved normal, object space, any length")
         .in<vec2>("uv", surface::uv0, "The uv along whose directions x and y are measured")
-        .choice("scale", SCALES, SCALE_DOC, static_cast<int>(Scale::unit))
-        .choice("frame", FRAME_METHODS, FRAME_DOC)
-        .in<vec3>("direction", {0, 1, 0}, DIRECTION_DOC)
+        .choice("scale", scales, scale_doc, static_cast<int>(Scale::unit))
+        .choice("frame", frame_methods, frame_doc)
+        .in<vec3>("direction", {0, 1, 0}, direction_doc)
         .in<Normal>("base", surface::normal, "The normal that the map will be put on")
         .out<vec3>("normal", "Unit, z outward, green up; (0, 0, 1) where the frame is degenerate")
         .out<Color>("color", "The same as a map stores it, 0.5 + 0.5 times the normal")
-        .body([](IntoTangentSpace in) {
-            const Frame basis = frame(in.uv, in.frame, in.scale, in.direction);
-            const Base base(in.base);
-            const vec3 normal = into_frame(in.normal, along(vec2(1, 0), basis, base),
-                                           along(vec2(0, 1), basis, base), in.base);
+        .body([](vec3 wanted, vec2 uv, Scale scale, FrameMethod method, vec3 direction,
+                 vec3 base_normal) {
+            const Frame basis = frame(uv, method, scale, direction);
+            const Base base(base_normal);
+            const vec3 normal = into_frame(wanted, along(vec2(1, 0), basis, base),
+                                           along(vec2(0, 1), basis, base), base_normal);
             return std::tuple{normal, 0.5 + 0.5 * normal};
-        });
+        }),
 
-Node face_viewer_node =
-    node("face_viewer", "Face the viewer",
-         "A normal that a steep bump turned away from the viewer, mirrored back; others pass.")
-        .family("normal")
+    normal_family(
+        "face_viewer", "Face the viewer",
+        "A normal that a steep bump turned away from the viewer, mirrored back; others pass.")
         .in<Normal>("normal", surface::normal, "Unit normal in object space")
         .in<vec3>("view", surface::view, "Unit direction to the eye, object space")
         .out<Normal>("normal", "Unit normal, never turned away from the eye")
-        .body([](vec3 normal, vec3 view) { return normal - 2 * min(dot(normal, view), 0) * view; });
+        .body(
+            [](vec3 normal, vec3 view) { return normal - 2 * min(dot(normal, view), 0) * view; })};
+constinit std::span<Node> frame_nodes = frame_list;
 
 }  // namespace wrinkle::nodes

@@ -15,11 +15,10 @@
 namespace wrinkle::nodes {
 
 enum class HeightQuality { smooth, three_taps, pixel };
-#define HEIGHT_QUALITIES \
-    { "smooth", "three_taps", "pixel" }
-#define HEIGHT_QUALITY_DOC                                                                        \
-    "How the slope is read: smooth also close up; three taps are cheaper, with facets close up; " \
-    "pixel is what hardware derivatives of the height give, blocky"
+inline constexpr const char* height_qualities[] = {"smooth", "three_taps", "pixel"};
+inline constexpr char height_quality_doc[] =
+    "How the slope is read: smooth also close up; three taps are cheaper, with facets close up; "
+    "pixel is what hardware derivatives of the height give, blocky";
 
 // Returns dh/d(u,v) of the red channel, per uv unit.
 sdk::vec2 height_slope(sdk::Image image, sdk::vec2 uv, HeightQuality quality);

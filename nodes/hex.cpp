@@ -2,17 +2,14 @@
 // of the texture, and three copies are blended at every point (M. Mikkelsen, "Practical Real-Time
 // Hex-Tiling", 2022). Slopes are rotated with the texture, then blended; weights are constant under
 // differentiation.
+#include <span>
+
 #include "nodes/height_slope.h"
 #include "nodes/ports.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
-
-#define ROTATION_DOC "How much each hexagon is turned: 0 not at all, 1 by any angle"
-#define HEXAGONS_DOC "Hexagons per repeat of the picture, along one side"
-#define EXPONENT_DOC "How fast the nearest hexagon wins"
-#define CONTRAST_DOC "0.5 leaves the blend as it is, more makes its borders harder"
 
 // One of the three hexagons at a point: the uv and the rotation of its copy.
 struct Tap {
@@ -99,31 +96,21 @@ static T blend(vec3 weights, T a, T b, T c) {
     return a * weights.x() + b * weights.y() + c * weights.z();
 }
 
-struct HexTileColor {
-    Image image;
-    vec2 uv;
-    Float hexagons, rotation, exponent, contrast;
-};
-
-Node hex_tile_color_node =
-    node("hex_tile_color", "Hex-tiled colour", "The colour of a picture, without visible repeats.")
-        .family("hex")
-        .in<Image>("image", "The picture; sRGB unless it says otherwise", encoding("srgb"))
-        .in<vec2>("uv", surface::uv0, "Where to read it")
-        .in<Float>("hexagons", 1, HEXAGONS_DOC, slider(0.25, 4), limits(0.01, 100), unit("x"))
-        .in<Float>("rotation", 1, ROTATION_DOC, slider(0, 1), limits(0, 1))
-        .in<Float>("exponent", 7, EXPONENT_DOC, slider(1, 8), limits(1, 8))
-        .in<Float>("contrast", 0.5, CONTRAST_DOC, slider(0.3, 0.8), limits(0.1, 0.9))
-        .out<Color>("color", "Linear colour")
-        .body([](HexTileColor in) {
-            const HexBlend at = hexagons_at(in.uv, in.hexagons, in.rotation);
-            const vec3 a = at.taps[0].read(in.image, in.uv).rgb();
-            const vec3 b = at.taps[1].read(in.image, in.uv).rgb();
-            const vec3 c = at.taps[2].read(in.image, in.uv).rgb();
-            const vec3 luminance(0.2126, 0.7152, 0.0722);
-            const vec3 bright(dot(a, luminance), dot(b, luminance), dot(c, luminance));
-            return blend(blend_weights(at, saturate(bright), in.exponent, in.contrast), a, b, c);
-        });
+// Adds the ports of the tiling.
+template <class Declaration>
+static constexpr auto hexagonal(const Declaration& declaration) {
+    return declaration
+        .template in<Float>("hexagons", 1, "Hexagons per repeat of the picture, along one side",
+                            slider(0.25, 4), limits(0.01, 100), unit("x"))
+        .template in<Float>("rotation", 1,
+                            "How much each hexagon is turned: 0 not at all, 1 by any angle",
+                            slider(0, 1), limits(0, 1))
+        .template in<Float>("exponent", 7, "How fast the nearest hexagon wins", slider(1, 8),
+                            limits(1, 8))
+        .template in<Float>("contrast", 0.5,
+                            "0.5 leaves the blend as it is, more makes its borders harder",
+                            slider(0.3, 0.8), limits(0.1, 0.9));
+}
 
 struct HexTileHeightMap {
     Image image;
@@ -134,27 +121,45 @@ struct HexTileHeightMap {
     vec3 base;
 };
 
-Node hex_tile_height_map_node =
-    node("hex_tile_height_map", "Hex-tiled height map",
-         "A relief from a picture of its heights, without visible repeats.")
-        .family("hex")
-        .in<Image>("image",
-                   "Heights from 0 to 1 in the red channel; linear unless it says otherwise",
-                   encoding("linear"))
-        .in<vec2>("uv", surface::uv0, "Where to read it")
-        .in<Float>(
-            "amplitude", 0.02,
-            "Height of white over black, in length units of object space (in uv units for the "
-            "scale `unit`)",
-            slider(0, 0.2), unit("m"))
-        .in<Float>("midlevel", 0.5, "The value in the picture that is height 0", slider(0, 1))
-        .in<Float>("hexagons", 1, HEXAGONS_DOC, slider(0.25, 4), limits(0.01, 100), unit("x"))
-        .in<Float>("rotation", 1, ROTATION_DOC, slider(0, 1), limits(0, 1))
-        .in<Float>("exponent", 7, EXPONENT_DOC, slider(1, 8), limits(1, 8))
-        .in<Float>("contrast", 0.5, CONTRAST_DOC, slider(0.3, 0.8), limits(0.1, 0.9))
-        .choice("quality", HEIGHT_QUALITIES, HEIGHT_QUALITY_DOC)
-        .choice("scale", SCALES, SCALE_DOC)
-        .in<Normal>("base", surface::normal, BASE_DOC)
+struct HexTileNormalMap {
+    Image image;
+    vec2 uv;
+    Float strength, hexagons, rotation, exponent, contrast;
+    Scale scale;
+    FrameMethod frame;
+    vec3 direction, base;
+};
+
+static constinit Node hex_list[] = {
+    hexagonal(
+        node("hex_tile_color", "Hex-tiled colour",
+             "The colour of a picture, without visible repeats.")
+            .family("hex")
+            .in<Image>("image", "The picture; sRGB unless it says otherwise", encoding("srgb"))
+            .in<vec2>("uv", surface::uv0, "Where to read it"))
+        .out<Color>("color", "Linear colour")
+        .body([](Image image, vec2 uv, Float hexagons, Float rotation, Float exponent,
+                 Float contrast) {
+            const HexBlend at = hexagons_at(uv, hexagons, rotation);
+            const vec3 a = at.taps[0].read(image, uv).rgb();
+            const vec3 b = at.taps[1].read(image, uv).rgb();
+            const vec3 c = at.taps[2].read(image, uv).rgb();
+            const vec3 luminance(0.2126, 0.7152, 0.0722);
+            const vec3 bright(dot(a, luminance), dot(b, luminance), dot(c, luminance));
+            return blend(blend_weights(at, saturate(bright), exponent, contrast), a, b, c);
+        }),
+
+    hexagonal(
+        node("hex_tile_height_map", "Hex-tiled height map",
+             "A relief from a picture of its heights, without visible repeats.")
+            .family("hex")
+            .in<Image>("image", height_map_doc, encoding("linear"))
+            .in<vec2>("uv", surface::uv0, "Where to read it")
+            .in<Float>("amplitude", 0.02, amplitude_doc, slider(0, 0.2), unit("m"))
+            .in<Float>("midlevel", 0.5, "The value in the picture that is height 0", slider(0, 1)))
+        .choice("quality", height_qualities, height_quality_doc)
+        .choice("scale", scales, scale_doc)
+        .in<Normal>("base", surface::normal, base_doc)
         .out<Height>("height", "In length units of object space, positive outward", unit("m"))
         .out<Gradient>("gradient", "Its bump, by the chosen scale")
         .out<Derivative>("derivative", "Its slopes with their frame")
@@ -172,38 +177,18 @@ Node hex_tile_height_map_node =
             const Float height = with_slope((value - in.midlevel) * in.amplitude, in.uv, slopes);
             const Derivative d(slopes, frame(in.uv, in.scale));
             return std::tuple{height, Gradient(d, Base(in.base)), d};
-        });
+        }),
 
-struct HexTileNormalMap {
-    Image image;
-    vec2 uv;
-    Float strength, hexagons, rotation, exponent, contrast;
-    Scale scale;
-    FrameMethod frame;
-    vec3 direction, base;
-};
-
-Node hex_tile_normal_map_node =
-    node("hex_tile_normal_map", "Hex-tiled normal map",
-         "A bump from a tangent-space normal map, without visible repeats. The map's mean must be "
-         "flat, as that of any relief that tiles is.")
-        .family("hex")
-        .in<Image>("image", "Tangent-space normals; green is up unless it says otherwise",
-                   encoding("normal_gl"))
-        .in<vec2>("uv", surface::uv0, "Where to read it")
-        .in<Float>("strength", 1,
-                   "Factor of the slopes: 1 leaves it unchanged, negative inverts it",
-                   slider(-2, 2), unit("x"))
-        .in<Float>("hexagons", 1, HEXAGONS_DOC, slider(0.25, 4), limits(0.01, 100), unit("x"))
-        .in<Float>("rotation", 1, ROTATION_DOC, slider(0, 1), limits(0, 1))
-        .in<Float>("exponent", 7, EXPONENT_DOC, slider(1, 8), limits(1, 8))
-        .in<Float>("contrast", 0.5, CONTRAST_DOC, slider(0.3, 0.8), limits(0.1, 0.9))
-        .choice("scale", SCALES, SCALE_DOC, static_cast<int>(Scale::unit))
-        .choice("frame", FRAME_METHODS, FRAME_DOC)
-        .in<vec3>("direction", {0, 1, 0}, DIRECTION_DOC)
-        .in<Normal>("base", surface::normal, BASE_DOC)
-        .out<Gradient>("gradient", "The bump")
-        .out<Derivative>("derivative", "The slopes with their frame")
+    bump_in_frame(hexagonal(node("hex_tile_normal_map", "Hex-tiled normal map",
+                                 "A bump from a tangent-space normal map, without visible repeats. "
+                                 "The map's mean must "
+                                 "be "
+                                 "flat, as that of any relief that tiles is.")
+                                .family("hex")
+                                .in<Image>("image", normal_map_doc, encoding("normal_gl"))
+                                .in<vec2>("uv", surface::uv0, "Where to read it")
+                                .in<Float>("strength", 1, strength_doc, slider(-2, 2), unit("x"))),
+                  Scale::unit)
         .body([](HexTileNormalMap in) {
             const HexBlend at = hexagons_at(in.uv, in.hexagons, in.rotation);
             const Frame basis = frame(in.uv, in.frame, in.scale, in.direction);
@@ -215,8 +200,8 @@ Node hex_tile_normal_map_node =
             const vec3 square(dot(a, a), dot(b, b), dot(c, c));
             const vec3 tilt = sqrt(square / (vec3(1) + square));  // sine of the tilt
             const vec3 weights = blend_weights(at, tilt, in.exponent, in.contrast);
-            const Derivative d(blend(weights, a, b, c), basis);
-            return std::tuple{Gradient(d, Base(in.base)), d};
-        });
+            return bump_of(Derivative(blend(weights, a, b, c), basis), in.base);
+        })};
+constinit std::span<Node> hex_nodes = hex_list;
 
 }  // namespace wrinkle::nodes

@@ -1,25 +1,22 @@
-// Nodes that read textures: colours, slopes and normals. Heights are in height_map.cpp.
+// Nodes that read textures: colours, heights, slopes and normals.
+#include <span>
+
+#include "nodes/height_slope.h"
 #include "nodes/ports.h"
-#include "nodes/slope_map.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
 
-Node image_node =
-    node("image", "Image", "The colour of a picture.")
-        .family("image")
-        .in<Image>("image", "The picture; sRGB unless it says otherwise", encoding("srgb"))
-        .in<vec2>("uv", surface::uv0, "Where to read it")
-        .out<Color>("color", "Linear colour")
-        .out<Float>("alpha", "Opacity, 0 to 1")
-        .out<Float>("red", "The red channel, linear")
-        .out<Float>("green", "The green channel, linear")
-        .out<Float>("blue", "The blue channel, linear")
-        .body([](Image image, vec2 uv) {
-            const vec4 texel = image.sample(uv);
-            return std::tuple{texel.rgb(), texel.a(), texel.r(), texel.g(), texel.b()};
-        });
+struct HeightMap {
+    Image image;
+    vec2 uv;
+    Float amplitude, midlevel;
+    HeightQuality quality;
+    Scale scale;
+    FrameMethod frame;
+    vec3 direction, base;
+};
 
 struct DerivativeMap {
     Image image;
@@ -32,17 +29,6 @@ struct DerivativeMap {
     vec3 direction, base;
 };
 
-Node derivative_map_node =
-    slope_ports(node("derivative_map", "Derivative map",
-                     "A bump from a picture of slopes: dh/du in red, dh/dv in green.")
-                    .family("image")
-                    .in<Image>("image", "Slopes; 0.5 is flat unless it says otherwise",
-                               encoding("derivative"))
-                    .in<vec2>("uv", surface::uv0, "Where to read it"))
-        .body([](DerivativeMap in) {
-            return bump_of_slope(in.image.sample(in.uv).xy(), in.image, in);
-        });
-
 struct TangentNormalMap {
     Image image;
     vec2 uv;
@@ -52,57 +38,81 @@ struct TangentNormalMap {
     vec3 direction, base;
 };
 
-Node tangent_normal_map_node =
-    node("tangent_normal_map", "Tangent normal map",
-         "A bump from a tangent-space normal map. Slopes are limited to 128.")
-        .family("image")
-        .in<Image>("image", "Tangent-space normals; green is up unless it says otherwise",
-                   encoding("normal_gl"))
-        .in<vec2>("uv", surface::uv0, "Where to read it")
-        .in<Float>("strength", 1,
-                   "Factor of the slopes: 1 leaves it unchanged, negative inverts it",
-                   slider(-2, 2), unit("x"))
-        .choice("scale", SCALES, SCALE_DOC, static_cast<int>(Scale::unit))
-        .choice("frame", FRAME_METHODS, FRAME_DOC)
-        .in<vec3>("direction", {0, 1, 0}, DIRECTION_DOC)
-        .in<Normal>("base", surface::normal, BASE_DOC)
-        .out<Gradient>("gradient", "The bump")
-        .out<Derivative>("derivative", "The slopes with their frame")
-        .body([](TangentNormalMap in) {
-            const Derivative d = normal_derivative(in.image.sample(in.uv).xyz(), in.strength,
-                                                   frame(in.uv, in.frame, in.scale, in.direction));
-            return std::tuple{Gradient(d, Base(in.base)), d};
-        });
-
 enum class Facing { toward, opposite };
-struct ObjectNormalMap {
-    Image image;
-    vec2 uv;
-    Float strength;
-    Facing facing;
-    vec3 base;
-};
+static constinit Node image_list[] = {
+    image_family("image", "Image", "The colour of a picture.")
+        .in<Image>("image", "The picture; sRGB unless it says otherwise", encoding("srgb"))
+        .in<vec2>("uv", surface::uv0, "Where to read it")
+        .out<Color>("color", "Linear colour")
+        .out<Float>("alpha", "Opacity, 0 to 1")
+        .out<Float>("red", "The red channel, linear")
+        .out<Float>("green", "The green channel, linear")
+        .out<Float>("blue", "The blue channel, linear")
+        .body([](Image image, vec2 uv) {
+            const vec4 texel = image.sample(uv);
+            return std::tuple{texel.rgb(), texel.a(), texel.r(), texel.g(), texel.b()};
+        }),
 
-Node object_normal_map_node =
-    node("object_normal_map", "Object normal map",
-         "A bump from a normal map in object space, so that it can be scaled and layered.")
-        .family("image")
+    in_frame(
+        image_family("height_map", "Height map", "A relief from a picture of its heights.")
+            .in<Image>("image", height_map_doc, encoding("linear"))
+            .in<vec2>("uv", surface::uv0, "Where to read it")
+            .in<Float>("amplitude", 0.02, amplitude_doc, slider(0, 0.2), unit("m"))
+            .in<Float>("midlevel", 0.5, "The value in the picture that is height 0", slider(0, 1))
+            .choice("quality", height_qualities, height_quality_doc),
+        Scale::surface)
+        .out<Height>("height", "In length units of object space, positive outward", unit("m"))
+        .out<Gradient>("gradient", "Its bump, by the chosen scale")
+        .body([](HeightMap in) {
+            const Float height =
+                (read_height(in.image, in.uv, in.quality) - in.midlevel) * in.amplitude;
+            const bool exact = in.frame == FrameMethod::automatic || in.frame == FrameMethod::exact;
+            const bool pixels = in.quality == HeightQuality::pixel;
+            const bool on_surface = in.scale == Scale::surface && exact;
+            if (on_surface && !pixels)
+                return std::tuple{height, gradient_from_height(height, Base(in.base))};
+            const FrameMethod method = on_surface ? FrameMethod::pixel : in.frame;
+            const Frame basis = frame(in.uv, method, in.scale, in.direction);
+            const vec2 slope = on_surface ? pixel_change(in.image, in.uv)
+                                          : height_slope(in.image, in.uv, in.quality);
+            const Derivative derivative(slope * in.amplitude, basis);
+            return std::tuple{height, Gradient(derivative, Base(in.base))};
+        }),
+
+    slope_ports(image_family("derivative_map", "Derivative map",
+                             "A bump from a picture of slopes: dh/du in red, dh/dv in green.")
+                    .in<Image>("image", "Slopes; 0.5 is flat unless it says otherwise",
+                               encoding("derivative"))
+                    .in<vec2>("uv", surface::uv0, "Where to read it"))
+        .body([](DerivativeMap in) {
+            return bump_of_slope(in.image.sample(in.uv).xy(), in.image, in);
+        }),
+
+    bump_in_frame(image_family("tangent_normal_map", "Tangent normal map",
+                               "A bump from a tangent-space normal map. Slopes are limited to 128.")
+                      .in<Image>("image", normal_map_doc, encoding("normal_gl"))
+                      .in<vec2>("uv", surface::uv0, "Where to read it")
+                      .in<Float>("strength", 1, strength_doc, slider(-2, 2), unit("x")),
+                  Scale::unit)
+        .body([](TangentNormalMap in) { return bump_of_normal(in.image.sample(in.uv).xyz(), in); }),
+
+    image_family("object_normal_map", "Object normal map",
+                 "A bump from a normal map in object space, so that it can be scaled and layered.")
         .in<Image>("image", "Object-space normals, any length", encoding("normal_gl"))
         .in<vec2>("uv", surface::uv0, "Where to read it")
-        .in<Float>("strength", 1,
-                   "Factor of the slopes: 1 leaves it unchanged, negative inverts it",
-                   slider(-2, 2), unit("x"))
+        .in<Float>("strength", 1, strength_doc, slider(-2, 2), unit("x"))
         .choice("facing", {"toward", "opposite"},
                 "A normal that points inward is mirrored at the surface (toward) or reversed "
                 "(opposite)")
-        .in<Normal>("base", surface::normal, BASE_DOC)
+        .in<Normal>("base", surface::normal, base_doc)
         .out<Gradient>("gradient", "The bump")
-        .body([](ObjectNormalMap in) {
-            const vec3 v = in.image.sample(in.uv).xyz();
-            const Gradient g = in.facing == Facing::toward
-                                   ? gradient_from_normal(v, Base(in.base))
-                                   : gradient_from_outward_normal(v, Base(in.base));
-            return g * in.strength;
-        });
+        .body([](Image image, vec2 uv, Float strength, Facing facing, vec3 base) {
+            const vec3 v = image.sample(uv).xyz();
+            const Gradient g = facing == Facing::toward
+                                   ? gradient_from_normal(v, Base(base))
+                                   : gradient_from_outward_normal(v, Base(base));
+            return g * strength;
+        })};
+constinit std::span<Node> image_nodes = image_list;
 
 }  // namespace wrinkle::nodes

@@ -1,5 +1,7 @@
 // Smooth random relief in space. Random numbers come from integer hashes, so they are the same on
 // every target.
+#include <span>
+
 #include "nodes/noise.h"
 
 #include "nodes/footprint.h"
@@ -155,51 +157,42 @@ Float fbm(const Fractal& fractal, Basis basis) {
     return weighted_mean(octaves_of(fractal, layer));
 }
 
-struct GradientNoise {
-    vec3 point;
-    Float scale;
-    int octaves;
-    Float lacunarity, gain, amplitude;
-};
-
-Node gradient_noise_node =
-    relief(with_octaves(in_space(
-               node("gradient_noise", "Gradient noise",
-                    "Smooth random relief in space: octaves of Perlin noise, each finer and weaker "
-                    "than the one before.")
-                   .family("noise"),
-               4)),
-           0.02, "The noise, about -1 to 1, mostly within -0.5 to 0.5")
-        .body([](GradientNoise in) {
-            const Fractal fractal{in.point * in.scale, in.octaves, in.lacunarity, in.gain};
-            return relief_of(fbm(fractal, Basis::gradient), in.amplitude);
-        });
-
 static auto single(Basis basis, vec3 point, Float scale, Float amplitude) {
     const vec3 p = point * scale;
     return relief_of(noise_function(basis)(p) * fade(footprint(p)), amplitude);
 }
 
-Node simplex_noise_node =
-    relief(in_space(node("simplex_noise", "Simplex noise",
-                         "Smooth random relief in space without the lattice's directions: one "
-                         "octave of simplex noise.")
-                        .family("noise"),
-                    4),
+static constinit Node noise_list[] = {
+    relief(with_octaves(noise_in_space(
+               "gradient_noise", "Gradient noise",
+               "Smooth random relief in space: octaves of Perlin noise, each finer and weaker "
+               "than the one before.",
+               4)),
+           0.02, "The noise, about -1 to 1, mostly within -0.5 to 0.5")
+        .body([](vec3 point, Float scale, int octaves, Float lacunarity, Float gain,
+                 Float amplitude) {
+            const Fractal fractal{point * scale, octaves, lacunarity, gain};
+            return relief_of(fbm(fractal, Basis::gradient), amplitude);
+        }),
+
+    relief(noise_in_space("simplex_noise", "Simplex noise",
+                          "Smooth random relief in space without the lattice's directions: one "
+                          "octave of simplex noise.",
+                          4),
            0.02, "The noise, about -1 to 1")
         .body([](vec3 point, Float scale, Float amplitude) {
             return single(Basis::simplex, point, scale, amplitude);
-        });
+        }),
 
-Node value_noise_node =
-    relief(in_space(node("value_noise", "Value noise",
-                         "Soft random blotches in space: a random number in each corner of a cell, "
-                         "joined smoothly.")
-                        .family("noise"),
-                    4),
-           0.02, "The noise, -1 to 1")
+    relief(
+        noise_in_space("value_noise", "Value noise",
+                       "Soft random blotches in space: a random number in each corner of a cell, "
+                       "joined smoothly.",
+                       4),
+        0.02, "The noise, -1 to 1")
         .body([](vec3 point, Float scale, Float amplitude) {
             return single(Basis::value, point, scale, amplitude);
-        });
+        })};
+constinit std::span<Node> noise_nodes = noise_list;
 
 }  // namespace wrinkle::nodes

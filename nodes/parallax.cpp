@@ -3,16 +3,19 @@
 //
 // Sources: ProjectVecToTextureSpace, TexSpaceOffsToSurface and the level of detail of Mikkelsen's
 // framework; segment intersection at the end of the march as in its parallax occlusion.
+#include <span>
+
 #include "nodes/ports.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
 
-#define RELIEF_UV_DOC "Where the relief begins: the height is read at uvs shifted from here"
-#define RELIEF_OUT_UV_DOC \
-    "Where the eye meets the relief; its changes between pixels are those of the unshifted uv"
-#define RELIEF_HEIGHT_DOC "The height there, in length units of object space"
+constexpr char relief_uv_doc[] =
+    "Where the relief begins: the height is read at uvs shifted from here";
+constexpr char relief_out_uv_doc[] =
+    "Where the eye meets the relief; its changes between pixels are those of the unshifted uv";
+constexpr char relief_height_doc[] = "The height there, in length units of object space";
 
 // Least sine of the angle between view and surface (about 6 degrees); lower views are clamped.
 constexpr double lowest_view = 0.1;
@@ -99,7 +102,8 @@ struct ParallaxOcclusion {
     Float eye_distance;
 };
 
-Node parallax_occlusion_node =
+enum class OffsetLimit { limited, full };
+static constinit Node parallax_list[] = {
     node("parallax_occlusion", "Parallax occlusion",
          "A relief cut into the surface, seen at its depth: parts shift and hide each other. One "
          "height gives march, bump and position.")
@@ -107,7 +111,7 @@ Node parallax_occlusion_node =
         .field<Height>("height", surface::uv0,
                        "The relief as made from uv0, in length units of object space; the same "
                        "everywhere if it is not")
-        .in<vec2>("uv", surface::uv0, RELIEF_UV_DOC)
+        .in<vec2>("uv", surface::uv0, relief_uv_doc)
         .in<Height>("top", 0,
                     "The height that lies in the surface itself, in length units of object space; "
                     "what is higher is cut off",
@@ -121,11 +125,11 @@ Node parallax_occlusion_node =
                    "From the eye to the surface in length units of object space, for the level of "
                    "detail; 0: far away",
                    slider(0, 100), limits(0, 1e12), unit("m"))
-        .out<vec2>("uv", RELIEF_OUT_UV_DOC)
+        .out<vec2>("uv", relief_out_uv_doc)
         .out<vec2>("detail_uv",
                    "The same place, its changes between pixels those on the relief: for colours "
                    "and normal maps on top, not for heights")
-        .out<Height>("height", RELIEF_HEIGHT_DOC, unit("m"))
+        .out<Height>("height", relief_height_doc, unit("m"))
         .out<vec3>("position", "The place in object space, in length units")
         .out<Gradient>("gradient", "The bump of that height there")
         .out<Float>("lod", "Levels by which a pixel is wider on the relief than on the surface")
@@ -144,40 +148,32 @@ Node parallax_occlusion_node =
             const vec2 detail_uv = detach(uv) + detach(exp2(lod)) * (in.uv - detach(in.uv));
             const vec3 position = surface::position + detach(down.in_space * depth);
             return std::tuple{uv, detail_uv, height, position, relief, lod};
-        });
+        }),
 
-enum class OffsetLimit { limited, full };
-struct ParallaxOffset {
-    Field<Float> height;
-    vec2 uv;
-    Float middle;
-    OffsetLimit method;
-};
-
-Node parallax_offset_node =
     node("parallax_offset", "Parallax offset",
          "A relief that shifts with the view, by one step: cheap, right for gentle slopes, and "
          "nothing hides anything.")
         .family("parallax")
         .field<Height>("height", surface::uv0,
                        "The relief as made from uv0, in length units of object space")
-        .in<vec2>("uv", surface::uv0, RELIEF_UV_DOC)
+        .in<vec2>("uv", surface::uv0, relief_uv_doc)
         .in<Height>("middle", 0, "The height that does not shift, in length units of object space",
                     slider(-0.2, 0.2), unit("m"))
         .choice("method", {"limited", "full"},
                 "limited: at most by the height, which a grazing view needs; full: as far as the "
                 "view goes at that height")
-        .out<vec2>("uv", RELIEF_OUT_UV_DOC)
-        .out<Height>("height", RELIEF_HEIGHT_DOC, unit("m"))
+        .out<vec2>("uv", relief_out_uv_doc)
+        .out<Height>("height", relief_height_doc, unit("m"))
         .out<Gradient>("gradient", "The bump of that height there")
-        .body([](ParallaxOffset in) {
-            const Float lift = in.height(in.uv) - in.middle;
+        .body([](Field<Float> field, vec2 start, Float middle, OffsetLimit method) {
+            const Float lift = field(start) - middle;
             const vec3 view = surface::view;
-            const vec2 limited = -in_texture_space(view, in.uv);
-            const vec2 per_depth = in.method == OffsetLimit::full ? descent(in.uv).in_uv : limited;
-            const vec2 uv = in.uv + detach(per_depth * -lift);
-            const Float height = in.height(uv);
+            const vec2 limited = -in_texture_space(view, start);
+            const vec2 per_depth = method == OffsetLimit::full ? descent(start).in_uv : limited;
+            const vec2 uv = start + detach(per_depth * -lift);
+            const Float height = field(uv);
             return std::tuple{uv, height, gradient_from_height(height)};
-        });
+        })};
+constinit std::span<Node> parallax_nodes = parallax_list;
 
 }  // namespace wrinkle::nodes

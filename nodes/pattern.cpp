@@ -1,4 +1,6 @@
 // Regular relief on a uv set: tiles with grooves between them, and shapes in a grid.
+#include <span>
+
 #include "nodes/footprint.h"
 #include "nodes/relief.h"
 
@@ -39,11 +41,10 @@ static vec2 triangle(vec2 x) {
     return abs((turn - floor(turn)) * 2 - 1);
 }
 
-Node checker_node =
-    relief(on_uv(node("checker", "Checker",
-                      "Squares in two heights, like a chessboard; box-filtered exactly.")
-                     .family("pattern"),
-                 "scale", 4, "Squares per uv unit")
+static constinit Node pattern_list[] = {
+    relief(pattern_on_uv("checker", "Checker",
+                         "Squares in two heights, like a chessboard; box-filtered exactly.",
+                         "scale", 4, "Squares per uv unit")
                .in<Float>("bevel", 0.1, "Width of the slope between two squares, in squares",
                           slider(0.05, 1), limits(0.02, 1)),
            0.01, "1 on the one kind of squares, 0 on the other")
@@ -52,112 +53,93 @@ Node checker_node =
             const vec2 width = max(spread(p), bevel);
             const vec2 wave = (triangle(p - width * 0.5) - triangle(p + width * 0.5)) / width;
             return relief_of(0.5 + 0.5 * wave.x() * wave.y(), amplitude);
-        });
+        }),
 
-struct Brick {
-    vec2 uv;
-    Float scale, aspect, offset, mortar, bevel, amplitude;
-};
-
-Node brick_node =
-    relief(with_edges(on_uv(node("brick", "Bricks",
-                                 "A wall of bricks, with mortar between them and bevelled edges.")
-                                .family("pattern"),
-                            "scale", 6, "Rows of bricks per uv unit")
-                          .in<Float>("aspect", 2.5, "Length of a brick over its height",
-                                     slider(0.5, 6), limits(0.1, 100), unit("x"))
-                          .in<Float>("offset", 0.5,
-                                     "How far each row is moved against the one below, in bricks",
-                                     slider(0, 1)),
-                      0.06, 0.15, "Width of the mortar's bottom, in heights of a brick"),
-           0.008, "1 on a brick, 0 in the mortar")
-        .body([](Brick in) {
-            const vec2 p = in.uv * in.scale;
+    relief(
+        with_edges(pattern_on_uv("brick", "Bricks",
+                                 "A wall of bricks, with mortar between them and bevelled edges.",
+                                 "scale", 6, "Rows of bricks per uv unit")
+                       .in<Float>("aspect", 2.5, "Length of a brick over its height",
+                                  slider(0.5, 6), limits(0.1, 100), unit("x"))
+                       .in<Float>("offset", 0.5,
+                                  "How far each row is moved against the one below, in bricks",
+                                  slider(0, 1)),
+                   0.06, 0.15, "Width of the mortar's bottom, in heights of a brick"),
+        0.008, "1 on a brick, 0 in the mortar")
+        .body([](vec2 uv, Float scale, Float aspect, Float offset, Float mortar, Float bevel,
+                 Float amplitude) {
+            const vec2 p = uv * scale;
             const Float row = floor(p.y());
-            const Float x = p.x() / in.aspect - row * in.offset;
+            const Float x = p.x() / aspect - row * offset;
             const Float along = 0.5 - abs(fract(x) - 0.5), across = 0.5 - abs(p.y() - row - 0.5);
-            const Edges edges{in.mortar, in.bevel, footprint(p)};
-            const Float mean =
-                saturate(1 - edges.groove()) * saturate(1 - edges.groove() / in.aspect);
-            return relief_of(tile(edges, min(along * in.aspect, across), mean), in.amplitude);
-        });
+            const Edges edges{mortar, bevel, footprint(p)};
+            const Float mean = saturate(1 - edges.groove()) * saturate(1 - edges.groove() / aspect);
+            return relief_of(tile(edges, min(along * aspect, across), mean), amplitude);
+        }),
 
-struct Hexagons {
-    vec2 uv;
-    Float scale, mortar, bevel, amplitude;
-};
-
-Node hexagons_node =
-    relief(with_edges(on_uv(node("hexagons", "Hexagons",
-                                 "Hexagonal tiles with grooves between them and bevelled edges.")
-                                .family("pattern"),
-                            "scale", 5, "Tiles per uv unit, along u"),
+    relief(with_edges(pattern_on_uv("hexagons", "Hexagons",
+                                    "Hexagonal tiles with grooves between them and bevelled edges.",
+                                    "scale", 5, "Tiles per uv unit, along u"),
                       0.04, 0.15, "Width of the groove's bottom, in tiles"),
            0.008, "1 on a tile, 0 in the grooves")
-        .body([](Hexagons in) {
+        .body([](vec2 uv, Float scale, Float mortar, Float bevel, Float amplitude) {
             // Centres are on two rectangular grids, 1 by sqrt(3); the nearer centre is the tile's.
             const vec2 grid(1, 1.7320508075688772);
-            const vec2 p = in.uv * in.scale;
+            const vec2 p = uv * scale;
             const vec2 even = p - grid * floor(p / grid + 0.5);
             const vec2 odd = p - grid * (floor(p / grid) + 0.5);
             const vec2 way = select(dot(even, even) < dot(odd, odd), even, odd);
             const vec2 side = abs(way);
             const Float inside = 0.5 - max(side.x(), dot(side, vec2(0.5, 0.8660254037844386)));
-            const Edges edges{in.mortar, in.bevel, footprint(p)};
+            const Edges edges{mortar, bevel, footprint(p)};
             const Float tops = saturate(1 - edges.groove());
-            return relief_of(tile(edges, inside, tops * tops), in.amplitude);
-        });
+            return relief_of(tile(edges, inside, tops * tops), amplitude);
+        }),
 
-// The bump of M. Bailey's Surface Local Coordinates: in the middle of each square cell of (s, t) a
-// pyramid with four flat sides, which join on the diagonals, and a flat border around it.
-Node pyramids_node =
-    relief(on_uv(node("pyramids", "Pyramids",
-                      "A four-sided pyramid in the middle of each cell of a grid, flat around it.")
-                     .family("pattern"),
-                 "density", 8, "Pyramids per uv unit")
-               .in<Float>("base", 0.5,
-                          "Width of a pyramid, in cells: 0.5 leaves a quarter flat on "
-                          "each side",
-                          slider(0.2, 1), limits(0.01, 1)),
-           0.02, "1 at the tips, 0 on the border")
+    // The bump of M. Bailey's Surface Local Coordinates: in the middle of each square cell of (s, t)
+    // a pyramid with four flat sides, which join on the diagonals, and a flat border around it.
+    relief(
+        pattern_on_uv("pyramids", "Pyramids",
+                      "A four-sided pyramid in the middle of each cell of a grid, flat around it.",
+                      "density", 8, "Pyramids per uv unit")
+            .in<Float>("base", 0.5,
+                       "Width of a pyramid, in cells: 0.5 leaves a quarter flat on "
+                       "each side",
+                       slider(0.2, 1), limits(0.01, 1)),
+        0.02, "1 at the tips, 0 on the border")
         .body([](vec2 uv, Float density, Float base, Float amplitude) {
             const vec2 p = uv * density;
             const vec2 side = abs(p - floor(p) - 0.5);
             const Float value = saturate(1 - 2 * max(side.x(), side.y()) / base);
             return relief_of(mix(base * base * (1.0 / 3), value, fade(footprint(p))), amplitude);
-        });
+        }),
 
-struct Domes {
-    vec2 uv;
-    Float scale, base, roundness, stagger, amplitude;
-};
-
-Node domes_node =
     relief(
-        on_uv(node("domes", "Domes",
-                   "Round bumps in a grid, like rivets or studs: caps of a sphere, up to nearly "
-                   "half of it.")
-                  .family("pattern"),
-              "scale", 6, "Domes per uv unit")
+        pattern_on_uv("domes", "Domes",
+                      "Round bumps in a grid, like rivets or studs: caps of a sphere, up to nearly "
+                      "half of it.",
+                      "scale", 6, "Domes per uv unit")
             .in<Float>("base", 0.7, "Diameter of a dome, in cells", slider(0.2, 1), limits(0.01, 1))
             .in<Float>("roundness", 0.8, "The profile: near 1 a hemisphere, near 0 a parabola",
                        slider(0.1, 0.95), limits(0.05, 0.999))
             .in<Float>("stagger", 0, "How far each row is moved against the one below, in cells",
                        slider(0, 1)),
         0.01, "1 at the tops, 0 around the domes")
-        .body([](Domes in) {
-            const vec2 p = in.uv * in.scale;
-            const Float row = floor(p.y());
-            const vec2 way(fract(p.x() - row * in.stagger) - 0.5, p.y() - row - 0.5);
-            const Float radius = 0.5 * in.base;
-            const Float square = in.roundness * in.roundness;
-            const Float rim = sqrt(1 - square);
-            const Float rho = min(dot(way, way) / (radius * radius), 1);
-            const Float value = (sqrt(1 - square * rho) - rim) / (1 - rim);
-            // The mean over the disc: the integral of the square root, less the rim.
-            const Float disc = (2.0 / 3) * (1 - rim * rim * rim) / square - rim;
-            const Float mean = 3.141592653589793 * radius * radius * disc / (1 - rim);
-            return relief_of(mix(mean, value, fade(footprint(p))), in.amplitude);
-        });
+        .body(
+            [](vec2 uv, Float scale, Float base, Float roundness, Float stagger, Float amplitude) {
+                const vec2 p = uv * scale;
+                const Float row = floor(p.y());
+                const vec2 way(fract(p.x() - row * stagger) - 0.5, p.y() - row - 0.5);
+                const Float radius = 0.5 * base;
+                const Float square = roundness * roundness;
+                const Float rim = sqrt(1 - square);
+                const Float rho = min(dot(way, way) / (radius * radius), 1);
+                const Float value = (sqrt(1 - square * rho) - rim) / (1 - rim);
+                // The mean over the disc: the integral of the square root, less the rim.
+                const Float disc = (2.0 / 3) * (1 - rim * rim * rim) / square - rim;
+                const Float mean = 3.141592653589793 * radius * radius * disc / (1 - rim);
+                return relief_of(mix(mean, value, fade(footprint(p))), amplitude);
+            })};
+constinit std::span<Node> pattern_nodes = pattern_list;
 
 }  // namespace wrinkle::nodes

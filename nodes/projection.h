@@ -13,9 +13,8 @@
 
 namespace wrinkle::nodes {
 
-#define AXES \
-    { "x", "y", "z" }
-#define POINT_DOC "The place to project; object space unless wired otherwise"
+inline constexpr const char* axis_names[] = {"x", "y", "z"};
+inline constexpr char point_doc[] = "The place to project; object space unless wired otherwise";
 
 struct Planes {
     sdk::vec2 x, y, z;

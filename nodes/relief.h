@@ -8,6 +8,23 @@
 
 namespace wrinkle::nodes {
 
+// Begins a node of noise in space, and one of a pattern on a uv set.
+constexpr auto noise_in_space(const char* id, const char* title, const char* doc, double scale) {
+    return sdk::node(id, title, doc)
+        .family("noise")
+        .in<sdk::vec3>("point", sdk::surface::position,
+                       "Where to read it; object space unless wired otherwise")
+        .in<sdk::Float>("scale", scale, "Cells per length unit", sdk::slider(0, 16),
+                        sdk::unit("x"));
+}
+constexpr auto pattern_on_uv(const char* id, const char* title, const char* doc,
+                             const char* scale_name, double scale, const char* scale_doc) {
+    return sdk::node(id, title, doc)
+        .family("pattern")
+        .in<sdk::vec2>("uv", sdk::surface::uv0, "Where to read it, on any uv set")
+        .in<sdk::Float>(scale_name, scale, scale_doc, sdk::slider(0, 16), sdk::unit("x"));
+}
+
 // Adds the last input, `amplitude`, and the outputs.
 template <class Declaration>
 constexpr auto relief(const Declaration& declaration, double amplitude, const char* value) {
@@ -22,23 +39,6 @@ constexpr auto relief(const Declaration& declaration, double amplitude, const ch
 
 inline std::tuple<sdk::Float, sdk::Float> relief_of(sdk::Float value, sdk::Float amplitude) {
     return {value * amplitude, value};
-}
-
-// The first inputs of a pattern in space, and of a pattern on a uv set.
-template <class Declaration>
-constexpr auto in_space(const Declaration& declaration, double scale) {
-    return declaration
-        .template in<sdk::vec3>("point", sdk::surface::position,
-                                "Where to read it; object space unless wired otherwise")
-        .template in<sdk::Float>("scale", scale, "Cells per length unit", sdk::slider(0, 16),
-                                 sdk::unit("x"));
-}
-template <class Declaration>
-constexpr auto on_uv(const Declaration& declaration, const char* name, double scale,
-                     const char* doc) {
-    return declaration
-        .template in<sdk::vec2>("uv", sdk::surface::uv0, "Where to read it, on any uv set")
-        .template in<sdk::Float>(name, scale, doc, sdk::slider(0, 16), sdk::unit("x"));
 }
 
 }  // namespace wrinkle::nodes

@@ -1,4 +1,6 @@
 // Sums of sines on a uv set.
+#include <span>
+
 #include "nodes/footprint.h"
 #include "nodes/relief.h"
 
@@ -30,11 +32,10 @@ static Float ring_wave(const Waves& in, vec2 p, Float frequency, int wave) {
     return cos(fract(length(p - centre * frequency) - in.phase) * turn);
 }
 
-Node waves_node =
-    relief(on_uv(node("waves", "Waves",
-                      "Ripples or water on a uv set: a sum of sines, straight ones or rings.")
-                     .family("pattern"),
-                 "scale", 4, "Periods of the first wave per uv unit")
+static constinit Node waves_list[] = {
+    relief(pattern_on_uv("waves", "Waves",
+                         "Ripples or water on a uv set: a sum of sines, straight ones or rings.",
+                         "scale", 4, "Periods of the first wave per uv unit")
                .choice("shape", {"straight", "rings"},
                        "Straight fronts, or rings around random places of the unit square")
                .count("count", 4, 1, 8, "How many waves are added")
@@ -60,6 +61,7 @@ Node waves_node =
                 weight *= in.gain;
             }
             return relief_of(sum / total, in.amplitude);
-        });
+        })};
+constinit std::span<Node> waves_nodes = waves_list;
 
 }  // namespace wrinkle::nodes

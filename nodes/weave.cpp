@@ -1,4 +1,6 @@
 // Plain weave as a relief.
+#include <span>
+
 #include "nodes/footprint.h"
 #include "nodes/relief.h"
 
@@ -16,11 +18,10 @@ static auto thread_function() {
     });
 }
 
-Node weave_node =
-    relief(on_uv(node("weave", "Weave",
-                      "Plain cloth: round threads along u and v, each in turn above and below.")
-                     .family("pattern"),
-                 "scale", 8, "Threads per uv unit")
+static constinit Node weave_list[] = {
+    relief(pattern_on_uv("weave", "Weave",
+                         "Plain cloth: round threads along u and v, each in turn above and below.",
+                         "scale", 8, "Threads per uv unit")
                .in<Float>("width", 0.9, "Of a thread, in the distance of two threads",
                           slider(0.4, 1), limits(0.3, 1)),
            0.02, "1 where a thread is on top, 0 between threads")
@@ -30,6 +31,7 @@ Node weave_node =
             const Float value = max(thread(p, 1, width), thread(p.yx(), -1, width));
             const Float mean = width * (0.917 - 0.271 * width);  // fitted to the mean of `value`
             return relief_of(mix(mean, value, fade(footprint(p))), amplitude);
-        });
+        })};
+constinit std::span<Node> weave_nodes = weave_list;
 
 }  // namespace wrinkle::nodes
