@@ -9,11 +9,8 @@ namespace {
 
 std::string pointer_to(std::initializer_list<std::string_view> keys) {
     std::string pointer;
-    for (const std::string_view key : keys) {
-        pointer += '/';
-        for (const char c : key)
-            pointer += c == '~' ? std::string("~0") : c == '/' ? "~1" : std::string(1, c);
-    }
+    for (const std::string_view key : keys)
+        pointer += json::pointer_step(key);
     return pointer;
 }
 

@@ -20,8 +20,8 @@ void add_text(Tree& tree, Kind kind, std::string_view text, uint32_t parent) {
 }
 
 void add_copy(Tree& tree, const Value& value, uint32_t parent) {
-    const Tree* from = tree_of(value);
-    const uint32_t begin = index_of(value);
+    const Tree* from = value.tree().get();
+    const uint32_t begin = value.index();
     const uint32_t end = from ? from->after(begin) : begin + 1;
     const auto to = static_cast<uint32_t>(tree.entries.size());
     for (uint32_t i = begin; i < end; ++i) {

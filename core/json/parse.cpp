@@ -1,13 +1,11 @@
 #include "json/parse.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <span>
+#include <unordered_map>
 
 #include "base/text.h"
-#include "base/text_hash.h"
 #include "json/syntax_error.h"
 #include "json/tree.h"
 
@@ -60,11 +58,7 @@ public:
     bool number_unsigned(uint64_t) { return number(); }
     bool number_float(double, const std::string&) { return number(); }
     bool string(std::string& text) { return add_string(text); }
-    bool key(std::string& text) {
-        add_string(text);
-        if (open_.back().added > 2 * few) keep_key();
-        return true;
-    }
+    bool key(std::string& text) { return add_string(text); }
     bool binary(std::vector<uint8_t>&) { return false; }
     bool start_object(size_t) { return open(Kind::object); }
     bool start_array(size_t) { return open(Kind::array); }
@@ -73,22 +67,19 @@ public:
 
     template <class Exception>
     bool parse_error(size_t, const std::string&, const Exception& exception) {
-        const SyntaxError error = explain(exception.what(), tree_.source, cursor_, consumed());
-        report(error.offset, Value(shared_, open_.back().entry).pointer(), error.message,
-               error.expected);
+        constexpr int number_overflow = 406;  // the library's number of this error
+        report_syntax(exception.id == number_overflow);
         return false;
     }
 
     SharedIterator iterator() { return {&at_, tree_.source.data() + tree_.source.size()}; }
-    uint32_t cursor() const { return cursor_; }
 
-    void report(uint32_t offset, std::string pointer, std::string message, std::string expected) {
-        Diagnostic diagnostic;
-        diagnostic.where = tree_.location(offset);
-        diagnostic.pointer = std::move(pointer);
-        diagnostic.message = std::move(message);
-        diagnostic.expected = std::move(expected);
-        diagnostics_.add(std::move(diagnostic));
+    // Returns false and reports an error if more than white space follows the tokens: the library
+    // takes a zero byte for the end of the text.
+    bool is_at_end() {
+        if (skip_space(tree_.source, cursor_) == tree_.source.size()) return true;
+        report_syntax(false);
+        return false;
     }
 
     // Closes all open containers after an error and marks them as cut off.
@@ -104,19 +95,37 @@ public:
 private:
     struct Open {
         uint32_t entry = 0;
-        uint32_t first_key = 0;  // index of its first key in keys_
-        uint32_t added = 0;      // direct children: values, and in an object also keys
+        uint32_t added = 0;  // direct children: values, and in an object also keys
     };
-    struct Key {
-        uint32_t hash;
-        uint32_t entry;
-    };
-    // Up to this number of members, keys are compared pairwise; above it, they are hashed on
-    // arrival.
-    static constexpr uint32_t few = 8;
+
+    void report(uint32_t offset, std::string pointer, std::string message, std::string expected) {
+        Diagnostic diagnostic;
+        diagnostic.where = tree_.location(offset);
+        diagnostic.pointer = std::move(pointer);
+        diagnostic.message = std::move(message);
+        diagnostic.expected = std::move(expected);
+        diagnostics_.add(std::move(diagnostic));
+    }
+
+    void report_syntax(bool out_of_range) {
+        const Open& in = open_.back();
+        const Kind container = open_.size() == 1 ? Kind::null : tree_.entries[in.entry].kind;
+        const SyntaxError error =
+            explain({tree_.source, cursor_, consumed(), container, in.added, out_of_range});
+        report(error.offset, Value(shared_, in.entry).pointer(), error.message, error.expected);
+    }
 
     uint32_t consumed() const { return static_cast<uint32_t>(at_ - tree_.source.data()); }
-    uint32_t start() const { return token_start(tree_.source, cursor_, ~0u); }
+
+    // Returns the start of the token that the library has just accepted: only white space and
+    // separators are before it.
+    uint32_t start() const {
+        uint32_t offset = cursor_;
+        const auto is_skipped = [](char c) { return c <= ' ' || c == ',' || c == ':'; };
+        while (is_skipped(tree_.source[offset]))
+            ++offset;
+        return offset;
+    }
 
     Entry& add(Kind kind, uint32_t offset) {
         Open& parent = open_.back();
@@ -138,8 +147,10 @@ private:
     bool number() {
         const std::string& source = tree_.source;
         const uint32_t offset = start();
+        // The library has read one byte beyond the number, unless the text ends with it.
+        const uint32_t limit = consumed() == source.size() ? consumed() : consumed() - 1;
         uint32_t end = offset;
-        while (end < source.size() && is_number_character(source[end]))
+        while (end < limit && is_number_character(source[end]))
             ++end;
         cursor_ = end;
         add(Kind::number, offset).length = end - offset;
@@ -169,8 +180,7 @@ private:
             return false;
         }
         add(kind, offset);
-        open_.push_back(
-            {static_cast<uint32_t>(tree_.entries.size() - 1), static_cast<uint32_t>(keys_.size())});
+        open_.push_back({static_cast<uint32_t>(tree_.entries.size() - 1)});
         return true;
     }
 
@@ -183,44 +193,21 @@ private:
         entry.place = static_cast<uint32_t>(tree_.entries.size());
         if (entry.kind == Kind::array) return true;
         entry.length /= 2;
+        constexpr uint32_t few = 8;  // pairwise comparison is faster up to this number of members
         if (entry.length > few)
-            find_duplicates(ends);
+            find_duplicates(ends.entry, entry.place);
         else if (entry.length > 1)
             find_few_duplicates(ends.entry, entry.place);
-        keys_.resize(ends.first_key);
         return true;
     }
 
-    // Stores the latest key of the innermost open object; with the ninth key, also those before it.
-    void keep_key() {
-        const Open& in = open_.back();
-        const auto latest = static_cast<uint32_t>(tree_.entries.size() - 1);
-        if (keys_.size() == in.first_key)
-            for (uint32_t k = in.entry + 1; k < latest; k = tree_.after(k + 1))
-                keys_.push_back(key_at(k));
-        keys_.push_back(key_at(latest));
-    }
-    Key key_at(uint32_t entry) const {
-        return {static_cast<uint32_t>(text_hash(tree_.text(tree_.entries[entry]))), entry};
-    }
-
-    // Marks each member with a key that occurred before. The last key may have no value.
-    void find_duplicates(const Open& ended) {
-        const uint32_t count = tree_.entries[ended.entry].length;
-        const std::span<const Key> keys = std::span(keys_).subspan(ended.first_key, count);
-        slots_.assign(std::bit_ceil(size_t{count} * 2), 0);
-        const size_t mask = slots_.size() - 1;
-        for (uint32_t i = 0; i < count; ++i) {
-            const auto is_other = [&](const Key& key) {
-                return key.hash != keys[i].hash || !same_text(key.entry, keys[i].entry);
-            };
-            size_t slot = keys[i].hash & mask;
-            while (slots_[slot] != 0 && is_other(keys[slots_[slot] - 1]))
-                slot = (slot + 1) & mask;
-            if (slots_[slot] == 0)
-                slots_[slot] = i + 1;
-            else
-                duplicate(ended.entry, keys[slots_[slot] - 1].entry, keys[i].entry);
+    // Marks each member with a key that occurred before.
+    void find_duplicates(uint32_t object, uint32_t end) {
+        std::unordered_map<std::string_view, uint32_t> first_with;
+        first_with.reserve(tree_.entries[object].length);
+        for (uint32_t k = object + 1; k < end; k = tree_.after(k + 1)) {
+            const auto [first, is_new] = first_with.emplace(tree_.text(tree_.entries[k]), k);
+            if (!is_new) duplicate(object, first->second, k);
         }
     }
 
@@ -257,8 +244,6 @@ private:
     const char* at_;          // next character of the library's lexer
     uint32_t cursor_ = 0;     // end of the last token understood
     std::vector<Open> open_;  // the text itself, and its open containers
-    std::vector<Key> keys_;   // keys of open objects with many members
-    std::vector<uint32_t> slots_;
 };
 
 // Approximate for graphs; for other texts the tree grows as required.
@@ -273,14 +258,6 @@ bool too_large(const Tree& tree, Diagnostics& diagnostics) {
     return true;
 }
 
-bool read_all(Tree& tree, Handler& handler) {
-    if (!nlohmann::json::sax_parse(handler.iterator(), handler.iterator(), &handler)) return false;
-    const uint32_t rest = token_start(tree.source, handler.cursor(), 0);
-    if (rest == tree.source.size()) return true;
-    handler.report(rest, "", "unexpected byte 0x00", "expected the end of the file");
-    return false;
-}
-
 }  // namespace
 
 Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, ParseLimits limits) {
@@ -291,7 +268,9 @@ Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, Parse
     tree->lines = std::make_unique<Lines>();
     tree->entries.reserve(std::min(tree->source.size() / bytes_an_entry, max_expected_entries));
     Handler handler(tree, diagnostics, limits);
-    const bool complete = read_all(*tree, handler);
+    const bool complete =
+        nlohmann::json::sax_parse(handler.iterator(), handler.iterator(), &handler) &&
+        handler.is_at_end();
     if (!complete) handler.cut();
     if (tree->entries.empty()) tree->entries.emplace_back();
     return {Value(tree, 0), complete};

@@ -2,10 +2,29 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+
+#include "base/text.h"
 
 namespace wrinkle::json {
 namespace {
+
+// Token that the grammar allows after the accepted ones.
+enum class Next : uint8_t { value, key, colon, comma_or_end, end_of_file };
+
+Next next_in(const ParserState& state) {
+    if (state.container == Kind::null) return state.added == 0 ? Next::value : Next::end_of_file;
+    if (state.container == Kind::object && state.added % 2 == 1) return Next::colon;
+    if (state.added > 0) return Next::comma_or_end;
+    return state.container == Kind::object ? Next::key : Next::value;
+}
+
+std::string wanted(Next next, Kind container) {
+    if (next == Next::comma_or_end)
+        return container == Kind::object ? "expected ',' or '}'" : "expected ',' or ']'";
+    static constexpr std::array texts = {"expected a value", "expected a key in double quotes",
+                                         "expected ':'", "", "expected the end of the file"};
+    return texts[static_cast<size_t>(next)];
+}
 
 bool is_word(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
@@ -28,108 +47,83 @@ std::string character_at(std::string_view source, uint32_t at) {
     return std::string("byte 0x") + hex[byte >> 4] + hex[byte & 15];
 }
 
+bool is_number(std::string_view word) {
+    return !word.empty() && (word[0] == '-' || (word[0] >= '0' && word[0] <= '9'));
+}
+
 bool is_not_finite(std::string_view word) {
     std::string lower;
-    for (const char c :
-         word.substr(word.find_first_not_of("+-") == word.npos ? word.size()
-                                                               : word.find_first_not_of("+-")))
+    for (const char c : word.substr(std::min(word.find_first_not_of("+-"), word.size())))
         lower += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
     return lower == "nan" || lower == "inf" || lower == "infinity";
 }
 
-constexpr const char* any_value = "expected a value";
-
-SyntaxError bad_word(std::string_view source, uint32_t start) {
-    const std::string word = word_at(source, start);
-    if (is_not_finite(word))
-        return {start, word + " is not a number in JSON", "expected a finite number"};
-    if (!word.empty()) return {start, "unexpected '" + word + "'", any_value};
-    if (source[start] == '/') return {start, "JSON has no comments", "remove it"};
-    if (source[start] == '\'')
-        return {start, "unexpected character '", "strings stand in double quotes"};
-    return {start, "unexpected " + character_at(source, start), any_value};
+std::string found(std::string_view source, uint32_t start, std::string_view word) {
+    constexpr std::string_view punctuation = "{}[]:,";
+    if (start == source.size()) return "end of the file";
+    if (source[start] == '"') return "string";
+    if (is_number(word)) return "number " + std::string(word);
+    if (!word.empty()) return "'" + std::string(word) + "'";
+    if (punctuation.find(source[start]) != punctuation.npos)
+        return std::string("'") + source[start] + "'";
+    return character_at(source, start);
 }
 
-SyntaxError bad_token(std::string_view reason, std::string_view source, uint32_t start,
-                      uint32_t consumed) {
-    const auto last = static_cast<uint32_t>(
-        std::min<size_t>(std::max(consumed, 1u) - 1, source.empty() ? 0 : source.size() - 1));
-    const std::string word = start < source.size() ? word_at(source, start) : "";
-    if (reason == "invalid literal" || is_not_finite(word)) return bad_word(source, start);
-    if (reason == "invalid string: missing closing quote")
-        return {start, "the string has no closing quote", "expected '\"'"};
-    if (reason == "invalid string: ill-formed UTF-8 byte")
+SyntaxError bad_string(std::string_view source, uint32_t start, uint32_t consumed) {
+    const uint32_t last = consumed - 1;
+    if (!is_utf8(source.substr(start, consumed - start)))
         return {last, "the string is not valid UTF-8 at " + character_at(source, last),
                 "save the file as UTF-8"};
-    if (reason.substr(0, 14) == "invalid number")
-        return {start, "'" + word + "' is not a number", std::string(reason.substr(16))};
-    if (reason.substr(0, 14) == "invalid string")
-        return {last, std::string(reason.substr(16)), "mend the string"};
-    return {start, std::string(reason), ""};
+    if (source[last] == '\n' || source[last] == '\r')
+        return {last, "the string has no closing quote on its line",
+                "expected '\"', or \\n for a line break"};
+    if (static_cast<unsigned char>(source[last]) < 0x20) {
+        const std::string byte = character_at(source, last);  // "byte 0x09"
+        return {last, "the string contains the unescaped " + byte,
+                "write \\u00" + byte.substr(byte.size() - 2)};
+    }
+    if (consumed == source.size())
+        return {start, "the string has no closing quote", "expected '\"'"};
+    return {
+        last, "the string has an invalid escape",
+        "expected \\\", \\\\, \\/, \\b, \\f, \\n, \\r, \\t, or \\u and four hexadecimal digits, "
+        "surrogates in pairs"};
 }
 
-std::string found(std::string_view token, std::string_view source, uint32_t start) {
-    if (token == "end of input")
-        return start < source.size() ? character_at(source, start) : "end of the file";
-    if (token == "string literal") return "string";
-    if (token == "number literal") return "number " + word_at(source, start);
-    if (token == "true literal" || token == "false literal" || token == "null literal")
-        return "'" + word_at(source, start) + "'";
-    return std::string(token);
-}
-
-std::string wanted(std::string_view token) {
-    static constexpr std::array<std::pair<std::string_view, const char*>, 5> words = {{
-        {"'[', '{', or a literal", any_value},
-        {"string literal", "expected a key in double quotes"},
-        {"end of input", "expected the end of the file"},
-        {"']'", "expected ',' or ']'"},
-        {"'}'", "expected ',' or '}'"},
-    }};
-    for (const auto& [name, text] : words)
-        if (name == token) return text;
-    return "expected " + std::string(token);
-}
-
-bool after_comma(std::string_view source, uint32_t start) {
-    while (start > 0 && is_space(source[start - 1]))
-        --start;
-    return start > 0 && source[start - 1] == ',';
+SyntaxError bad_number(const ParserState& state, uint32_t start, const std::string& word) {
+    if (state.out_of_range)
+        return {start, "the number " + word + " is out of range", "expected a finite number"};
+    const size_t accepted = state.consumed == state.source.size()
+                                ? word.size()
+                                : std::min<size_t>(word.size(), state.consumed - start - 1);
+    return {start, "'" + word + "' is not a number",
+            std::string("expected digit after '") + word[accepted - 1] + "'"};
 }
 
 }  // namespace
 
-uint32_t token_start(std::string_view source, uint32_t cursor, uint32_t limit) {
-    while (cursor < source.size()) {
-        const char c = source[cursor];
-        const bool separator = (c == ',' || c == ':') && cursor + 1 < limit;
-        if (!is_space(c) && !separator) break;
-        ++cursor;
+SyntaxError explain(const ParserState& state) {
+    const std::string_view source = state.source;
+    uint32_t start = skip_space(source, state.cursor);
+    Next next = next_in(state);
+    const char separator = start < source.size() ? source[start] : '\0';
+    const bool comma = next == Next::comma_or_end && separator == ',';
+    if (comma || (next == Next::colon && separator == ':')) {
+        start = skip_space(source, start + 1);
+        next = comma && state.container == Kind::object ? Next::key : Next::value;
     }
-    return cursor;
-}
-
-SyntaxError explain(std::string_view what, std::string_view source, uint32_t cursor,
-                    uint32_t consumed) {
-    static constexpr std::string_view unexpected = "unexpected ";
-    // Does not skip a separator that is the last consumed byte: it may be the unexpected token. At
-    // the end of the input, it is skipped below.
-    uint32_t start = token_start(source, cursor, consumed);
-    const size_t dash = what.find(" - ");
-    if (dash == what.npos)
-        return {start, "the number " + word_at(source, start) + " is out of range",
-                "expected a finite number"};
-    const std::string_view reason = what.substr(dash + 3);
-    if (const size_t read = reason.find("; last read: "); read != reason.npos)
-        return bad_token(reason.substr(0, read), source, start, consumed);
-    const size_t semicolon = reason.find("; expected ");
-    const size_t split = std::min(semicolon, reason.size());
-    const std::string_view token = reason.substr(unexpected.size(), split - unexpected.size());
-    if (token == "end of input") start = token_start(source, start, ~0u);
-    const std::string message = "unexpected " + found(token, source, start);
-    if ((token == "'}'" || token == "']'") && after_comma(source, start))
-        return {start, message, "remove the comma before it"};
-    return {start, message, semicolon == reason.npos ? "" : wanted(reason.substr(semicolon + 11))};
+    const std::string word = word_at(source, start);
+    const char first = start < source.size() ? source[start] : '\0';
+    if (is_not_finite(word))
+        return {start, word + " is not a number in JSON", "expected a finite number"};
+    if (first == '/') return {start, "JSON has no comments", "remove it"};
+    if (first == '\'') return {start, "unexpected character '", "strings stand in double quotes"};
+    if (first == '"' && (next == Next::value || next == Next::key))
+        return bad_string(source, start, state.consumed);
+    if (next == Next::value && is_number(word)) return bad_number(state, start, word);
+    const bool after_comma = comma && (first == '}' || first == ']');
+    return {start, "unexpected " + found(source, start, word),
+            after_comma ? "remove the comma before it" : wanted(next, state.container)};
 }
 
 }  // namespace wrinkle::json

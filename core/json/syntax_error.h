@@ -1,30 +1,38 @@
-// Converts syntax errors of the JSON library to messages of this project, at the location where the
-// text needs to be corrected. Internal to core/json.
+// Syntax errors of a JSON text, from the state of the parser at the error: the last token that it
+// accepted and the container that is open there. Internal to core/json.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "json/value.h"
+
 namespace wrinkle::json {
 
 struct SyntaxError {
-    uint32_t offset = 0;
+    uint32_t offset = 0;  // where the text needs to be corrected
     std::string message;
     std::string expected;
 };
 
-// `what` is the library's message, `cursor` the end of the last valid token, `consumed` the number
-// of bytes that the library has read (one past the end of a number).
-SyntaxError explain(std::string_view what, std::string_view source, uint32_t cursor,
-                    uint32_t consumed);
+// State of the parser at an error.
+struct ParserState {
+    std::string_view source;
+    uint32_t cursor = 0;          // end of the last accepted token
+    uint32_t consumed = 0;        // one past the byte at which the lexer stopped
+    Kind container = Kind::null;  // the open one; null: none, the text itself
+    uint32_t added = 0;           // its direct children: values, and in an object also keys
+    bool out_of_range = false;    // the error is a number that no double holds
+};
 
-inline bool is_space(char c) {
-    return c <= ' ' && (c == ' ' || c == '\n' || c == '\t' || c == '\r');
+SyntaxError explain(const ParserState& state);
+
+// Returns the offset of the first byte from `offset` on that is not white space.
+inline uint32_t skip_space(std::string_view source, uint32_t offset) {
+    return static_cast<uint32_t>(
+        std::min(source.find_first_not_of(" \n\t\r", offset), source.size()));
 }
-
-// Returns the offset after skipping white space from `cursor` on, and each ',' and ':' at an offset
-// below `limit` - 1 (`limit` 0: none).
-uint32_t token_start(std::string_view source, uint32_t cursor, uint32_t limit);
 
 }  // namespace wrinkle::json

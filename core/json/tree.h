@@ -72,8 +72,4 @@ inline uint32_t begin_of(std::string_view source) {
     return source.starts_with("\xEF\xBB\xBF") ? 3 : 0;
 }
 
-// Access to the entries for the writer. A null Value has no tree.
-const Tree* tree_of(const Value& value);
-uint32_t index_of(const Value& value);
-
 }  // namespace wrinkle::json

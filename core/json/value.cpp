@@ -1,6 +1,6 @@
 #include "json/value.h"
 
-#include <algorithm>
+#include <array>
 #include <cassert>
 #include <charconv>
 #include <cmath>
@@ -14,27 +14,13 @@ namespace {
 const Entry null_entry;
 
 const Entry& entry_of(const Value& value) {
-    const Tree* tree = tree_of(value);
-    return tree ? tree->entries[index_of(value)] : null_entry;
+    return value.tree() ? value.tree()->entries[value.index()] : null_entry;
 }
 
 double number_of(std::string_view spelling) {
     double number = 0;  // unchanged if the text is too close to zero for a double
     std::from_chars(spelling.data(), spelling.data() + spelling.size(), number);
     return number;
-}
-
-std::string pointer_token(std::string_view key) {
-    std::string token = "/";
-    for (const char c : key) {
-        if (c == '~')
-            token += "~0";
-        else if (c == '/')
-            token += "~1";
-        else
-            token += c;
-    }
-    return token;
 }
 
 uint32_t item_number(const Tree& tree, uint32_t array, uint32_t item) {
@@ -47,28 +33,22 @@ uint32_t item_number(const Tree& tree, uint32_t array, uint32_t item) {
 }  // namespace
 
 const char* kind_name(Kind kind) {
-    switch (kind) {
-        case Kind::null:
-            return "null";
-        case Kind::boolean:
-            return "a boolean";
-        case Kind::number:
-            return "a number";
-        case Kind::string:
-            return "a string";
-        case Kind::array:
-            return "an array";
-        case Kind::object:
-            return "an object";
-    }
-    return "";
+    static constexpr std::array names = {"null",     "a boolean", "a number",
+                                         "a string", "an array",  "an object"};
+    return names[static_cast<size_t>(kind)];
 }
 
-const Tree* tree_of(const Value& value) {
-    return value.tree_.get();
-}
-uint32_t index_of(const Value& value) {
-    return value.index_;
+std::string pointer_step(std::string_view key) {
+    std::string step = "/";
+    for (const char c : key) {
+        if (c == '~')
+            step += "~0";
+        else if (c == '/')
+            step += "~1";
+        else
+            step += c;
+    }
+    return step;
 }
 
 Kind Value::kind() const {
@@ -145,17 +125,13 @@ Location Value::key_location() const {
 
 std::string Value::pointer() const {
     if (!tree_) return {};
-    std::vector<std::string> tokens;
+    std::string pointer;
     for (uint32_t i = index_; i != 0; i = tree_->entries[i].parent) {
         const uint32_t parent = tree_->entries[i].parent;
-        if (tree_->entries[parent].kind == Kind::object)
-            tokens.push_back(pointer_token(tree_->text(tree_->entries[i - 1])));
-        else
-            tokens.push_back("/" + std::to_string(item_number(*tree_, parent, i)));
+        const bool member = tree_->entries[parent].kind == Kind::object;
+        pointer.insert(0, member ? pointer_step(tree_->text(tree_->entries[i - 1]))
+                                 : "/" + std::to_string(item_number(*tree_, parent, i)));
     }
-    std::string pointer;
-    for (auto token = tokens.rbegin(); token != tokens.rend(); ++token)
-        pointer += *token;
     return pointer;
 }
 

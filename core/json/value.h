@@ -27,6 +27,9 @@ enum class Kind : uint8_t { null, boolean, number, string, array, object };
 // Returns "a number", "an object", ... for messages.
 const char* kind_name(Kind kind);
 
+// Returns "/key", the key as one step of a JSON pointer.
+std::string pointer_step(std::string_view key);
+
 struct Tree;
 struct Member;
 class Children;
@@ -71,14 +74,14 @@ public:
     // Returns the complete text that the value was parsed from; "" if it was built.
     std::string_view source() const;
 
+    // Entry in the tree of its text; null without one.
     const std::shared_ptr<const Tree>& tree() const { return tree_; }
+    uint32_t index() const { return index_; }
     bool same(const Value& other) const;                 // same handle: a fast "not edited"
     friend bool operator==(const Value&, const Value&);  // equal values; numbers by value
 
 private:
     friend class Children;
-    friend const Tree* tree_of(const Value& value);
-    friend uint32_t index_of(const Value& value);
     std::shared_ptr<const Tree> tree_;
     uint32_t index_ = 0;
 };

@@ -15,38 +15,19 @@ std::string scalar(const Tree& tree, const Entry& entry) {
     return "null";
 }
 
-// Returns the number of columns of every entry written on one line; a key includes its ": ".
-// Children are stored after their container, so one reverse loop is sufficient.
-std::vector<size_t> flat_widths(const Tree& tree, uint32_t root) {
-    const uint32_t end = tree.after(root);
-    std::vector<size_t> widths(end - root, 0);
-    std::vector<bool> key(end - root, false);
-    for (uint32_t i = end; i-- > root;) {
-        const Entry& entry = tree.entries[i];
-        size_t& width = widths[i - root];
-        if (is_container(entry.kind)) {
-            width += 2;
-            if (entry.length > 0)
-                width += (entry.length - 1) * 2 + (entry.kind == Kind::object ? 2 : 0);
-        } else {
-            width = scalar(tree, entry).size();
-        }
-        if (i == root || entry.duplicate) continue;
-        const uint32_t parent = entry.parent;
-        const bool member = tree.entries[parent].kind == Kind::object;
-        const bool value = member && i > parent + 1 && !key[i - root];
-        if (value && i > root) key[i - 1 - root] = true;
-        widths[parent - root] += width + (key[i - root] ? 2 : 0);
-    }
-    return widths;
+// Returns the number of columns of an entry without its children; a container includes its
+// brackets, and the separators of its children.
+size_t own_width(const Tree& tree, const Entry& entry) {
+    if (!is_container(entry.kind)) return scalar(tree, entry).size();
+    if (entry.length == 0) return 2;
+    const size_t separators = (entry.length - 1) * 2;  // ", "
+    return 2 + separators + (entry.kind == Kind::object ? 2 + entry.length * 2 : 0);
 }
 
 class Writer {
 public:
     Writer(const Tree& tree, uint32_t root, size_t indent, size_t column, size_t width)
-        : tree_(tree), root_(root), indent_(indent), column_(column), width_(width) {
-        if (width_ != unlimited) widths_ = flat_widths(tree, root);
-    }
+        : tree_(tree), root_(root), indent_(indent), column_(column), width_(width) {}
 
     std::string run() {
         uint32_t i = write_value(root_);
@@ -76,9 +57,17 @@ private:
         out_.append(indent_ + 2 * open_.size(), ' ');
     }
 
-    bool fits(uint32_t i) const {
+    // Returns true if the container fits the rest of the line; stops at the first entry beyond it.
+    bool fits(uint32_t container) const {
         if (width_ == unlimited || (!open_.empty() && open_.back().flat)) return true;
-        return column_ + out_.size() - line_begin_ + widths_[i - root_] < width_;
+        size_t end = column_ + out_.size() - line_begin_;
+        uint32_t i = container;
+        while (end < width_ && i < tree_.after(container)) {
+            const bool skipped = i != container && tree_.entries[i].duplicate;
+            if (!skipped) end += own_width(tree_, tree_.entries[i]);
+            i = skipped ? tree_.after(i + 1) : i + 1;
+        }
+        return end < width_;
     }
 
     // Writes a scalar, or the start of a container; returns the entry to continue with.
@@ -125,7 +114,6 @@ private:
     const Tree& tree_;
     uint32_t root_;
     size_t indent_, column_, width_;
-    std::vector<size_t> widths_;
     std::vector<Open> open_;
     std::string out_;
     size_t line_begin_ = 0;
@@ -138,9 +126,9 @@ std::string one_line(const Value& value) {
 }
 
 std::string pretty(const Value& value, size_t indent, size_t column, size_t width) {
-    const Tree* tree = tree_of(value);
+    const Tree* tree = value.tree().get();
     if (!tree) return "null";
-    return Writer(*tree, index_of(value), indent, column, width).run();
+    return Writer(*tree, value.index(), indent, column, width).run();
 }
 
 std::string string_array(const std::vector<std::string>& words) {

@@ -120,8 +120,10 @@ TEST(Parse, SyntaxErrorsSayWhatAndWhere) {
     EXPECT_EQ(problems("[1 2]"), "g.json:1:4: error: unexpected number 2 (expected ',' or ']')\n");
     EXPECT_EQ(problems("{\"a\", \"b\"}"), "g.json:1:5: error: unexpected ',' (expected ':')\n");
     EXPECT_EQ(problems("{\"a\" 1}"), "g.json:1:6: error: unexpected number 1 (expected ':')\n");
-    EXPECT_EQ(problems("{a: 1}"), "g.json:1:2: error: unexpected 'a' (expected a value)\n");
-    EXPECT_EQ(problems("[1] x"), "g.json:1:5: error: unexpected 'x' (expected a value)\n");
+    EXPECT_EQ(problems("{a: 1}"),
+              "g.json:1:2: error: unexpected 'a' (expected a key in double quotes)\n");
+    EXPECT_EQ(problems("[1] x"),
+              "g.json:1:5: error: unexpected 'x' (expected the end of the file)\n");
     EXPECT_EQ(problems("[1] [2]"),
               "g.json:1:5: error: unexpected '[' (expected the end of the file)\n");
     EXPECT_EQ(problems("[tru]"), "g.json:1:2: error: unexpected 'tru' (expected a value)\n");
@@ -129,8 +131,18 @@ TEST(Parse, SyntaxErrorsSayWhatAndWhere) {
     EXPECT_EQ(problems("{'a': 1}"),
               "g.json:1:2: error: unexpected character ' (strings stand in double quotes)\n");
     EXPECT_EQ(problems("{\"a\": \"bc\n}"),
-              "g.json:1:10: error: control character U+000A (LF) must be escaped to \\u000A or \\n "
-              "(mend the string)\n");
+              "g.json:1:10: error: the string has no closing quote on its line (expected '\"', or "
+              "\\n for a line break)\n");
+    EXPECT_EQ(problems("[\"b\tc\"]"),
+              "g.json:1:4: error: the string contains the unescaped byte 0x09 (write \\u0009)\n");
+    EXPECT_EQ(problems("[\"b\\qc\"]"),
+              "g.json:1:5: error: the string has an invalid escape (expected \\\", \\\\, \\/, \\b, "
+              "\\f, \\n, \\r, \\t, or \\u and four hexadecimal digits, surrogates in pairs)\n");
+    EXPECT_EQ(problems("[1-2]"), "g.json:1:3: error: unexpected number -2 (expected ',' or ']')\n");
+    EXPECT_EQ(problems("[1 \"a\"]"),
+              "g.json:1:4: error: unexpected string (expected ',' or ']')\n");
+    EXPECT_EQ(problems("[1.5, -e5]"),
+              "g.json:1:7: error: '-e5' is not a number (expected digit after '-')\n");
     EXPECT_EQ(problems("[\"bc"),
               "g.json:1:2: error: the string has no closing quote (expected '\"')\n");
 }
