@@ -8,6 +8,7 @@
 
 #include "certify/harness_graph.h"
 #include "glsl/emit.h"
+#include "graph/subgraph.h"
 #include "image/mips.h"
 #include "lower/material.h"
 

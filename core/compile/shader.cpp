@@ -6,6 +6,7 @@
 #include "cost/limits.h"
 #include "cpu/texture_store.h"
 #include "graph/document.h"
+#include "graph/subgraph.h"
 #include "lower/check.h"
 #include "spirv/spirv.h"
 

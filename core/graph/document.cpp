@@ -1,7 +1,5 @@
 #include "graph/document.h"
 
-#include <algorithm>
-
 #include "base/text.h"
 
 namespace wrinkle {
@@ -30,13 +28,6 @@ Location place(const Document& document, const json::Value& value, bool key) {
 }
 
 constexpr size_t max_id = 128;  // characters
-
-// Fast path: accepts ASCII ids that need no further check.
-bool is_plain_id(std::string_view id) {
-    if (id.empty() || id.size() > max_id || id[0] == '$') return false;
-    return std::all_of(id.begin(), id.end(),
-                       [](char c) { return ' ' <= c && c < 0x7F && c != '.'; });
-}
 
 std::string spelling_problem(std::string_view id) {
     if (id.empty()) return "is empty";
@@ -118,10 +109,8 @@ Diagnostic diagnose(const json::Value& value, std::string node, std::string mess
 }
 
 std::string id_problem(std::string_view id, bool reserved) {
-    if (!is_plain_id(id))
-        if (std::string problem = spelling_problem(id); !problem.empty()) return problem;
     if (reserved && (id == Link::surface || id == Link::input)) return "is a reserved word";
-    return {};
+    return spelling_problem(id);
 }
 
 }  // namespace wrinkle

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "graph/edit_parts.h"
-#include "graph/values.h"
 
 namespace wrinkle {
 
@@ -14,6 +13,15 @@ namespace {
 
 void forget(std::vector<Extra>& extras, std::string_view key) {
     std::erase_if(extras, [&](const Extra& extra) { return extra.key == key; });
+}
+
+// Returns {"from": "NODE.PORT"} with the unknown keys of `old` if that is a link object.
+Value link_value(const Link& link, const Value& old) {
+    std::vector<std::pair<std::string, Value>> members{{"from", Value::string(link.text())}};
+    if (old.has("from"))
+        for (const auto& [key, value] : old.children())
+            if (key != "from") members.emplace_back(key, value);
+    return Value::object(members);
 }
 
 }  // namespace
@@ -53,6 +61,7 @@ namespace {
 
 using editing::copy_of;
 using editing::mark_edited;
+using editing::set_link;
 
 Document with_node(const Document& document, Node node) {
     Document changed = document;
@@ -108,36 +117,25 @@ Document with_table(const Document& document, Table<T> Document::*table, Table<T
     return changed;
 }
 
-// Applies `change` to every node that has a link for which change.applies() is true.
-template <class Change>
-void change_links(Document& document, Change change) {
-    std::vector<NodePtr> nodes(document.nodes.begin(), document.nodes.end());
-    for (NodePtr& node : nodes) {
-        const auto is_changed = [&](const Input& input) { return change.applies(input.link); };
-        if (std::none_of(node->inputs.begin(), node->inputs.end(), is_changed)) continue;
-        Node copy = *node;
-        change.to_inputs(copy.inputs);
-        node = std::make_shared<const Node>(std::move(copy));
-    }
-    document.nodes = Table<NodePtr>(std::move(nodes));
-}
-
-struct RenameLinks {
-    std::string_view id, new_id;
-    bool applies(const Link& link) const { return link.node == id; }
-    void to_input(Input& input) const {
-        if (applies(input.link)) editing::set_link(input, {std::string(new_id), input.link.port});
-    }
-    void to_inputs(std::vector<Input>& inputs) const {
-        for (Input& input : inputs)
-            to_input(input);
-    }
-};
-
 bool equal(const std::vector<Extra>& a, const std::vector<Extra>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Extra& x, const Extra& y) {
         return x.key == y.key && x.value == y.value;
     });
+}
+
+// Returns `value`; numbers equal to `old`, or to its element at the same index, retain its
+// spelling.
+Value with_old_spelling(const Value& value, const Value& old) {
+    if (value.is(json::Kind::number) && value == old) return old;
+    if (!value.is(json::Kind::array) || !old.is(json::Kind::array)) return value;
+    std::vector<Value> items;
+    for (const json::Member& item : value.children()) {
+        const size_t i = items.size();
+        const bool keep =
+            item.value.is(json::Kind::number) && i < old.size() && old.at(i) == item.value;
+        items.push_back(keep ? old.at(i) : item.value);
+    }
+    return Value::array(items);
 }
 
 Document set_box(const Document& document, Table<Box> Document::*table, Box box) {
@@ -152,62 +150,15 @@ Document set_box(const Document& document, Table<Box> Document::*table, Box box)
 
 }  // namespace
 
-Document add_node(const Document& document, Node node) {
-    if (!id_problem(node.id).empty() || document.find(node.id)) return document;
-    return with_node(document, std::move(node));
-}
-
-Document add_node(const Document& document, Node node, double x, double y) {
-    const std::string id = node.id;
-    Document changed = add_node(document, std::move(node));
-    return changed.nodes.same(document.nodes) ? document : move_node(changed, id, x, y);
-}
-
-Document remove_node(const Document& document, std::string_view id) {
-    return remove_nodes(document, {std::string(id)});
-}
-
-Document rename_node(const Document& document, std::string_view id, std::string_view new_id) {
-    const Node* node = document.find(id);
-    if (!node || !id_problem(new_id).empty() || document.find(new_id)) return document;
-    const RenameLinks rename{id, new_id};
-    Document changed = document;
-    std::vector<NodePtr> nodes(document.nodes.begin(), document.nodes.end());
-    Node renamed = *node;
-    renamed.id = new_id;
-    nodes[document.nodes.index_of(id)] = std::make_shared<const Node>(std::move(renamed));
-    changed.nodes = Table<NodePtr>(std::move(nodes));
-    change_links(changed, rename);
-    std::vector<Output> outputs(document.outputs.begin(), document.outputs.end());
-    for (Output& output : outputs)
-        rename.to_input(output.from);
-    changed.outputs = Table<Output>(std::move(outputs));
-    std::vector<Position> positions(document.positions.begin(), document.positions.end());
-    for (Position& position : positions)
-        if (position.id == id) position.id = new_id;
-    changed.positions = Table<Position>(std::move(positions));
-    mark_edited(changed);
-    return changed;
-}
-
-std::string free_id(const Document& document, std::string_view base,
-                    const std::set<std::string>& taken) {
-    std::string id(base);
-    if (!id_problem(id).empty()) id = "node";
-    const std::string stem = id;
-    for (size_t n = 2; document.find(id) || taken.contains(id); ++n)
-        id = stem + std::to_string(n);
-    return id;
-}
-
 Document connect(const Document& document, const Link& from, std::string_view id,
                  std::string_view port) {
     if (!is_possible(from) || port.empty()) return document;
     return change_node(document, id, [&](Node& node) {
         const Input* old = node.find(port);
         if (old && old->link == from) return false;
-        const Value value = link_value(from, old ? old->value : Value());
-        return put(node, {std::string(port), Input::Kind::link, from, value});
+        Input input{std::string(port), Input::Kind::link, {}, old ? old->value : Value()};
+        set_link(input, from);
+        return put(node, std::move(input));
     });
 }
 
@@ -232,11 +183,6 @@ Document reset_value(const Document& document, std::string_view id, std::string_
     return change_node(document, id, [&](Node& node) { return erase(node, port); });
 }
 
-Document set_muted(const Document& document, std::string_view id, bool muted) {
-    return change_node(document, id,
-                       [&](Node& node) { return std::exchange(node.muted, muted) != muted; });
-}
-
 Document set_type(const Document& document, std::string_view id, std::string_view type,
                   int version) {
     return change_node(document, id, [&](Node& node) {
@@ -251,10 +197,10 @@ Document set_output(const Document& document, std::string_view name, const Link&
     if (!is_possible(from) || !id_problem(name, false).empty()) return document;
     const Output* old = document.outputs.find(name);
     if (old && old->from.link == from) return document;
-    const Value value = link_value(from, old ? old->from.value : Value());
     const std::string key(name);
-    return with_table(document, &Document::outputs,
-                      document.outputs.with({key, {key, Input::Kind::link, from, value}}));
+    Output output{key, {key, Input::Kind::link, {}, old ? old->from.value : Value()}};
+    set_link(output.from, from);
+    return with_table(document, &Document::outputs, document.outputs.with(std::move(output)));
 }
 
 Document remove_output(const Document& document, std::string_view name) {
@@ -289,10 +235,6 @@ Document set_back_faces(const Document& document, std::optional<BackFaces> choic
     changed.back_faces = choice;
     mark_edited(changed);
     return changed;
-}
-
-Document move_node(const Document& document, std::string_view id, double x, double y) {
-    return move_nodes(document, {{std::string(id), x, y}});
 }
 
 Document set_frame(const Document& document, Box frame) {

@@ -3,7 +3,6 @@
 
 #include "graph/edit.h"
 #include "graph/edit_parts.h"
-#include "graph/values.h"
 
 namespace wrinkle {
 namespace {
@@ -28,17 +27,58 @@ bool change_nodes(Document& document, Change change) {
     return changed;
 }
 
+template <class Change>
+bool any_concerned(const Node& node, const Change& change) {
+    return std::any_of(node.inputs.begin(), node.inputs.end(),
+                       [&](const Input& input) { return change.concerns(input); });
+}
+
+template <class Change>
+void apply_to_inputs(Node& node, const Change& change) {
+    for (Input& input : node.inputs)
+        change.apply(input);
+}
+
+// Applies `change` to the link of every output that it concerns; returns true if there was any.
+template <class Change>
+bool change_outputs(Document& document, const Change& change) {
+    const auto concerned = [&](const Output& output) { return change.concerns(output.from); };
+    if (std::none_of(document.outputs.begin(), document.outputs.end(), concerned)) return false;
+    std::vector<Output> outputs(document.outputs.begin(), document.outputs.end());
+    for (Output& output : outputs)
+        change.apply(output.from);
+    document.outputs = Table<Output>(std::move(outputs));
+    return true;
+}
+
+// Removes the entries for which `dropped` is true; returns true if there was any.
+template <class T, class Dropped>
+bool erase_if(Table<T>& table, Dropped dropped) {
+    std::vector<T> kept(table.begin(), table.end());
+    if (std::erase_if(kept, dropped) == 0) return false;
+    table = Table<T>(std::move(kept));
+    return true;
+}
+
 struct DropLinks {
     const std::set<std::string>& ids;
 
     bool concerns(const Input& input) const { return ids.contains(input.link.node); }
-    bool concerns(const Node& node) const {
-        return std::any_of(node.inputs.begin(), node.inputs.end(),
-                           [&](const Input& input) { return concerns(input); });
-    }
+    bool concerns(const Node& node) const { return any_concerned(node, *this); }
     void apply(Node& node) const {
         std::erase_if(node.inputs, [&](const Input& input) { return concerns(input); });
     }
+};
+
+struct RenameLinks {
+    std::string_view id, new_id;
+
+    bool concerns(const Input& input) const { return input.link.node == id; }
+    bool concerns(const Node& node) const { return any_concerned(node, *this); }
+    void apply(Input& input) const {
+        if (concerns(input)) editing::set_link(input, {std::string(new_id), input.link.port});
+    }
+    void apply(Node& node) const { apply_to_inputs(node, *this); }
 };
 
 struct Mute {
@@ -65,16 +105,14 @@ public:
             for (const NodeUpgrade::Rename& rename : upgrade->inputs)
                 if (node.find(rename.old_name) && !node.find(rename.new_name)) return true;
         }
-        return std::any_of(node.inputs.begin(), node.inputs.end(),
-                           [&](const Input& input) { return concerns(input); });
+        return any_concerned(node, *this);
     }
 
     void apply(Input& input) const {
         if (concerns(input)) editing::set_link(input, {input.link.node, renamed(input.link)});
     }
     void apply(Node& node) const {
-        for (Input& input : node.inputs)
-            apply(input);
+        apply_to_inputs(node, *this);
         const NodeUpgrade* upgrade = find(node.id);
         if (!upgrade) return;
         node.version = upgrade->version;
@@ -99,26 +137,6 @@ private:
 
     std::unordered_map<std::string, const NodeUpgrade*> by_id_;
 };
-
-template <class Drop>
-bool drop(Document& document, Drop drops) {
-    std::vector<NodePtr> nodes;
-    for (const NodePtr& node : document.nodes)
-        if (!drops(node->id)) nodes.push_back(node);
-    if (nodes.size() == document.nodes.size()) return false;
-    document.nodes = Table<NodePtr>(std::move(nodes));
-    std::vector<Output> outputs;
-    for (const Output& output : document.outputs)
-        if (!drops(output.from.link.node)) outputs.push_back(output);
-    if (outputs.size() != document.outputs.size())
-        document.outputs = Table<Output>(std::move(outputs));
-    std::vector<Position> positions;
-    for (const Position& position : document.positions)
-        if (!drops(position.id)) positions.push_back(position);
-    if (positions.size() != document.positions.size())
-        document.positions = Table<Position>(std::move(positions));
-    return true;
-}
 
 // Marks the nodes reachable from `start` by index, including `start`.
 std::vector<bool> reached(const std::vector<std::vector<size_t>>& edges, size_t start) {
@@ -149,6 +167,48 @@ std::vector<std::vector<size_t>> edges_of(const Document& document, bool reverse
 
 }  // namespace
 
+Document add_node(const Document& document, Node node) {
+    return add_nodes(document, {std::move(node)}, {});
+}
+
+Document add_node(const Document& document, Node node, double x, double y) {
+    const std::string id = node.id;
+    return add_nodes(document, {std::move(node)}, {{id, x, y}});
+}
+
+Document remove_node(const Document& document, std::string_view id) {
+    return remove_nodes(document, {std::string(id)});
+}
+
+Document rename_node(const Document& document, std::string_view id, std::string_view new_id) {
+    const Node* node = document.find(id);
+    if (!node || !id_problem(new_id).empty() || document.find(new_id)) return document;
+    Document changed = document;
+    std::vector<NodePtr> nodes(document.nodes.begin(), document.nodes.end());
+    Node renamed = *node;
+    renamed.id = new_id;
+    nodes[document.nodes.index_of(id)] = std::make_shared<const Node>(std::move(renamed));
+    changed.nodes = Table<NodePtr>(std::move(nodes));
+    change_nodes(changed, RenameLinks{id, new_id});
+    change_outputs(changed, RenameLinks{id, new_id});
+    std::vector<Position> positions(document.positions.begin(), document.positions.end());
+    for (Position& position : positions)
+        if (position.id == id) position.id = new_id;
+    changed.positions = Table<Position>(std::move(positions));
+    mark_edited(changed);
+    return changed;
+}
+
+std::string free_id(const Document& document, std::string_view base,
+                    const std::set<std::string>& taken) {
+    std::string id(base);
+    if (!id_problem(id).empty()) id = "node";
+    const std::string stem = id;
+    for (size_t n = 2; document.find(id) || taken.contains(id); ++n)
+        id = stem + std::to_string(n);
+    return id;
+}
+
 Document add_nodes(const Document& document, std::vector<Node> added,
                    const std::vector<NodePosition>& places) {
     std::vector<NodePtr> nodes(document.nodes.begin(), document.nodes.end());
@@ -171,10 +231,19 @@ Document remove_nodes(const Document& document, const std::set<std::string>& wan
     for (const std::string& id : wanted)
         if (document.find(id)) ids.insert(id);
     Document changed = document;
-    if (!drop(changed, [&](const std::string& id) { return ids.contains(id); })) return document;
+    if (!erase_if(changed.nodes, [&](const NodePtr& node) { return ids.contains(node->id); }))
+        return document;
+    erase_if(changed.outputs,
+             [&](const Output& output) { return ids.contains(output.from.link.node); });
+    erase_if(changed.positions,
+             [&](const Position& position) { return ids.contains(position.id); });
     change_nodes(changed, DropLinks{ids});
     mark_edited(changed);
     return changed;
+}
+
+Document move_node(const Document& document, std::string_view id, double x, double y) {
+    return move_nodes(document, {{std::string(id), x, y}});
 }
 
 Document move_nodes(const Document& document, const std::vector<NodePosition>& places) {
@@ -186,10 +255,11 @@ Document move_nodes(const Document& document, const std::vector<NodePosition>& p
     for (const auto& [id, x, y] : places) {
         if (!document.find(id)) continue;
         const auto [entry, is_new] = index.emplace(id, positions.size());
-        if (is_new) positions.push_back({id, x, y, number_array({x, y}, {})});
+        if (is_new) positions.push_back({id, x, y, {}});
         Position& position = positions[entry->second];
         if (!is_new && position.x == x && position.y == y) continue;
-        if (!is_new) position = {id, x, y, number_array({x, y}, position.source)};
+        position.x = x;
+        position.y = y;
         moved = true;
     }
     if (!moved) return document;
@@ -197,6 +267,10 @@ Document move_nodes(const Document& document, const std::vector<NodePosition>& p
     changed.positions = Table<Position>(std::move(positions));
     mark_edited(changed);
     return changed;
+}
+
+Document set_muted(const Document& document, std::string_view id, bool muted) {
+    return mute_nodes(document, {std::string(id)}, muted);
 }
 
 Document mute_nodes(const Document& document, const std::set<std::string>& ids, bool muted) {
@@ -210,15 +284,8 @@ Document upgrade_nodes(const Document& document, const std::vector<NodeUpgrade>&
     const Upgrades upgrades(list);
     Document changed = document;
     const bool nodes = change_nodes(changed, upgrades);
-    const auto concerned = [&](const Output& output) { return upgrades.concerns(output.from); };
-    const bool links = std::any_of(document.outputs.begin(), document.outputs.end(), concerned);
-    if (!nodes && !links) return document;
-    if (links) {
-        std::vector<Output> outputs(document.outputs.begin(), document.outputs.end());
-        for (Output& output : outputs)
-            upgrades.apply(output.from);
-        changed.outputs = Table<Output>(std::move(outputs));
-    }
+    const bool outputs = change_outputs(changed, upgrades);
+    if (!nodes && !outputs) return document;
     mark_edited(changed);
     return changed;
 }

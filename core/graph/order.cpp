@@ -1,105 +1,42 @@
 #include "graph/order.h"
 
-#include <span>
-
 #include "base/text.h"
+#include "graph/depth_first.h"
 
 namespace wrinkle {
 namespace {
 
-struct BackEdge {
-    uint32_t node;
-    uint32_t input;
-    std::vector<uint32_t> path;  // from the node read again, reader to read; shortened
-    size_t length = 0;           // nodes of the complete cycle
-};
-
-struct Walk {
-    std::vector<uint32_t> order;
-    std::vector<BackEdge> closing;
-};
-
 constexpr size_t shown = 8;                                    // nodes of a cycle in a diagnostic
-constexpr size_t max_cycles = Diagnostics::default_limit + 1;  // further cycles are not recorded
+constexpr size_t max_cycles = Diagnostics::default_limit + 1;  // further cycles are not reported
 
-// Depth-first search with an explicit stack.
-class Walker {
-public:
-    Walker(const Document& document, const Wires& wires)
-        : wires_(wires), state_(document.nodes.size(), State::unseen) {}
+uint32_t index_of(const Document& document, const Link& link) {
+    if (!link.is_node()) return Wires::none;
+    const size_t index = document.nodes.index_of(link.node);
+    return index == Table<NodePtr>::npos ? Wires::none : static_cast<uint32_t>(index);
+}
 
-    Walk run() {
-        walk_.order.reserve(state_.size());
-        for (uint32_t i = 0; i < state_.size(); ++i)
-            if (state_[i] == State::unseen) walk_from(i);
-        return std::move(walk_);
-    }
+// Searches all nodes; calls `close_cycle` as DepthFirst::visit() does.
+template <class CloseCycle>
+void search(DepthFirst& walk, const Document& document, const Wires& wires,
+            CloseCycle close_cycle) {
+    for (uint32_t i = 0; i < document.nodes.size(); ++i)
+        walk.visit(
+            i, [&](uint32_t node) { return wires.of(node).size(); },
+            [&](uint32_t node, uint32_t input) { return wires.of(node)[input]; }, close_cycle);
+}
 
-private:
-    enum class State : uint8_t { unseen, open, done };
-    struct Frame {
-        uint32_t node;
-        uint32_t next_input;
-    };
-
-    void walk_from(uint32_t root) {
-        enter(root);
-        while (!stack_.empty()) {
-            Frame& frame = stack_.back();
-            if (frame.next_input == wires_.of(frame.node).size())
-                leave();
-            else
-                follow(frame.node, frame.next_input++);
-        }
-    }
-
-    void enter(uint32_t node) {
-        state_[node] = State::open;
-        stack_.push_back({node, 0});
-    }
-
-    void leave() {
-        const uint32_t node = stack_.back().node;
-        stack_.pop_back();
-        state_[node] = State::done;
-        walk_.order.push_back(node);
-    }
-
-    void follow(uint32_t node, uint32_t input) {
-        const uint32_t target = wires_.of(node)[input];
-        if (target == Wires::none) return;
-        if (state_[target] == State::unseen)
-            enter(target);
-        else if (state_[target] == State::open && walk_.closing.size() < max_cycles)
-            walk_.closing.push_back(cycle(node, input, target));
-    }
-
-    BackEdge cycle(uint32_t node, uint32_t input, uint32_t target) const {
-        size_t begin = stack_.size() - 1;
-        while (stack_[begin].node != target)
-            --begin;
-        BackEdge closing{node, input, {}, stack_.size() - begin};
-        for (size_t i = begin; i < stack_.size(); ++i)
-            if (i < begin + shown / 2 || i + shown / 2 >= stack_.size())
-                closing.path.push_back(stack_[i].node);
-        return closing;
-    }
-
-    const Wires& wires_;
-    std::vector<State> state_;
-    std::vector<Frame> stack_;
-    Walk walk_;
-};
-
-std::string cycle_text(const Document& document, const BackEdge& closing) {
-    const std::vector<uint32_t>& path = closing.path;
+// `path` begins at the node that is read again; its middle is left out if it is long.
+std::string cycle_text(const Document& document, std::span<const DepthFirst::Frame> path) {
+    const auto id = [&](size_t i) { return "'" + document.nodes[path[i].node]->id + "'"; };
     std::string text = "the wires form a cycle: ";
     for (size_t i = 0; i < path.size(); ++i) {
-        if (i == shown / 2 && closing.length > path.size())
-            text += "... (" + std::to_string(closing.length - path.size()) + " more) reads ";
-        text += "'" + document.nodes[path[i]]->id + "' reads ";
+        const bool omitted = i >= shown / 2 && i + shown / 2 < path.size();
+        if (!omitted)
+            text += id(i) + " reads ";
+        else if (i == shown / 2)
+            text += "... (" + std::to_string(path.size() - shown) + " more) reads ";
     }
-    return text + "'" + document.nodes[path[0]]->id + "'";
+    return text + id(0);
 }
 
 // Suggests names, within a budget so that a large graph with many errors is still read quickly.
@@ -111,9 +48,7 @@ public:
     std::string remedy(std::string_view word, const char* otherwise) {
         if (table_.size() > budget_) return otherwise;
         budget_ -= table_.size();
-        if (names_.empty())
-            for (const T& entry : table_)
-                names_.emplace_back(table_key(entry));
+        if (names_.empty()) names_ = keys_of(table_);
         return did_you_mean(word, names_, otherwise);
     }
 
@@ -173,12 +108,19 @@ private:
     }
 
     void report_cycles() {
-        for (const BackEdge& closing : Walker(document_, wires_).run().closing) {
-            const Node& node = *document_.nodes[closing.node];
-            diagnostics_.add(diagnose_port(document_, node, node.inputs[closing.input].port,
-                                           cycle_text(document_, closing),
+        DepthFirst walk(document_.nodes.size());
+        size_t cycles = 0;
+        search(walk, document_, wires_, [&](uint32_t index, uint32_t input, uint32_t target) {
+            if (++cycles > max_cycles) return;
+            const std::span<const DepthFirst::Frame> path = walk.path();
+            size_t begin = path.size() - 1;
+            while (path[begin].node != target)
+                --begin;
+            const Node& node = *document_.nodes[index];
+            diagnostics_.add(diagnose_port(document_, node, node.inputs[input].port,
+                                           cycle_text(document_, path.subspan(begin)),
                                            "remove one of these wires"));
-        }
+        });
     }
 
     const Document& document_;
@@ -190,9 +132,20 @@ private:
 
 }  // namespace
 
+Wires::Wires(const Document& document) {
+    first_.reserve(document.nodes.size() + 1);
+    for (const NodePtr& node : document.nodes) {
+        first_.push_back(static_cast<uint32_t>(read_.size()));
+        for (const Input& input : node->inputs)
+            read_.push_back(index_of(document, input.link));
+    }
+    first_.push_back(static_cast<uint32_t>(read_.size()));
+}
+
 std::vector<uint32_t> evaluation_order(const Document& document) {
-    const Wires wires(document);
-    return Walker(document, wires).run().order;
+    DepthFirst walk(document.nodes.size());
+    search(walk, document, Wires(document), [](uint32_t, uint32_t, uint32_t) {});
+    return std::move(walk.order());
 }
 
 void check_links(const Document& document, Diagnostics& diagnostics) {

@@ -32,7 +32,6 @@ public:
                        "expected \"wrinkle\": 1");
     }
 
-    bool all_read() const { return all_read_; }
     const std::string& lost() const { return lost_; }
 
 private:
@@ -56,9 +55,16 @@ private:
         if (!section) return false;
         if (!value.is(Kind::object))
             return report_.expect(value, Kind::object, json_quoted(member.key), "");
-        if (member.key == "inputs") document.inputs = table<GraphInput>(value, read_graph_input);
-        if (member.key == "nodes") document.nodes = read_nodes(value);
-        if (member.key == "outputs") document.outputs = table<Output>(value, reading::read_output);
+        constexpr auto ports = "inputs or outputs";
+        if (member.key == "inputs")
+            document.inputs =
+                read_table<GraphInput>(value, limits_.ports, 0, ports, reading::read_graph_input);
+        if (member.key == "outputs")
+            document.outputs =
+                read_table<Output>(value, limits_.ports, 0, ports, reading::read_output);
+        if (member.key == "nodes")
+            document.nodes = read_table<NodePtr>(value, limits_.nodes, limits_.nodes_before,
+                                                 "nodes", reading::read_node);
         if (member.key == "layout") reading::read_layout(value, document, report_);
         return true;
     }
@@ -83,18 +89,17 @@ private:
         return false;
     }
 
-    static constexpr auto read_graph_input = reading::read_graph_input;
-
+    // Reads a table of entries that `what` names; at most `limit`, those `before` included.
     template <class T, class Read>
-    Table<T> table(const Value& value, Read read) {
+    Table<T> read_table(const Value& value, size_t limit, size_t before, const std::string& what,
+                        Read read) {
         std::vector<T> items;
+        items.reserve(std::min(value.size(), limit));
         for (const json::Member& member : value.children()) {
-            if (items.size() >= limits_.ports) {
-                report_.at_key(member.value, "",
-                               "the graph has more inputs or outputs than are allowed",
-                               "the limit is " + std::to_string(limits_.ports));
-                lost_ = "it has more inputs or outputs than are allowed";
-                all_read_ = false;
+            if (items.size() + before >= limit) {
+                report_.at_key(member.value, "", "the graph has more " + what + " than are allowed",
+                               "the limit is " + std::to_string(limit));
+                lost_ = "it has more " + what + " than are allowed";
                 break;
             }
             items.push_back(read(member.key, member.value, report_));
@@ -102,31 +107,8 @@ private:
         return Table<T>(std::move(items));
     }
 
-    // The nodes are allocated in one block; each NodePtr shares its ownership.
-    Table<NodePtr> read_nodes(const Value& value) {
-        const size_t most = std::min<size_t>(value.size(), limits_.nodes);
-        std::vector<NodePtr> nodes;
-        nodes.reserve(most);
-        const auto block = std::make_shared<std::vector<Node>>();
-        block->reserve(most);  // no reallocation: pointers into it stay valid
-        for (const json::Member& member : value.children()) {
-            if (nodes.size() + limits_.nodes_before >= limits_.nodes) {
-                report_.at_key(member.value, "", "the graph has more nodes than are allowed",
-                               "the limit is " + std::to_string(limits_.nodes));
-                all_read_ = false;
-                lost_ = "it has more nodes than are allowed";
-                break;
-            }
-            Node& node = block->emplace_back();
-            reading::read_node(member.key, member.value, report_, node);
-            nodes.emplace_back(block, &node);
-        }
-        return Table<NodePtr>(std::move(nodes));
-    }
-
     Report& report_;
     ReadLimits limits_;
-    bool all_read_ = true;
     std::string lost_;  // Document::lost
 };
 
@@ -183,7 +165,7 @@ Document read_document(std::string bytes, std::string file, Diagnostics& diagnos
     Reader reader(report, limits);
     if (parsed.complete || parsed.root.is(Kind::object)) reader.read(parsed.root, document);
     if (document.lost.empty()) document.lost = reader.lost();
-    if (parsed.complete && reader.all_read()) {
+    if (parsed.complete && reader.lost().empty()) {
         const size_t before = report.list().error_count();
         auto wires = std::make_shared<const Wires>(document);
         check_links(document, *wires, report.list());

@@ -107,16 +107,19 @@ void read_input(std::string_view port, const Value& value, std::string_view node
                   link_form);
 }
 
-void read_node(std::string_view id, const Value& value, Report& report, Node& node) {
+NodePtr read_node(std::string_view id, const Value& value, Report& report) {
+    auto result = std::make_shared<Node>();
+    Node& node = *result;
     node.id = id;
     node.source = value;
     report.expect_id(value, "the id", id, true);
-    if (!report.expect(value, Kind::object, "the node", id)) return;
+    if (!report.expect(value, Kind::object, "the node", id)) return result;
     for (const json::Member& member : value.children())
         if (!read_member(member, node, report))
             node.unknown.push_back({std::string(member.key), member.value});
     if (node.type.empty() && !value.has("type") && !value.cut_off())
         report.at(value, node.id, "the node has no \"type\"", "expected \"type\": \"NAME\"");
+    return result;
 }
 
 Output read_output(std::string_view name, const Value& value, Report& report) {

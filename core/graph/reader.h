@@ -35,7 +35,7 @@ private:
     Diagnostics list_;
 };
 
-void read_node(std::string_view id, const json::Value& value, Report& report, Node& node);
+NodePtr read_node(std::string_view id, const json::Value& value, Report& report);
 // Reads a port's value: {"from": ...} is a link, anything else a literal.
 void read_input(std::string_view port, const json::Value& value, std::string_view node,
                 Report& report, Input& input);

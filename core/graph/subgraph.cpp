@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "graph/depth_first.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
@@ -72,46 +73,26 @@ private:
         return index;
     }
 
-    struct Frame {
-        uint32_t file;
-        size_t next_node;
-    };
-
-    // Depth-first search over files: reports each node that closes a cycle and removes its
-    // sub-graph.
+    // Reports each node that closes a cycle of files and removes its sub-graph.
     void check_uses() {
-        enum class State : uint8_t { unseen, open, done };
-        std::vector<State> state(project_.files.size(), State::unseen);
-        std::vector<Frame> stack{{0, 0}};
-        state[0] = State::open;
-        while (!stack.empty()) {
-            Frame& frame = stack.back();
-            File& file = project_.files[frame.file];
-            if (frame.next_node == file.subgraphs.size()) {
-                state[frame.file] = State::done;
-                stack.pop_back();
-                continue;
-            }
-            const size_t node = frame.next_node++;
-            uint32_t& target = file.subgraphs[node];
-            if (target == File::none || state[target] == State::done) continue;
-            if (state[target] == State::open) {
-                report_cycle(file, node, stack, target);
-                target = File::none;
-            } else {
-                state[target] = State::open;
-                stack.push_back({target, 0});
-            }
-        }
+        DepthFirst walk(project_.files.size());
+        const auto uses = [&](uint32_t file) { return project_.files[file].subgraphs.size(); };
+        const auto used = [&](uint32_t file, uint32_t node) {
+            return project_.files[file].subgraphs[node];
+        };
+        walk.visit(0, uses, used, [&](uint32_t file, uint32_t node, uint32_t target) {
+            report_cycle(project_.files[file], node, walk.path(), target);
+            project_.files[file].subgraphs[node] = File::none;
+        });
     }
 
-    void report_cycle(const File& file, size_t node, const std::vector<Frame>& stack,
+    void report_cycle(const File& file, size_t node, const std::vector<DepthFirst::Frame>& path,
                       uint32_t target) {
         std::string text = "the sub-graph contains itself: ";
         bool on_cycle = false;
-        for (const Frame& frame : stack) {
-            on_cycle = on_cycle || frame.file == target;
-            if (on_cycle) text += project_.files[frame.file].document.file + " uses ";
+        for (const DepthFirst::Frame& frame : path) {
+            on_cycle = on_cycle || frame.node == target;
+            if (on_cycle) text += project_.files[frame.node].document.file + " uses ";
         }
         text += project_.files[target].document.file;
         diagnostics_.add(diagnose(file.document, *file.document.nodes[node], std::move(text),

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -95,5 +96,13 @@ private:
     std::shared_ptr<const std::vector<T>> items_;
     std::shared_ptr<const Slots> slots_;
 };
+
+template <class T>
+std::vector<std::string> keys_of(const Table<T>& table) {
+    std::vector<std::string> keys;
+    for (const T& entry : table)
+        keys.emplace_back(table_key(entry));
+    return keys;
+}
 
 }  // namespace wrinkle

@@ -1,7 +1,6 @@
 #include "graph/write.h"
 
 #include "base/text.h"
-#include "graph/values.h"
 #include "json/write.h"
 
 namespace wrinkle {
@@ -110,6 +109,32 @@ Value graph_input_value(const GraphInput& input) {
     if (!input.default_value.is(Kind::null)) members.emplace_back("default", input.default_value);
     if (!input.doc.empty()) members.emplace_back("doc", Value::string(input.doc));
     for (const Extra& extra : input.unknown)
+        members.emplace_back(extra.key, extra.value);
+    return Value::object(members);
+}
+
+// Returns an array of these numbers; a number equal to that of `old` at its index retains its
+// spelling.
+Value number_array(std::initializer_list<double> numbers, const Value& old) {
+    std::vector<Value> items;
+    for (const double number : numbers) {
+        const size_t i = items.size();
+        const bool had = old.is(Kind::array) && i < old.size() && old.at(i).is(Kind::number);
+        const bool keep = had && old.at(i).as_number() == number;
+        items.push_back(keep ? old.at(i) : Value::number(number));
+    }
+    return Value::array(items);
+}
+
+// Returns the JSON of a frame (text key "title") or note ("text").
+Value box_value(const Box& box, std::string_view text_key) {
+    std::vector<std::pair<std::string, Value>> members;
+    if (!box.text.empty()) members.emplace_back(text_key, Value::string(box.text));
+    if (!has(box.unknown, "rect"))
+        members.emplace_back("rect",
+                             number_array({box.rect.x, box.rect.y, box.rect.width, box.rect.height},
+                                          box.source.find("rect")));
+    for (const Extra& extra : box.unknown)
         members.emplace_back(extra.key, extra.value);
     return Value::object(members);
 }

@@ -1,6 +1,7 @@
 // Bases of converted inputs, and the build order that they require.
 #include <numeric>
 
+#include "graph/depth_first.h"
 #include "lower/conversion.h"
 #include "lower/flat.h"
 
@@ -31,78 +32,22 @@ bool makes_gradient(const FlatGraph& graph, const FlatNode& node, uint32_t p) {
     return port.type == PortType::gradient_ && wire.carries() && wire.type != PortType::gradient_;
 }
 
-class Sorter {
-public:
-    Sorter(FlatGraph& graph, const Project& project, const Lowered& lowered,
-           Diagnostics& diagnostics)
-        : graph_(graph),
-          project_(project),
-          lowered_(lowered),
-          diagnostics_(diagnostics),
-          state_(graph.nodes.size(), State::unseen) {
-        graph.order.reserve(graph.nodes.size());
-    }
+// Returns the node that makes the base of a node's conversions. Precondition: it has a base.
+uint32_t base_source(const FlatGraph& graph, uint32_t node) {
+    const FlatNode& definer = graph.nodes[graph.nodes[node].base_node];
+    return graph.wire(definer, definer.type->find_input("base")).from;
+}
 
-    void run() {
-        for (const uint32_t output : graph_.outputs) {
-            enter(output);
-            while (!stack_.empty())
-                step();
-        }
-    }
-
-private:
-    enum class State : uint8_t { unseen, open, done };
-    struct Frame {
-        uint32_t node;
-        uint32_t next;  // index of the next wire; after the wires, the base
-    };
-
-    void enter(uint32_t node) {
-        if (state_[node] != State::unseen) return;
-        state_[node] = State::open;
-        stack_.push_back({node, 0});
-    }
-
-    void step() {
-        Frame& frame = stack_.back();
-        const uint32_t index = frame.node;
-        const FlatNode& node = graph_.nodes[index];
-        const uint32_t wires = graph_.port_count(node);
-        while (frame.next < wires) {
-            const Wire& wire = graph_.wire(node, frame.next++);
-            if (wire.kind == Wire::Kind::node && state_[wire.from] == State::unseen)
-                return enter(wire.from);
-        }
-        if (frame.next++ == wires && node.base_node != none) return enter_base(index);
-        state_[index] = State::done;
-        graph_.order.push_back(index);
-        stack_.pop_back();
-    }
-
-    void enter_base(uint32_t index) {
-        FlatNode& node = graph_.nodes[index];
-        const FlatNode& sayer = graph_.nodes[node.base_node];
-        const uint32_t source = graph_.wire(sayer, sayer.type->find_input("base")).from;
-        if (state_[source] != State::open) return enter(source);
-        const std::vector<NodeInstance>& instances = lowered_.module.nodes;
-        const std::string base = instances[graph_.nodes[source].instance].path;
-        const std::string other = instances[sayer.instance].path;
-        diagnostics_.add(
-            diagnose(project_, lowered_.places[node.instance], instances[node.instance].path,
-                     "its gradient would stand on the normal of node '" + base +
-                         "', which is made from it; node '" + other + "' says that base",
-                     "use a node of its own for each of the two bases"));
-        node.base_node = none;
-    }
-
-    FlatGraph& graph_;
-    const Project& project_;
-    const Lowered& lowered_;
-    Diagnostics& diagnostics_;
-    std::vector<State> state_;
-    std::vector<Frame> stack_;
-};
+Diagnostic base_cycle(const FlatGraph& graph, const FlatNode& node, uint32_t source,
+                      const Project& project, const Lowered& lowered) {
+    const std::vector<NodeInstance>& instances = lowered.module.nodes;
+    const std::string& base = instances[graph.nodes[source].instance].path;
+    const std::string& definer = instances[graph.nodes[node.base_node].instance].path;
+    return diagnose(project, lowered.places[node.instance], instances[node.instance].path,
+                    "its gradient would stand on the normal of node '" + base +
+                        "', which is made from it; node '" + definer + "' says that base",
+                    "use a node of its own for each of the two bases");
+}
 
 }  // namespace
 
@@ -124,19 +69,37 @@ void infer_bases(FlatGraph& graph) {
                                graph.port(graph.nodes[i], p).type == PortType::gradient_;
             if (joins) groups.unite(i, wire.from);
         }
-    std::vector<uint32_t> sayer(count, none);
+    std::vector<uint32_t> definer(count, none);
     for (uint32_t i = 0; i < count; ++i)
-        if (has_own_base(graph, graph.nodes[i]) && sayer[groups.find(i)] == none)
-            sayer[groups.find(i)] = i;
+        if (has_own_base(graph, graph.nodes[i]) && definer[groups.find(i)] == none)
+            definer[groups.find(i)] = i;
     for (uint32_t i = 0; i < count; ++i)
         for (uint32_t p = 0; p < graph.port_count(graph.nodes[i]); ++p)
             if (makes_gradient(graph, graph.nodes[i], p))
-                graph.nodes[i].base_node = sayer[groups.find(i)];
+                graph.nodes[i].base_node = definer[groups.find(i)];
 }
 
 void order_nodes(FlatGraph& graph, const Project& project, const Lowered& lowered,
                  Diagnostics& diagnostics) {
-    Sorter(graph, project, lowered, diagnostics).run();
+    DepthFirst walk(graph.nodes.size());
+    // The edges of a node are its wires, then its base.
+    const auto edges = [&](uint32_t node) {
+        return graph.port_count(graph.nodes[node]) + (graph.nodes[node].base_node != none ? 1 : 0);
+    };
+    const auto target = [&](uint32_t node, uint32_t edge) {
+        if (edge == graph.port_count(graph.nodes[node])) return base_source(graph, node);
+        const Wire& wire = graph.wire(graph.nodes[node], edge);
+        return wire.kind == Wire::Kind::node ? wire.from : none;
+    };
+    const auto refuse_base = [&](uint32_t index, uint32_t edge, uint32_t source) {
+        FlatNode& node = graph.nodes[index];
+        if (edge < graph.port_count(node)) return;
+        diagnostics.add(base_cycle(graph, node, source, project, lowered));
+        node.base_node = none;
+    };
+    for (const uint32_t output : graph.outputs)
+        walk.visit(output, edges, target, refuse_base);
+    graph.order = std::move(walk.order());
 }
 
 }  // namespace wrinkle

@@ -8,10 +8,9 @@
 #include "base/limits.h"
 #include "base/text.h"
 #include "ir/surface.h"
-#include "lower/decode.h"
-#include "lower/field.h"
 #include "lower/lowering.h"
 #include "lower/op_constraints.h"
+#include "lower/sampling.h"
 #include "registry/library.h"
 #include "registry/standard.h"
 

@@ -5,7 +5,6 @@
 #include "graph/order.h"
 #include "lower/conversion.h"
 #include "lower/literal.h"
-#include "lower/projected.h"
 #include "lower/reachable.h"
 
 namespace wrinkle {
@@ -22,13 +21,6 @@ std::string join(std::span<const std::string> names) {
 
 std::string in_quotes(std::string_view name) {
     return "'" + std::string(name) + "'";
-}
-
-std::vector<std::string> port_names(const NodeType& type, bool outputs) {
-    std::vector<std::string> names;
-    for (const Port& port : type.ports)
-        if ((port.kind == Port::Kind::output) == outputs) names.push_back(port.name);
-    return names;
 }
 
 // The checks of one file.

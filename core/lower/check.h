@@ -8,10 +8,12 @@
 // No pixel is read.
 #pragma once
 
-#include "graph/named_files.h"
 #include "lower/types.h"
 
 namespace wrinkle {
+
+struct Document;
+class NamedFiles;
 
 struct CheckOptions {
     bool reachable_only = false;  // only nodes that the top graph's outputs need (live preview)
@@ -22,5 +24,13 @@ void check(const Project& project, const Registry& registry, Diagnostics& diagno
            const CheckOptions& options = {});
 void check(const Project& project, const Registry& registry, const Types& types,
            Diagnostics& diagnostics, const CheckOptions& options = {});
+
+// A warning at a node with a map that is read on a projection along a plane (planar_uv, plane_uv,
+// box_uv) while its port `scale` has no written value and the default `unit`: its slopes are then
+// those of a map on a separate surface, not the volume's bump that the triplanar nodes make of the
+// same image (docs/surface-gradient.md, Projections). Writing either value at the port removes the
+// warning. Uvs are followed through nodes of the family "uv". Part of check().
+void warn_of_projection(const Document& document, const Node& node, const Registry& registry,
+                        Diagnostics& diagnostics);
 
 }  // namespace wrinkle

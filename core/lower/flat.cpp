@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include "base/text.h"
+#include "graph/subgraph.h"
 #include "lower/mute.h"
 
 namespace wrinkle {
@@ -40,7 +41,7 @@ public:
         }
     }
 
-    uint32_t output(uint32_t index) { return output_pass(0, index); }
+    uint32_t output(uint32_t index) { return output_passthrough(0, index); }
 
     // Follows the wires of visited nodes, which may visit more. Returns false for too many nodes.
     bool run() {
@@ -65,7 +66,7 @@ private:
         graph_.wires.reserve(nodes * wires_of_a_node);
         instances_.reserve(nodes);
         places_.reserve(nodes);
-        use_of_.reserve(nodes);
+        origins_.reserve(nodes);
     }
 
     Use make_use(uint32_t file) const {
@@ -106,11 +107,19 @@ private:
         return index;
     }
 
-    uint32_t add_node(FlatNode node, uint32_t wires, uint32_t use) {
+    // Where a flat node's wires are written.
+    struct Origin {
+        enum class Kind : uint8_t { node, input, output } kind;
+        uint32_t use = FlatNode::none;    // of the document with the node, or with the output
+        uint32_t inner = FlatNode::none;  // input: the use that has it
+        uint32_t index = FlatNode::none;  // of that input or output
+    };
+
+    uint32_t add_node(FlatNode node, uint32_t wires, Origin origin) {
         node.first_wire = static_cast<uint32_t>(graph_.wires.size());
         graph_.wires.resize(graph_.wires.size() + wires);
         graph_.nodes.push_back(std::move(node));
-        use_of_.push_back(use);
+        origins_.push_back(origin);
         return static_cast<uint32_t>(graph_.nodes.size() - 1);
     }
 
@@ -126,26 +135,24 @@ private:
         if (inner != Project::File::none && !source.muted) flat.function = inner;
         const bool reroute = source.type == reroute_type;
         if (reroute) {
-            flat.pass = &flat.type->ports[0];
+            flat.passthrough = &flat.type->ports[0];
             flat.type = nullptr;
         }
         const size_t wires = reroute ? 1 : flat.type->ports.size();
-        return uses_[use].nodes[node] =
-                   add_node(std::move(flat), static_cast<uint32_t>(wires), use);
+        return uses_[use].nodes[node] = add_node(std::move(flat), static_cast<uint32_t>(wires),
+                                                 {Origin::Kind::node, use});
     }
 
     // In the parent graph, a sub-graph's input is a port of the sub-graph's node.
-    uint32_t input_pass(uint32_t use, uint32_t input) {
+    uint32_t input_passthrough(uint32_t use, uint32_t input) {
         if (uses_[use].inputs[input] != FlatNode::none) return uses_[use].inputs[input];
         FlatNode flat;
         const NodeType& type = types_.subgraph(uses_[use].file);
-        flat.pass = &type.ports[type.find_input(document(use).inputs[input].name)];
+        flat.passthrough = &type.ports[type.find_input(document(use).inputs[input].name)];
         flat.node = uses_[use].node;
         flat.instance = uses_[use].instance;
-        const uint32_t index = add_node(std::move(flat), 1, uses_[use].parent);
-        pending_input_.resize(index + 1, {FlatNode::none, FlatNode::none});
-        pending_input_[index] = {use, input};
-        return uses_[use].inputs[input] = index;
+        return uses_[use].inputs[input] = add_node(
+                   std::move(flat), 1, {Origin::Kind::input, uses_[use].parent, use, input});
     }
 
     Wire node_wire(uint32_t flat, PortType type, uint32_t output) {
@@ -172,7 +179,8 @@ private:
     Wire input_wire(uint32_t use, const Link& link) {
         const auto index = static_cast<uint32_t>(document(use).inputs.index_of(link.port));
         const auto type = *types_.link(uses_[use].file, link);
-        if (uses_[use].parent != FlatNode::none) return node_wire(input_pass(use, index), type, 0);
+        if (uses_[use].parent != FlatNode::none)
+            return node_wire(input_passthrough(use, index), type, 0);
         Wire wire;
         wire.kind = Wire::Kind::graph_input;
         wire.type = type;
@@ -197,7 +205,7 @@ private:
             link = &document(use).outputs[output].from.link;
             source = types_.source(uses_[use].file, *link);
             if (types_.link(uses_[use].file, *link, source) != carried)
-                return node_wire(output_pass(use, output), carried, 0);
+                return node_wire(output_passthrough(use, output), carried, 0);
         }
     }
     Wire follow(uint32_t use, const Link& link) {
@@ -205,55 +213,40 @@ private:
     }
 
     // run() follows its wire: following it here would nest calls as deep as sub-graphs nest.
-    uint32_t output_pass(uint32_t use, uint32_t output) {
+    uint32_t output_passthrough(uint32_t use, uint32_t output) {
         if (uses_[use].outputs[output] != FlatNode::none) return uses_[use].outputs[output];
         FlatNode flat;
         const Output& source = document(use).outputs[output];
         Port& port = graph_.output_ports.emplace_back();
         port.name = source.name;
         port.type = types_.output(uses_[use].file, source).value_or(PortType::float_);
-        flat.pass = &port;
+        flat.passthrough = &port;
         flat.instance = uses_[use].instance;
-        const uint32_t index = add_node(std::move(flat), 1, use);
-        pending_output_.resize(index + 1, {FlatNode::none, FlatNode::none});
-        pending_output_[index] = {use, output};
-        return uses_[use].outputs[output] = index;
-    }
-
-    struct Pending {
-        uint32_t use, index;
-    };
-    static Pending at(const std::vector<Pending>& list, uint32_t index) {
-        return index < list.size() ? list[index] : Pending{FlatNode::none, FlatNode::none};
+        return uses_[use].outputs[output] =
+                   add_node(std::move(flat), 1, {Origin::Kind::output, use, use, output});
     }
 
     void fill(uint32_t index) {
-        const uint32_t first = graph_.nodes[index].first_wire;
-        if (const Pending output = at(pending_output_, index); output.use != FlatNode::none) {
-            const Output& source = document(output.use).outputs[output.index];
-            graph_.wires[first] = follow(output.use, source.from.link);
-            return;
-        }
         const FlatNode flat = graph_.nodes[index];
-        if (flat.node == FlatNode::none) return;
-        if (const Pending input = at(pending_input_, index); input.use != FlatNode::none) {
-            Wire wire = port_wire(use_of_[index], flat.node, flat.pass->name);
-            if (wire.kind == Wire::Kind::none)
-                wire = default_wire(uses_[input.use].file, input.index);
-            graph_.wires[first] = wire;
+        const Origin origin = origins_[index];
+        if (origin.kind == Origin::Kind::output) {
+            const Output& source = document(origin.use).outputs[origin.index];
+            graph_.wires[flat.first_wire] = follow(origin.use, source.from.link);
         } else if (flat.is_passthrough()) {
-            graph_.wires[first] = port_wire(use_of_[index], flat.node, flat.pass->name);
+            Wire wire = port_wire(origin.use, flat.node, flat.passthrough->name);
+            if (wire.kind == Wire::Kind::none && origin.kind == Origin::Kind::input)
+                wire = default_wire(uses_[origin.inner].file, origin.index);
+            graph_.wires[flat.first_wire] = wire;
         } else if (flat.function != FlatNode::none) {
-            fill_call(index, flat);
+            fill_call(flat, origin.use);
         } else {
-            fill_ports(index, flat);
+            fill_ports(flat, origin.use);
         }
     }
 
     // In the order of the ports, independent of the file's: nodes visited first are named first.
-    void fill_ports(uint32_t index, const FlatNode& flat) {
+    void fill_ports(const FlatNode& flat, uint32_t use) {
         const std::vector<Port>& ports = flat.type->ports;
-        const uint32_t use = use_of_[index];
         const std::span<const NamedInput> inputs = types_.inputs(uses_[use].file, flat.node);
         written_.assign(ports.size(), FlatNode::none);
         for (uint32_t i = 0; i < inputs.size(); ++i)
@@ -282,11 +275,11 @@ private:
     }
 
     // A graph's inputs are the first ports of its type, in order.
-    void fill_call(uint32_t index, const FlatNode& flat) {
+    void fill_call(const FlatNode& flat, uint32_t use) {
         const std::vector<bool>& needed = functions_.files[flat.function].inputs;
         for (uint32_t p = 0; p < needed.size(); ++p) {
             if (!needed[p]) continue;
-            Wire wire = port_wire(use_of_[index], flat.node, flat.type->ports[p].name);
+            Wire wire = port_wire(use, flat.node, flat.type->ports[p].name);
             if (wire.kind == Wire::Kind::none) wire = default_wire(flat.function, p);
             graph_.wires[flat.first_wire + p] = wire;
         }
@@ -330,22 +323,17 @@ private:
     std::vector<NodePlace>& places_;
     FlatGraph graph_;
     std::vector<Use> uses_;
-    std::vector<uint32_t> use_of_;         // by flat node: the use with its wires
-    std::vector<Pending> pending_input_;   // by flat node
-    std::vector<Pending> pending_output_;  // by flat node
-    std::vector<uint32_t> written_;        // by port: index of the current node's input
+    std::vector<Origin> origins_;    // by flat node
+    std::vector<uint32_t> written_;  // by port: index of the current node's input
 };
 
 }  // namespace
 
 std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOptions& options,
                                      Diagnostics& diagnostics) {
-    std::vector<std::string> names;
     std::vector<uint32_t> chosen;
-    for (const Output& output : document.outputs)
-        names.push_back(output.name);
     if (options.outputs.empty())
-        for (uint32_t i = 0; i < names.size(); ++i)
+        for (uint32_t i = 0; i < document.outputs.size(); ++i)
             chosen.push_back(i);
     for (const std::string& name : options.outputs) {
         const size_t index = document.outputs.index_of(name);
@@ -354,7 +342,7 @@ std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOption
             continue;
         }
         diagnostics.add(diagnose(document, "the graph has no output '" + name + "'",
-                                 did_you_mean(name, names)));
+                                 did_you_mean(name, keys_of(document.outputs))));
     }
     return chosen;
 }

@@ -16,6 +16,11 @@
 
 namespace wrinkle {
 
+struct Document;
+namespace json {
+class Value;
+}
+
 struct Wire {
     enum class Kind : uint8_t {
         none,         // the port's default
@@ -38,8 +43,8 @@ struct Wire {
 
 struct FlatNode {
     static constexpr uint32_t none = ~0u;
-    const NodeType* type = nullptr;  // null: a pass-through
-    const Port* pass = nullptr;      // port of a pass-through, named as the user knows it
+    const NodeType* type = nullptr;     // null: a pass-through
+    const Port* passthrough = nullptr;  // port of a pass-through, named as the user knows it
     bool muted = false;
     uint32_t instance = 0;      // Module::nodes
     uint32_t node = none;       // index in the document that has its wires
@@ -60,7 +65,7 @@ struct FlatGraph {
     bool any_own_base = false;           // true: some node's `base` is a node
 
     const Port& port(const FlatNode& node, uint32_t index) const {
-        return node.is_passthrough() ? *node.pass : node.type->ports[index];
+        return node.is_passthrough() ? *node.passthrough : node.type->ports[index];
     }
     uint32_t port_count(const FlatNode& node) const {
         return node.is_passthrough() ? 1 : static_cast<uint32_t>(node.type->ports.size());

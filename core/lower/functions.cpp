@@ -1,9 +1,10 @@
 #include "lower/functions.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "graph/subgraph.h"
 #include "lower/flat.h"
+#include "lower/reachable.h"
 
 namespace wrinkle {
 namespace {
@@ -107,11 +108,6 @@ bool requires_inlining(const NodeType& type, const Node& node) {
     });
 }
 
-uint64_t capped_sum(uint64_t a, uint64_t b) {
-    constexpr uint64_t most = std::numeric_limits<uint64_t>::max();
-    return a > most - b ? most : a + b;
-}
-
 class Planner {
 public:
     Planner(const Project& project, const Types& types, std::vector<Needs::File> needs)
@@ -124,7 +120,7 @@ public:
             plan_.files[f].inputs = needs_[f].inputs;
         }
         const std::vector<uint32_t> order = files_in_order(project_);
-        if (inlined_node_count(order) <= inline_up_to || looks_outside_somewhere(order))
+        if (inlined_node_count(order) <= inline_up_to || any_requires_inlining(order))
             return std::move(plan_);
         std::vector<uint32_t> depth(project_.files.size(), 0);
         for (const uint32_t f : order) {
@@ -155,12 +151,12 @@ private:
         for (const uint32_t f : order) {
             const auto own = std::count(needs_[f].nodes.begin(), needs_[f].nodes.end(), true);
             nodes[f] = static_cast<uint64_t>(own);
-            each_use(f, [&](uint32_t inner) { nodes[f] = capped_sum(nodes[f], nodes[inner]); });
+            each_use(f, [&](uint32_t inner) { nodes[f] = saturating_sum(nodes[f], nodes[inner]); });
         }
         return nodes[0];
     }
 
-    bool looks_outside_somewhere(const std::vector<uint32_t>& order) const {
+    bool any_requires_inlining(const std::vector<uint32_t>& order) const {
         return std::any_of(order.begin(), order.end(), [&](uint32_t f) {
             for (size_t i = 0; i < needs_[f].nodes.size(); ++i) {
                 const NodeType* type = types_.of(f, i);

@@ -1,19 +1,18 @@
-// Selects the files of a project that are compiled once, as functions, and those that are inlined
-// at each use. Internal to core/lower.
+// Selects the files of a project that become functions; the others are inlined at each use.
+// Internal to core/lower.
 //
-// A graph that is small after complete inlining is inlined: shaders are at their best so (layers on
-// one frame add as 2-vectors, constants fold across files), and drivers inline anyway. In a larger
-// one a file with two or more uses becomes a function.
+// The rule, for all lowering of sub-graphs:
+//   1. All files are inlined if the graph has at most LowerOptions::inline_up_to nodes after that,
+//      or if a node has its own base, reads a field or computes the variance of a normal: these
+//      depend on values beyond the boundary of a sub-graph.
+//   2. Otherwise each file with two or more uses is a function, unless one of its used inputs or
+//      outputs is a derivative or one of its used outputs an image (those are not numbers), or
+//      functions would nest more than `deepest` deep.
+//   3. Only build(), which may be a plugin's code, shows that a node computes a variance, so
+//      lower() then discards its module and lowers the graph again with all files inlined.
 //
-// Always inlined are:
-//   * files with used inputs or outputs of type derivative, or used image outputs: those are not
-//     numbers,
-//   * files in which functions are nested more than `deepest` deep,
-//   * all files of a project in which a node has its own base or reads a field: both depend on
-//     values beyond a sub-graph's boundary.
-//
-// lower() starts again without functions if an output needs the variance of a normal
-// (ir/normal_variance.h).
+// In small graphs inlining gives the best shaders: layers on one frame add as 2-vectors, constants
+// fold across files, and drivers inline anyway.
 #pragma once
 
 #include <algorithm>

@@ -31,9 +31,9 @@ ImageLiteral literal_image(const json::Value& value);  // reads valid members on
 
 struct LiteralProblem {
     json::Value where;
-    Severity severity = Severity::error;
     std::string message;  // a predicate: "holds a string"
     std::string expected;
+    Severity severity = Severity::error;
 };
 // Returns all problems of a literal at a port, except those of files.
 std::vector<LiteralProblem> literal_problems(const json::Value& value, const Port& port);

@@ -24,7 +24,7 @@ void write_outputs(Lowering& lowering, const Project& project) {
     const FlatGraph& graph = lowering.graph();
     Module& module = lowering.module();
     for (size_t i = 0; i < graph.outputs.size(); ++i) {
-        const PortType type = graph.nodes[graph.outputs[i]].pass->type;
+        const PortType type = graph.nodes[graph.outputs[i]].passthrough->type;
         ModuleOutput output;
         output.name = project.top().outputs[graph.output_index[i]].name;
         output.port_type = static_cast<uint32_t>(type);
@@ -79,17 +79,13 @@ private:
         if (diagnostics_.has_errors() || !open(top, nullptr)) return std::move(result_);
         while (!frames_.empty())
             step();
-        if (needs_inlining()) return lower_inlined();
+        const bool inlining_required = functions_.any() && wants_normal_variance(result_.module);
+        if (inlining_required && !diagnostics_.has_errors()) return lower_inlined();
         report_problems(result_.module, project_, result_.places, diagnostics_);
         return std::move(result_);
     }
 
-    // The variance of a normal cannot be computed through a call.
-    bool needs_inlining() const {
-        return functions_.any() && wants_normal_variance(result_.module) &&
-               !diagnostics_.has_errors();
-    }
-
+    // Sentence 3 of the rule in lower/functions.h.
     Lowered lower_inlined() const {
         LowerOptions options = options_;
         options.inline_up_to = std::numeric_limits<uint64_t>::max();
@@ -216,7 +212,7 @@ private:
             region.params.push_back(leaf.type);
         for (size_t i = 0; i < frame.graph.outputs.size(); ++i) {
             const uint32_t pass = frame.graph.outputs[i];
-            const PortType type = frame.graph.nodes[pass].pass->type;
+            const PortType type = frame.graph.nodes[pass].passthrough->type;
             const Id value = as_number(m, type, frame.lowering->input(pass, 0));
             region.results.push_back(
                 value ? value

@@ -1,10 +1,10 @@
 // Lowers a graph to a module: every node that the outputs need is built once, and the result is a
 // module with opaque gradients, to be expanded (ir/expand.h).
 //
-// * Sub-graphs are inlined at each use; in a large graph those that are used more than once are
-//   functions instead, each specialised for each kind of arguments (lower/functions.h, and
-//   ir/open_input.h). Calls with equal arguments are one value. A node in one is the instance
-//   below its first use, and its unconnected numbers are parameters of that instance, for all uses.
+// * Sub-graphs are inlined or become functions by the rule in lower/functions.h. A function is
+//   specialised for each kind of arguments (ir/open_input.h); calls with equal arguments are one
+//   value. A node in it is the instance below its first use, and its unconnected numbers are
+//   parameters of that instance, for all uses.
 // * An unconnected number is a parameter, also at its default; its value is clamped to the port's
 //   hard range. A wire into a port with a hard range is clamped by an instruction.
 // * A node in a sub-graph is the instance "outer/inner". The top graph's inputs are parameters with
@@ -25,11 +25,12 @@
 #include <vector>
 
 #include "base/limits.h"
-#include "graph/named_files.h"
 #include "ir/module.h"
 #include "lower/types.h"
 
 namespace wrinkle {
+
+class NamedFiles;
 
 struct LowerOptions {
     uint64_t max_nodes = limit_of(Limit::graph_nodes);

@@ -158,8 +158,8 @@ Id Lowering::zero(PortType type) {
 }
 
 Id Lowering::base_of(uint32_t node) {
-    const uint32_t sayer = graph_.nodes[node].base_node;
-    return sayer == FlatNode::none ? poison : own_base(sayer);
+    const uint32_t definer = graph_.nodes[node].base_node;
+    return definer == FlatNode::none ? poison : own_base(definer);
 }
 
 Id Lowering::own_base(uint32_t node) {

@@ -2,11 +2,12 @@
 
 #include <cassert>
 
+#include "graph/named_files.h"
 #include "graph/order.h"
 #include "ir/inspect.h"
 #include "ir/rewrite.h"
 #include "lower/check.h"
-#include "lower/expanded_calls.h"
+#include "lower/reachable.h"
 
 namespace wrinkle {
 namespace {

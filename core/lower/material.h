@@ -14,7 +14,7 @@ struct MaterialOptions {
     Covariances covariances = Covariances::dropped;  // `kept` for plan_maps() only (bake/maps.h)
     bool reachable_only = false;  // check only nodes that the outputs need (live preview)
     // The program that runs the module and executes every call of a sub-graph separately ("eval",
-    // "render"): too many calls are an error (lower/expanded_calls.h). "": none, as for generated
+    // "render"): too many calls are an error (lower/reachable.h). "": none, as for generated
     // source.
     std::string runs_calls = {};
     LowerOptions lower;

@@ -120,13 +120,9 @@ private:
 
     void graph_input(const Override& change, const json::Value& value) {
         const GraphInput* input = document().inputs.find(change.target.port);
-        if (!input) {
-            std::vector<std::string> names;
-            for (const GraphInput& each : document().inputs)
-                names.push_back(each.name);
+        if (!input)
             return refuse(change, "the graph has no input '" + change.target.port + "'",
-                          did_you_mean(change.target.port, names, ""));
-        }
+                          did_you_mean(change.target.port, keys_of(document().inputs)));
         Port port;
         port.type = port_type_named(input->type).value_or(PortType::float_);
         if (!fits(change, value, port)) return;
@@ -138,23 +134,15 @@ private:
     void port(const Override& change, const json::Value& value) {
         const Link& target = change.target;
         const size_t index = document().nodes.index_of(target.node);
-        if (index == Table<NodePtr>::npos) {
-            std::vector<std::string> names;
-            for (const NodePtr& node : document().nodes)
-                names.push_back(node->id);
+        if (index == Table<NodePtr>::npos)
             return refuse(change, "there is no node '" + target.node + "'",
-                          did_you_mean(target.node, names, ""));
-        }
+                          did_you_mean(target.node, keys_of(document().nodes)));
         const NodeType* type = Types(project_, registry_).of(0, index);
         if (!type) return;  // check() names the unknown type
         const uint32_t found = type->find_input(target.port);
-        if (found == NodeType::none) {
-            std::vector<std::string> names;
-            for (const Port& each : type->ports)
-                if (each.kind != Port::Kind::output) names.push_back(each.name);
+        if (found == NodeType::none)
             return refuse(change, "node '" + target.node + "' has no port '" + target.port + "'",
-                          did_you_mean(target.port, names, ""));
-        }
+                          did_you_mean(target.port, port_names(*type, false)));
         if (fits(change, value, type->ports[found]))
             document() = set_value(document(), target.node, target.port, value);
     }

@@ -1,7 +1,8 @@
-#include "lower/projected.h"
-
 #include <algorithm>
 #include <array>
+
+#include "graph/document.h"
+#include "lower/check.h"
 
 namespace wrinkle {
 namespace {

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
-#include "graph/wires.h"
+#include "graph/depth_first.h"
+#include "graph/order.h"
+#include "graph/subgraph.h"
 #include "lower/literal.h"
 #include "wrinkle/plugin.h"
 
@@ -53,29 +55,20 @@ Port input_port(const GraphInput& input) {
 
 }  // namespace
 
+std::vector<std::string> port_names(const NodeType& type, bool outputs) {
+    std::vector<std::string> names;
+    for (const Port& port : type.ports)
+        if ((port.kind == Port::Kind::output) == outputs) names.push_back(port.name);
+    return names;
+}
+
 std::vector<uint32_t> files_in_order(const Project& project) {
-    struct Frame {
-        uint32_t file;
-        size_t next;
-    };
-    std::vector<bool> seen(project.files.size(), false);
-    std::vector<uint32_t> order;
-    std::vector<Frame> stack{{0, 0}};
-    seen[0] = true;
-    while (!stack.empty()) {
-        Frame& frame = stack.back();
-        const std::vector<uint32_t>& subgraphs = project.files[frame.file].subgraphs;
-        if (frame.next == subgraphs.size()) {
-            order.push_back(frame.file);
-            stack.pop_back();
-            continue;
-        }
-        const uint32_t file = subgraphs[frame.next++];
-        if (file == Project::File::none || seen[file]) continue;
-        seen[file] = true;
-        stack.push_back({file, 0});
-    }
-    return order;
+    DepthFirst walk(project.files.size());
+    walk.visit(
+        0, [&](uint32_t file) { return project.files[file].subgraphs.size(); },
+        [&](uint32_t file, uint32_t node) { return project.files[file].subgraphs[node]; },
+        [](uint32_t, uint32_t, uint32_t) {});
+    return std::move(walk.order());
 }
 
 Types::Types(const Project& project, const Registry& registry)

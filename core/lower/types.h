@@ -13,16 +13,24 @@
 #include <deque>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "graph/subgraph.h"
 #include "registry/registry.h"
 #include "registry/standard.h"
 
 namespace wrinkle {
 
+struct Link;
+struct Node;
+struct Output;
+struct Project;
+
 // Returns the files in topological order: each after its sub-graphs, the top graph last.
 std::vector<uint32_t> files_in_order(const Project& project);
+
+// Returns the names of the outputs, or of all other ports.
+std::vector<std::string> port_names(const NodeType& type, bool outputs);
 
 // The source of a link to a node; none: no node or output has that name, or the link does not lead
 // to a node.

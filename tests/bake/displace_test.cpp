@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "graph/subgraph.h"
 #include "lower/material.h"
 #include "mesh/mesh.h"
 #include "mesh/shapes.h"

@@ -1,5 +1,6 @@
 #include "bake/support.h"
 
+#include "graph/subgraph.h"
 #include "support/linked_nodes.h"
 
 namespace wrinkle::test {

@@ -12,6 +12,7 @@
 #include "bake/map_files.h"
 #include "bake/maps.h"
 #include "cpu/texture_store.h"
+#include "graph/subgraph.h"
 #include "lower/material.h"
 #include "mesh/load.h"
 #include "mesh/shapes.h"

@@ -10,6 +10,7 @@
 #include "base/file.h"
 #include "bench/graphs.h"
 #include "compile/shader.h"
+#include "graph/subgraph.h"
 #include "nodes/all.h"
 #include "support/samples.h"
 

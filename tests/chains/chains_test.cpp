@@ -21,6 +21,7 @@
 #include "chains/chain.h"
 #include "glsl/emit.h"
 #include "graph/read.h"
+#include "graph/subgraph.h"
 #include "lower/material.h"
 #include "nodes/all.h"
 

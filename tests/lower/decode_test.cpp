@@ -1,5 +1,5 @@
 // Tests of encodings on constants: add() folds them, so that the numbers can be read directly.
-#include "lower/decode.h"
+#include "lower/sampling.h"
 
 #include <gtest/gtest.h>
 

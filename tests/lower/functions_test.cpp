@@ -6,8 +6,8 @@
 
 #include "glsl/emit.h"
 #include "ir/inspect.h"
-#include "lower/expanded_calls.h"
 #include "lower/fixture.h"
+#include "lower/reachable.h"
 
 namespace wrinkle {
 namespace {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "glsl/emit.h"
+#include "graph/subgraph.h"
 #include "lower/material.h"
 #include "support/linked_nodes.h"
 

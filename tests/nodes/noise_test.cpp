@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "graph/subgraph.h"
 #include "nodes/relief.h"
 #include "nodes/solid.h"
 

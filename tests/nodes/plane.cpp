@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <tuple>
 
+#include "graph/subgraph.h"
 #include "nodes/all.h"
 #include "registry/plugin_loader.h"
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "graph/subgraph.h"
 #include "lower/material.h"
 #include "support/files.h"
 

@@ -4,6 +4,7 @@
 #include "compile/shader.h"
 #include "cpu/aligned.h"
 #include "cpu/planes.h"
+#include "graph/subgraph.h"
 #include "nodes/all.h"
 
 namespace wrinkle::bench {

@@ -1,9 +1,14 @@
-// Evaluation of expressions at other positions than the surface point. Internal to core/lower.
+// Reads of textures and fields for a node's build(). Internal to core/lower.
 #pragma once
 
+#include "base/texture_options.h"
 #include "ir/module.h"
 
 namespace wrinkle {
+
+// Returns the decoded vec4 of a sampled vec4, by arithmetic right after the sample. Alpha is
+// unchanged, except that it is 1 for normal_rg and normal_ag.
+Id decode(Module& module, Encoding encoding, Id texel);
 
 // Returns `value` with the surface input `domain` replaced by `at`. If `at` belongs to a loop or a
 // function, each implicit sample that depends on it becomes a sample_grad with the differentials of
