@@ -5,12 +5,9 @@
 #include <cstdint>
 
 #include "ir/op.h"
+#include "ir/side_tables.h"
 
 namespace wrinkle {
-
-using Id = uint32_t;
-inline constexpr Id no_id = 0;   // absent
-inline constexpr Id poison = 0;  // the result of an invalid instruction
 
 struct Inst {
     Op op = Op::poison_;

@@ -13,7 +13,11 @@ namespace wrinkle {
 
 class Module;               // ir/module.h
 enum class Type : uint8_t;  // ir/op.h
-using Id = uint32_t;        // ir/inst.h
+
+// Index of an instruction. 0 is none: its two names are explained in ir/module.h.
+using Id = uint32_t;
+inline constexpr Id no_id = 0;
+inline constexpr Id poison = 0;
 
 // A number the user may change. Its index in Module::parameters is its identity.
 struct Parameter {
@@ -53,7 +57,7 @@ struct Named {
 struct ModuleOutput {
     std::string name;        // "normal"
     uint32_t port_type = 0;  // WR_PORT_*
-    Id value = 0;
+    Id value = no_id;
 };
 
 struct Problem {
