@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "editor/canvas/canvas.h"
-#include "editor/canvas/layout.h"
-#include "editor/document/refresh.h"
-#include "editor/look/theme.h"
+#include "editor/view/canvas/canvas.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/refresh.h"
 #include "field_graph.h"
 #include "graph/edit.h"
 #include "graph/read.h"

@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
-#include "editor/document/edits.h"
-#include "editor/document/recovery.h"
-#include "editor/document/refresh.h"
-#include "editor/look/theme.h"
+#include "editor/model/document/recovery.h"
+#include "editor/view/edit/edits.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/refresh.h"
 #include "field_graph.h"
 #include "graph/edit.h"
 #include "graph/read.h"

@@ -4,9 +4,9 @@
 
 #include "baking.h"
 #include "base/text.h"
-#include "editor/bake/bake.h"
-#include "editor/document/folders.h"
-#include "editor/panels/bake_dialog.h"
+#include "editor/model/bake/bake.h"
+#include "editor/model/document/folders.h"
+#include "editor/view/panels/bake_dialog.h"
 
 namespace wrinkle::editor {
 namespace {

@@ -1,6 +1,6 @@
 // Tests of bakes from the editor: the bytes equal those of `wrinkle bake`; cancellation, errors and
 // messages.
-#include "editor/bake/bake.h"
+#include "editor/model/bake/bake.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -8,10 +8,10 @@
 #include <csignal>
 
 #include "baking.h"
-#include "editor/canvas/field.h"
-#include "editor/commands/commands.h"
-#include "editor/document/files.h"
-#include "editor/panels/bake_dialog.h"
+#include "editor/model/document/field.h"
+#include "editor/model/document/files.h"
+#include "editor/view/commands/commands.h"
+#include "editor/view/panels/bake_dialog.h"
 
 namespace wrinkle::editor {
 namespace {

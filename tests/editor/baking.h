@@ -1,7 +1,7 @@
 // Shared by the tests of bakes from the editor: a small graph, a fixture, file comparison.
 #pragma once
 
-#include "editor/bake/choices.h"
+#include "editor/model/bake/choices.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

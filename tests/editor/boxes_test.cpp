@@ -1,8 +1,8 @@
 // Tests of frames, notes, lasso selection, scrolling during drags, alignment and search of nodes.
 #include <set>
 
-#include "editor/canvas/layout.h"
-#include "editor/look/draw.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/look/draw.h"
 #include "graph/edit.h"
 #include "graph/write.h"
 #include "headless.h"

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "editor/commands/commands.h"
-#include "editor/panels/browser.h"
-#include "editor/panels/samples.h"
-#include "editor/panels/start_page.h"
+#include "editor/view/commands/commands.h"
+#include "editor/view/panels/browser.h"
+#include "editor/view/panels/samples.h"
+#include "editor/view/panels/start_page.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

@@ -1,10 +1,10 @@
 // Tests of a canvas with thousands of nodes: counts of drawn vertices, targets and rebuilt cards.
 #include <cmath>
 
-#include "editor/canvas/canvas.h"
-#include "editor/canvas/layout.h"
-#include "editor/document/refresh.h"
-#include "editor/look/draw.h"
+#include "editor/view/canvas/canvas.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/refresh.h"
 #include "graph/edit.h"
 #include "headless.h"
 

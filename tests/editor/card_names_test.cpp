@@ -1,9 +1,9 @@
 // Tests of cards drawn too small for their headers: names and dragging.
-#include "editor/canvas/card_names.h"
+#include "editor/view/canvas/card_names.h"
 
-#include "editor/canvas/canvas.h"
-#include "editor/canvas/layout.h"
-#include "editor/look/draw.h"
+#include "editor/view/canvas/canvas.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/look/draw.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/document/clipboard.h"
-#include "editor/document/files.h"
+#include "editor/model/document/files.h"
+#include "editor/view/edit/clipboard.h"
 #include "graph/edit.h"
 #include "graph/write.h"
 #include "headless.h"

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "editor/code/export.h"
-#include "editor/code/tokens.h"
-#include "editor/document/files.h"
+#include "editor/model/code/export.h"
+#include "editor/model/code/tokens.h"
+#include "editor/model/document/files.h"
 #include "graph/edit.h"
 #include "headless.h"
 

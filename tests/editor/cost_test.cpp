@@ -1,14 +1,14 @@
 // Tests of the material cost per card.
-#include "editor/document/cost.h"
+#include "editor/model/document/cost.h"
 
 #include <imgui_internal.h>
 
 #include <cmath>
 
-#include "editor/canvas/canvas.h"
-#include "editor/canvas/painter.h"
-#include "editor/document/files.h"
-#include "editor/look/heat.h"
+#include "editor/model/document/files.h"
+#include "editor/view/canvas/canvas.h"
+#include "editor/view/canvas/painter.h"
+#include "editor/view/look/heat.h"
 #include "graph/edit.h"
 #include "graph/read.h"
 #include "headless.h"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <random>
 
-#include "editor/document/files.h"
+#include "editor/model/document/files.h"
 #include "graph/edit.h"
 #include "graph/read.h"
 #include "graph/write.h"

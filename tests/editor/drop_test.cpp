@@ -2,9 +2,9 @@
 #include <fstream>
 
 #include "base/text.h"
-#include "editor/canvas/field.h"
-#include "editor/document/files.h"
-#include "editor/drop/image_kind.h"
+#include "editor/model/document/field.h"
+#include "editor/model/document/files.h"
+#include "editor/view/drop/image_kind.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

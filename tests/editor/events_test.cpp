@@ -7,8 +7,8 @@
 #include <map>
 #include <random>
 
-#include "editor/commands/commands.h"
-#include "editor/document/files.h"
+#include "editor/model/document/files.h"
+#include "editor/view/commands/commands.h"
 #include "graph/read.h"
 #include "graph/write.h"
 #include "headless.h"

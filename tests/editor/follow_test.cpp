@@ -1,7 +1,7 @@
 // Tests of data derived from the document: when source is generated, and that the interface does
 // not wait.
-#include "editor/document/files.h"
-#include "editor/document/refresh.h"
+#include "editor/model/document/files.h"
+#include "editor/view/refresh.h"
 #include "graph/edit.h"
 #include "headless.h"
 

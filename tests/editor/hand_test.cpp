@@ -6,7 +6,7 @@
 #include <random>
 #include <thread>
 
-#include "editor/document/recovery.h"
+#include "editor/model/document/recovery.h"
 #include "graph/read.h"
 #include "headless.h"
 #include "running_editor.h"

@@ -11,11 +11,11 @@
 #include <sstream>
 #include <thread>
 
-#include "editor/document/files.h"
-#include "editor/document/refresh.h"
-#include "editor/look/theme.h"
-#include "editor/panels/fields.h"
-#include "editor/panels/ui.h"
+#include "editor/model/document/files.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/panels/fields.h"
+#include "editor/view/panels/ui.h"
+#include "editor/view/refresh.h"
 #include "graph/read.h"
 #include "nodes/all.h"
 

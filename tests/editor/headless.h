@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <string>
 
-#include "editor/input/input_queue.h"
-#include "editor/input/script.h"
-#include "editor/state.h"
+#include "editor/app/script.h"
+#include "editor/view/input/input_queue.h"
+#include "editor/view/state.h"
 
 namespace wrinkle::editor {
 

@@ -5,12 +5,12 @@
 #include <chrono>
 #include <random>
 
-#include "editor/canvas/field.h"
-#include "editor/canvas/layout.h"
-#include "editor/canvas/tidy.h"
-#include "editor/document/edits.h"
-#include "editor/document/files.h"
-#include "editor/document/refresh.h"
+#include "editor/model/document/field.h"
+#include "editor/model/document/files.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/canvas/tidy.h"
+#include "editor/view/edit/edits.h"
+#include "editor/view/refresh.h"
 #include "graph/edit.h"
 #include "graph/read.h"
 #include "graph/write.h"

@@ -1,16 +1,16 @@
 // Tests of image lint: the nodes that dropped images become, remarks and their fixes; the interface
 // does not wait for it.
-#include "editor/images/images.h"
+#include "editor/model/images/images.h"
 
 #include <unistd.h>
 
 #include <atomic>
 #include <cmath>
 
-#include "editor/document/files.h"
-#include "editor/document/used_files.h"
-#include "editor/images/facts.h"
-#include "editor/images/remarks.h"
+#include "editor/model/document/files.h"
+#include "editor/model/document/used_files.h"
+#include "editor/model/images/facts.h"
+#include "editor/model/images/remarks.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

@@ -1,5 +1,5 @@
 // Tests of the recovery journal: unsaved edits survive a crash, damaged journals, recovery.
-#include "editor/document/journal.h"
+#include "editor/model/document/journal.h"
 
 #include <sys/resource.h>
 
@@ -8,9 +8,9 @@
 #include <fstream>
 #include <random>
 
-#include "editor/document/files.h"
-#include "editor/document/recovery.h"
-#include "editor/document/text_delta.h"
+#include "editor/model/document/files.h"
+#include "editor/model/document/recovery.h"
+#include "editor/model/document/text_delta.h"
 #include "graph/edit.h"
 #include "graph/write.h"
 #include "headless.h"

@@ -6,8 +6,8 @@
 #include <csignal>
 #include <fstream>
 
-#include "editor/commands/commands.h"
-#include "editor/document/files.h"
+#include "editor/model/document/files.h"
+#include "editor/view/commands/commands.h"
 #include "graph/edit.h"
 #include "graph/write.h"
 #include "headless.h"

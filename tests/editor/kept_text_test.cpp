@@ -1,7 +1,7 @@
 // Tests of the text delta between two snapshots, computed from their differences.
-#include "editor/document/journaled_text.h"
+#include "editor/model/document/journaled_text.h"
 
-#include "editor/document/text_delta.h"
+#include "editor/model/document/text_delta.h"
 #include "graph/edit.h"
 #include "graph/read.h"
 #include "graph/write.h"

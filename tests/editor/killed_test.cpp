@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "base/text.h"
-#include "editor/document/files.h"
-#include "editor/document/recovery.h"
+#include "editor/model/document/files.h"
+#include "editor/model/document/recovery.h"
 #include "graph/read.h"
 #include "graph/write.h"
 #include "headless.h"

@@ -1,8 +1,8 @@
 // Tests of opening and closing sub-graphs: the parent graphs remain unchanged.
-#include "editor/document/levels.h"
+#include "editor/model/document/levels.h"
 
-#include "editor/document/files.h"
-#include "editor/document/recovery.h"
+#include "editor/model/document/files.h"
+#include "editor/model/document/recovery.h"
 #include "graph/edit.h"
 #include "headless.h"
 

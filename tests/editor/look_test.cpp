@@ -1,12 +1,12 @@
 // Tests of text rendering at every zoom and scale: glyphs are drawn at their baked size or slightly
 // smaller, and text is as wide as at zoom 1 times the zoom.
-#include "editor/look/look.h"
+#include "editor/view/look/look.h"
 
 #include <cmath>
 
-#include "editor/canvas/layout.h"
-#include "editor/commands/commands.h"
-#include "editor/look/magnified.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/commands/commands.h"
+#include "editor/view/look/magnified.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

@@ -1,10 +1,10 @@
 // Tests of the document model without ImGui: changes, values, wires, input queue.
 #include <imgui.h>
 
-#include "editor/canvas/field.h"
-#include "editor/document/change.h"
-#include "editor/document/edits.h"
-#include "editor/input/input_queue.h"
+#include "editor/model/document/change.h"
+#include "editor/model/document/field.h"
+#include "editor/view/edit/edits.h"
+#include "editor/view/input/input_queue.h"
 #include "graph/edit.h"
 #include "graph/read.h"
 #include "graph/write.h"

@@ -2,8 +2,8 @@
 // deselected.
 #include <map>
 
-#include "editor/canvas/layout.h"
-#include "editor/look/draw.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/look/draw.h"
 #include "graph/edit.h"
 #include "headless.h"
 

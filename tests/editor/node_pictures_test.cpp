@@ -1,11 +1,11 @@
 // Tests of node previews: expected texels are computed by hand for a flat patch.
-#include "editor/preview/node_previews.h"
+#include "editor/view/preview/node_previews.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "editor/canvas/layout.h"
+#include "editor/view/canvas/layout.h"
 #include "graph/read.h"
 #include "headless.h"
 

@@ -2,8 +2,8 @@
 #include <chrono>
 #include <set>
 
-#include "editor/commands/commands.h"
-#include "editor/panels/palette.h"
+#include "editor/view/commands/commands.h"
+#include "editor/view/panels/palette.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

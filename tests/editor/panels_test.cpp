@@ -6,10 +6,10 @@
 #include <map>
 
 #include "base/text.h"
-#include "editor/canvas/field.h"
-#include "editor/commands/commands.h"
-#include "editor/panels/help.h"
-#include "editor/panels/panels.h"
+#include "editor/model/document/field.h"
+#include "editor/view/commands/commands.h"
+#include "editor/view/panels/help.h"
+#include "editor/view/panels/panels.h"
 #include "headless.h"
 #include "wrinkle/plugin.h"
 

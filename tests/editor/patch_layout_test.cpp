@@ -1,8 +1,8 @@
 // Tests of incremental layout: a layout updated after an edit equals one built from scratch.
 #include <tuple>
 
-#include "editor/canvas/layout.h"
-#include "editor/document/refresh.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/refresh.h"
 #include "graph/edit.h"
 #include "graph/write.h"
 #include "headless.h"

@@ -1,10 +1,10 @@
 // Tests of exporting the preview as an image file of any size. Skipped only if GL is not available.
-#include "editor/preview/picture_export.h"
+#include "editor/view/preview/picture_export.h"
 
 #include <epoxy/gl.h>
 
-#include "editor/document/files.h"
-#include "editor/document/refresh.h"
+#include "editor/model/document/files.h"
+#include "editor/view/refresh.h"
 #include "gpu/context.h"
 #include "headless.h"
 #include "image/load.h"

@@ -1,8 +1,8 @@
 // Tests of card positions: nodes without a stored position, the sample graphs, and Tidy.
-#include "editor/canvas/layout.h"
-#include "editor/canvas/tidy.h"
-#include "editor/document/files.h"
-#include "editor/look/draw.h"
+#include "editor/model/document/files.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/canvas/tidy.h"
+#include "editor/view/look/draw.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

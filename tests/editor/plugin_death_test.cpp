@@ -2,8 +2,8 @@
 // its edits and their recovery are unaffected.
 #include <chrono>
 
-#include "editor/document/plugins.h"
-#include "editor/document/recovery.h"
+#include "editor/model/document/plugins.h"
+#include "editor/model/document/recovery.h"
 #include "headless.h"
 #include "running_editor.h"
 #include "virtual_screen.h"

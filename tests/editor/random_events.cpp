@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "editor/commands/commands.h"
+#include "editor/view/commands/commands.h"
 
 namespace wrinkle::editor {
 

@@ -6,8 +6,8 @@
 #include <random>
 #include <string>
 
-#include "editor/input/input_queue.h"
-#include "editor/state.h"
+#include "editor/view/input/input_queue.h"
+#include "editor/view/state.h"
 
 namespace wrinkle::editor {
 

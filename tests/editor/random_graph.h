@@ -5,7 +5,7 @@
 #include <random>
 #include <string>
 
-#include "editor/document/model.h"
+#include "editor/model/document/model.h"
 #include "graph/document.h"
 
 namespace wrinkle::editor {

@@ -6,8 +6,8 @@
 
 #include <functional>
 
-#include "editor/document/files.h"
-#include "editor/document/recovery.h"
+#include "editor/model/document/files.h"
+#include "editor/model/document/recovery.h"
 #include "graph/edit.h"
 #include "graph/write.h"
 #include "headless.h"

@@ -1,7 +1,7 @@
 // Tests of the window regions: sizes against a table of expected values, and changes by the user.
-#include "editor/panels/regions.h"
+#include "editor/view/panels/regions.h"
 
-#include "editor/commands/commands.h"
+#include "editor/view/commands/commands.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

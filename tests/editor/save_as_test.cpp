@@ -1,7 +1,7 @@
 // Tests of Save As into another folder: the graph refers to the same images and sub-graphs from
 // there.
-#include "editor/document/files.h"
-#include "editor/document/moved_paths.h"
+#include "editor/model/document/files.h"
+#include "editor/model/document/moved_paths.h"
 #include "graph/edit.h"
 #include "graph/write.h"
 #include "headless.h"

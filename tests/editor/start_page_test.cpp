@@ -1,12 +1,12 @@
 // Tests of the start page at every size of the window and of the interface.
-#include "editor/panels/start_page.h"
+#include "editor/view/panels/start_page.h"
 
 #include <imgui_internal.h>
 
-#include "editor/document/files.h"
-#include "editor/look/draw.h"
-#include "editor/panels/samples.h"
-#include "editor/words.h"
+#include "editor/model/document/files.h"
+#include "editor/model/words.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/panels/samples.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

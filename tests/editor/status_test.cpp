@@ -1,10 +1,10 @@
 // Tests of the status bar and of the cursor shape.
 #include <imgui_internal.h>
 
-#include "editor/document/files.h"
-#include "editor/document/recovery.h"
-#include "editor/panels/hints.h"
-#include "editor/words.h"
+#include "editor/model/document/files.h"
+#include "editor/model/document/recovery.h"
+#include "editor/model/words.h"
+#include "editor/view/panels/hints.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

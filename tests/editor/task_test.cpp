@@ -1,14 +1,14 @@
 // Tests of background tasks: progress strip, cancellation, failed writes.
-#include "editor/tasks/task.h"
+#include "editor/model/tasks/task.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <csignal>
 
-#include "editor/code/export.h"
-#include "editor/document/folders.h"
-#include "editor/panels/regions.h"
+#include "editor/model/code/export.h"
+#include "editor/model/document/folders.h"
+#include "editor/view/panels/regions.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

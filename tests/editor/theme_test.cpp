@@ -1,7 +1,7 @@
 // Tests of the colours of both themes: contrast by WCAG 2.1; differences of the type colours by
 // CIEDE2000 (Sharma, Wu, Dalal 2005) under simulated colour vision deficiencies (Machado, Oliveira,
 // Fernandes 2009).
-#include "editor/look/theme.h"
+#include "editor/view/look/theme.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Tests of tooltips: position and visibility.
 #include <imgui_internal.h>
 
-#include "editor/canvas/layout.h"
+#include "editor/view/canvas/layout.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

@@ -1,6 +1,6 @@
 // Tests of tracing: nodes and wires that are not on a path through the selection fade.
-#include "editor/canvas/canvas.h"
-#include "editor/canvas/painter.h"
+#include "editor/view/canvas/canvas.h"
+#include "editor/view/canvas/painter.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

@@ -1,5 +1,5 @@
 // Tests of turns: renderings wait for frames, but only for a limited time.
-#include "editor/preview/frame_gate.h"
+#include "editor/view/preview/frame_gate.h"
 
 #include <gtest/gtest.h>
 

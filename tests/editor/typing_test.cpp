@@ -1,7 +1,7 @@
 // Tests of values: fast typing, and display.
 #include <cmath>
 
-#include "editor/canvas/layout.h"
+#include "editor/view/canvas/layout.h"
 #include "graph/edit.h"
 #include "headless.h"
 #include "json/parse.h"

@@ -1,8 +1,8 @@
 // Tests of the real window contents without a window; targets on the screen are found by name.
 #include <random>
 
-#include "editor/canvas/layout.h"
-#include "editor/commands/commands.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/commands/commands.h"
 #include "graph/write.h"
 #include "headless.h"
 

@@ -1,10 +1,10 @@
 // Tests of files changed by other programs: they are read again automatically.
-#include "editor/document/used_files.h"
+#include "editor/model/document/used_files.h"
 
 #include <fstream>
 
-#include "editor/document/files.h"
-#include "editor/document/plugins.h"
+#include "editor/model/document/files.h"
+#include "editor/model/document/plugins.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

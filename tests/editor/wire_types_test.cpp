@@ -3,11 +3,11 @@
 #include <cmath>
 #include <random>
 
-#include "editor/canvas/layout.h"
-#include "editor/document/each_wire.h"
-#include "editor/document/edits.h"
-#include "editor/document/offer.h"
-#include "editor/look/draw.h"
+#include "editor/model/document/each_wire.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/edit/edits.h"
+#include "editor/view/edit/offer.h"
+#include "editor/view/look/draw.h"
 #include "headless.h"
 #include "lower/conversion.h"
 

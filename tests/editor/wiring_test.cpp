@@ -1,6 +1,6 @@
 // Tests of wires edited by drags and commands: delete with reconnect, cut, insert, lazy connect,
 // swap. Each is one undo step.
-#include "editor/document/wiring.h"
+#include "editor/model/document/wiring.h"
 #include "graph/edit.h"
 #include "graph/write.h"
 #include "headless.h"

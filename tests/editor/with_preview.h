@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "editor/document/files.h"
-#include "editor/document/refresh.h"
-#include "editor/preview/feed.h"
+#include "editor/model/document/files.h"
+#include "editor/view/preview/feed.h"
+#include "editor/view/refresh.h"
 #include "gpu/context.h"
 #include "headless.h"
 

@@ -74,7 +74,8 @@ TEST(Rules, AnIncludeOfALaterFolderIsFound) {
     EXPECT_EQ(count_of(include_violations, "core/ir/a.cpp", "#include \"glsl/emit.h\"\n"), 1u);
     EXPECT_EQ(count_of(include_violations, "core/ir/a.cpp", "  # include <glsl/emit.h>\n"), 1u);
     EXPECT_EQ(count_of(include_violations, "core/base/a.h", "#include \"ir/module.h\"\n"), 1u);
-    EXPECT_EQ(count_of(include_violations, "core/cpu/a.h", "#include \"editor/state.h\"\n"), 1u);
+    EXPECT_EQ(count_of(include_violations, "core/cpu/a.h", "#include \"editor/view/state.h\"\n"),
+              1u);
     EXPECT_EQ(count_of(include_violations, "nodes/a.cpp", "#include \"ir/module.h\"\n"), 1u);
     EXPECT_EQ(count_of(include_violations, "plugins/a/a.cpp", "#include \"base/text.h\"\n"), 1u);
     EXPECT_EQ(count_of(include_violations, "editor/a.cpp", "#include \"nodes/noise.h\"\n"), 1u);

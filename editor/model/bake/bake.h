@@ -1,0 +1,37 @@
+// Bakes maps of the document on a mesh's uv layout: the files of `wrinkle bake`, byte for byte. The
+// work uses a snapshot, in the background, on all cores.
+#pragma once
+
+#include "editor/model/bake/choices.h"
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+struct BakeJob {
+    Model model;
+    Document document;
+    std::string graph;  // path of its file, for problems
+    BakeChoices choices;
+};
+
+// Files are renamed from temporary files when all are complete; on failure or cancellation before
+// that, no file appears and folders made for them are removed. Warnings report on the mesh and on
+// the numbers.
+TaskOutcome bake_maps(const BakeJob& job, const Registry& registry, TaskProgress& progress);
+
+// Bakes the current document as a task; stores the choices in the settings.
+void start_bake(State& state, const BakeChoices& choices);
+
+// Returns the path on disk: relative paths start at the graph's folder, "~" at home.
+std::filesystem::path place_of(const State& state, const BakeChoices& choices);
+
+// Returns the maps that the document's outputs provide.
+std::vector<std::string> maps_of(const Document& document);
+// Returns the initial choices of the dialog: the last ones, with the maps that exist, on the
+// preview's mesh, next to the graph.
+BakeChoices usual_bake(const State& state);
+
+// Returns the reason why no map can be baked, "" if some can.
+std::string_view no_maps(const State& state);
+
+}  // namespace wrinkle::editor

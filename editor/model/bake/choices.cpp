@@ -1,0 +1,167 @@
+#include "editor/model/bake/choices.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "bake/map_files.h"
+#include "bake/maps.h"
+#include "base/text.h"
+#include "image/formats.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+struct FormatName {
+    std::string_view format, name;
+};
+constexpr FormatName format_names[] = {
+    {"png", "PNG"}, {"tif", "TIFF"}, {"exr", "OpenEXR"}, {"hdr", "Radiance"}};
+
+std::string label_of(std::string_view format, PixelType type) {
+    constexpr std::array numbers = {"8 bits", "16 bits", "halves", "floats"};
+    std::string name(format);
+    for (const FormatName& each : format_names)
+        if (each.format == format) name = each.name;
+    return name + ", " + numbers[static_cast<size_t>(type)];
+}
+
+std::vector<StoredAs> all_kinds() {
+    std::vector<StoredAs> kinds;
+    for (const std::string format : bake_formats) {
+        const std::vector<std::string_view> types =
+            split(format_to_write("x." + format)->types, ' ');
+        for (const PixelType type :
+             {PixelType::u8, PixelType::u16, PixelType::half, PixelType::float32})
+            if (std::find(types.begin(), types.end(), name_of(type)) != types.end())
+                kinds.push_back({format + " " + std::string(name_of(type)), label_of(format, type),
+                                 "." + format, type});
+    }
+    return kinds;
+}
+
+template <class Matches>
+const StoredAs& kind_where(Matches&& matches) {
+    const auto kinds = stored_kinds();
+    const auto found = std::find_if(kinds.begin(), kinds.end(), matches);
+    return found == kinds.end() ? kinds[0] : *found;
+}
+
+uint32_t listed_size(int texels, uint32_t otherwise) {
+    const auto size = static_cast<uint32_t>(texels);
+    const auto* found = std::find(std::begin(bake_sizes), std::end(bake_sizes), size);
+    return found == std::end(bake_sizes) ? otherwise : size;
+}
+
+}  // namespace
+
+std::span<const StoredAs> stored_kinds() {
+    static const std::vector<StoredAs> kinds = all_kinds();
+    return kinds;
+}
+
+const StoredAs& stored_for(const StoredAs& chosen, std::string_view map) {
+    if (!chosen.integers() || fits_integers(map)) return chosen;
+    return kind_where([](const StoredAs& kind) { return kind.key == "exr half"; });
+}
+
+std::vector<std::string_view> compressions_of(const StoredAs& stored) {
+    const Writable* format = format_to_write("x" + stored.extension);
+    std::vector<std::string_view> names;
+    if (format && *format->compressions) names = split(format->compressions, ' ');
+    return names;
+}
+
+std::string BakeChoices::compression_in(const StoredAs& kind) const {
+    const auto known = compressions_of(kind);
+    const bool fits = std::find(known.begin(), known.end(), tuning.compression) != known.end();
+    return fits ? tuning.compression : "";
+}
+
+uint32_t BakeChoices::tile_in(const StoredAs& kind) const {
+    const Writable* format = format_to_write("x" + kind.extension);
+    return format && format->tiles ? tuning.tile : 0;
+}
+
+bool BakeChoices::one_file() const {
+    std::string ignored;
+    const std::vector<AskedMap> asked = asked_maps(*this, ignored);
+    return asked.size() == 1 && into.extension() == asked[0].stored->extension;
+}
+
+std::vector<AskedMap> asked_maps(const BakeChoices& choices, std::string& why) {
+    std::vector<AskedMap> asked;
+    const auto add = [&](MapRequest request) {
+        const bool twice = std::any_of(asked.begin(), asked.end(), [&](const AskedMap& each) {
+            return each.request.name == request.name;
+        });
+        if (twice) {
+            why = "Two maps would be called " + request.name +
+                  ". A pack begins with its name: orm: r=occlusion.";
+            return;
+        }
+        const StoredAs& stored = stored_for(*choices.stored, request.name);
+        request.integers = stored.integers();
+        asked.push_back({std::move(request), &stored});
+    };
+    for (const std::string& map : choices.maps)
+        add({map, {}, true});
+    for (const std::string_view text : split(choices.packs, ';')) {
+        if (text.find_first_not_of(' ') == text.npos) continue;
+        Diagnostics problems;
+        if (auto request = parse_pack(std::string(text), problems))
+            add(std::move(*request));
+        else
+            why = "\"" + std::string(text) +
+                  "\" packs no channels. Write orm: r=occlusion g=roughness.";
+    }
+    return asked;
+}
+
+BakeChoices choices_of(const BakeSettings& settings) {
+    BakeChoices choices;
+    for (const std::string_view map : split(settings.maps, ','))
+        if (!map.empty()) choices.maps.emplace_back(map);
+    choices.width = listed_size(settings.size, choices.width);
+    choices.square_or_height = listed_size(settings.height, 0);
+    choices.object_space = settings.space == "object";
+    choices.green_down = settings.green == "dx";
+    choices.udim = settings.udim != 0;
+    choices.packs = settings.packs;
+    choices.tuning = settings.tuning;
+    const auto& counts = bake_sample_counts;
+    if (std::find(counts.begin(), counts.end(), choices.tuning.samples) == counts.end())
+        choices.tuning.samples = BakeTuning().samples;
+    if (choices.tuning.tile % 16 != 0) choices.tuning.tile = 0;
+    choices.stored = &kind_where([&](const StoredAs& kind) { return kind.key == settings.stored; });
+    return choices;
+}
+
+BakeSettings settings_of(const BakeChoices& choices) {
+    BakeSettings settings;
+    settings.maps.clear();
+    for (const std::string& map : choices.maps)
+        settings.maps += (settings.maps.empty() ? "" : ",") + map;
+    settings.size = static_cast<int>(choices.width);
+    settings.height = static_cast<int>(choices.square_or_height);
+    settings.space = choices.object_space ? "object" : "tangent";
+    settings.green = choices.green_down ? "dx" : "gl";
+    settings.stored = choices.stored->key;
+    settings.udim = choices.udim;
+    settings.packs = choices.packs;
+    settings.tuning = choices.tuning;
+    return settings;
+}
+
+std::vector<fs::path> baked_files(const BakeChoices& choices, const std::string& suffix) {
+    std::vector<fs::path> files;
+    std::string ignored;
+    const bool one = choices.one_file();
+    for (const AskedMap& map : asked_maps(choices, ignored))
+        files.push_back(
+            map_path(choices.into, one, map.request.name, suffix, map.stored->extension));
+    return files;
+}
+
+}  // namespace wrinkle::editor

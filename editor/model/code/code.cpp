@@ -1,0 +1,118 @@
+#include "editor/model/code/code.h"
+
+#include <algorithm>
+#include <set>
+
+#include "editor/model/document/wiring.h"
+#include "editor/model/words.h"
+#include "editor/view/state.h"
+#include "lower/material.h"
+#include "spirv/spirv.h"
+
+namespace wrinkle::editor {
+namespace {
+
+void cut_lines(CodeText& text) {
+    for (size_t at = 0; at < text.source.size();) {
+        const size_t end = std::min(text.source.find('\n', at), text.source.size());
+        text.starts.push_back(at);
+        text.longest = std::max(text.longest, end - at);
+        at = end + 1;
+    }
+}
+
+// Returns the node of the top graph for a path "outer/inner".
+std::string top_of(const std::string& path) {
+    return path.substr(0, path.find('/'));
+}
+
+const Target& target_of(const CodeOptions& options) {
+    const Target* target = find_target(options.target);
+    return target ? *target : targets().front();
+}
+
+Shader shader_of(const CodeJob& job, const Registry& registry, Diagnostics& problems) {
+    const Project project = project_to_compile(job.model, job.document, problems);
+    if (problems.has_errors()) return {};
+    MaterialOptions options;
+    options.uniform_parameters = job.options.uniforms;
+    const Compiled compiled = compile_material(project, registry, options, problems);
+    if (!compiled.ok) return {};
+    EmitOptions emit_options;
+    emit_options.name = job.name;
+    emit_options.form = form_of(job.options);
+    emit_options.target = &target_of(job.options);
+    Shader shader = write_shader(compiled.module, emit_options);
+    report_problems(shader.problems, compiled.module, project, compiled.places, problems);
+    return shader;
+}
+
+}  // namespace
+
+std::string_view CodeText::line(size_t index) const {
+    const size_t end = index + 1 < starts.size() ? starts[index + 1] : source.size();
+    std::string_view text = std::string_view(source).substr(starts[index], end - starts[index]);
+    if (text.ends_with('\n')) text.remove_suffix(1);
+    return text;
+}
+
+const std::string& CodeText::node(size_t line) const {
+    static const std::string none;
+    return line < nodes.size() ? nodes[line] : none;
+}
+
+Form form_of(const CodeOptions& options) {
+    return is_translated(target_of(options)) ? Form::shader : options.form;
+}
+
+std::string why_no_line(const State& state) {
+    const CodeText& text = state.code.text;
+    if (state.view.selected.size() != 1 || text.nodes.empty()) return {};
+    const std::string& id = *state.view.selected.begin();
+    const Node* node = state.document().find(id);
+    if (!node || std::find(text.nodes.begin(), text.nodes.end(), id) != text.nodes.end()) return {};
+    std::set<std::string> read;
+    for (const Output& output : state.document().outputs)
+        if (output.from.kind == Input::Kind::link) read.insert(output.from.link.node);
+    if (!with_upstream(state.document(), read).contains(id))
+        return id + " has no line: no output of the graph reads it.";
+    if (node->muted) return id + " has no line: it is muted, and passes on what it is given.";
+    if (node->type == reroute_type) return id + " has no line: a reroute passes on its input.";
+    return id +
+           " has no line of its own: what it makes is a part of lines of the nodes that read "
+           "it, or a constant, or not needed by the outputs.";
+}
+
+CodeText lines_of(std::string text) {
+    CodeText result;
+    result.source = std::move(text);
+    cut_lines(result);
+    return result;
+}
+
+CodeText make_code(const CodeJob& job, const Registry& registry) {
+    CodeText text;
+    text.options = job.options;
+    Diagnostics problems;
+    Shader shader = shader_of(job, registry, problems);
+    if (problems.has_errors()) {
+        text.problem = first_error(problems);
+        return text;
+    }
+    const bool whole = form_of(job.options) == Form::shader;
+    text.vertex = std::move(shader.vertex);
+    text.fragment = std::move(shader.fragment);
+    text.source = !whole               ? std::move(shader.source)
+                  : job.options.vertex ? text.vertex
+                                       : text.fragment;
+    if (target_of(job.options).name == "spirv") text.source = disassembly(text.source);
+    cut_lines(text);
+    if (whole && job.options.vertex) return text;
+    for (const uint32_t index : shader.reflection.lines)
+        text.nodes.push_back(index < shader.reflection.node_paths.size()
+                                 ? top_of(shader.reflection.node_paths[index])
+                                 : "");
+    return text;
+}
+
+}  // namespace wrinkle::editor

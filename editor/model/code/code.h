@@ -1,0 +1,91 @@
+// Source text of the document for each target and form, byte for byte as `wrinkle compile` writes
+// it, and the node of each line. SPIR-V is binary and is shown disassembled. CodeMaker compiles on
+// a worker thread.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "editor/model/document/model.h"
+#include "editor/model/worker.h"
+#include "glsl/emit.h"
+
+namespace wrinkle::editor {
+
+struct State;
+
+struct CodeOptions {
+    std::string target = std::string(targets().front().name);
+    Form form = Form::function;
+    bool vertex = false;  // shader form: show the vertex stage, else the fragment stage
+    bool uniforms = false;
+    bool operator==(const CodeOptions&) const = default;
+};
+
+struct CodeText {
+    CodeOptions options;
+    std::string source;              // function form, or the stage shown
+    std::string vertex, fragment;    // shader form, as written to files
+    std::vector<size_t> starts;      // byte offset of each line in `source`
+    std::vector<std::string> nodes;  // by line: node of the top graph, "" for none
+    size_t longest = 0;              // bytes of the longest line
+    std::string problem;             // the error if there is no text; then `source` is empty
+
+    std::string_view line(size_t index) const;
+    const std::string& node(size_t line) const;  // "" past the end
+};
+
+struct CodeJob {
+    Model model;
+    Document document;
+    std::string name;  // name of the material
+    CodeOptions options;
+};
+
+CodeText make_code(const CodeJob& job, const Registry& registry);
+
+// Returns Form::shader if the target has only that form, else options.form.
+Form form_of(const CodeOptions& options);
+
+// Returns one sentence why `source` has no line of the selected node; "" if it has one, or if not
+// exactly one node is selected.
+std::string why_no_line(const State& state);
+
+// Splits any text into lines, without nodes.
+CodeText lines_of(std::string text);
+
+class CodeMaker {
+public:
+    // The registry must not change while the maker exists. `wake` is called on the worker thread.
+    explicit CodeMaker(const Registry& registry, std::function<void()> wake = {})
+        : registry_(&registry),
+          worker_([this](CodeJob&& job) { return make_code(job, *registry_); }, std::move(wake)) {}
+    void use(const Registry& registry) { registry_ = &registry; }  // see Compiler::use()
+    void ask(CodeJob job) { worker_.post(std::move(job)); }
+    std::optional<CodeText> take() { return worker_.take(); }
+
+private:
+    std::atomic<const Registry*> registry_;
+    Worker<CodeJob, CodeText> worker_;
+};
+
+// State of the code panel.
+struct Code {
+    CodeOptions options;
+    CodeMaker* maker = nullptr;  // nullptr: texts are made synchronously
+    CodeText text;               // the newest valid text
+    std::string problem;         // error of the newest document, "" if none
+    std::string hovered;         // node of the line under the pointer
+
+    // The latest request.
+    bool asked = false;
+    uint64_t asked_file = 0;
+    Document asked_of;
+    CodeOptions asked_options;
+    std::string scrolled_to;  // node that was last scrolled into view
+};
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,69 @@
+#include "editor/model/code/export.h"
+
+#include "base/file.h"
+#include "base/overwrite.h"
+#include "base/text.h"
+#include "compile/inputs.h"
+#include "editor/model/words.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+CodeJob job_of(const State& state) {
+    return {state.model, state.document(), identifier(state.path.stem().string()),
+            state.code.options};
+}
+
+bool has_stages(const CodeOptions& options) {
+    return form_of(options) == Form::shader;
+}
+
+// Returns the suffix of a stage's file: ".frag", ".frag.spv".
+std::string end_of(const char* stage, const CodeOptions& options) {
+    const Target* target = find_target(options.target);
+    return stage + std::string(target ? target->suffix : "");
+}
+
+}  // namespace
+
+TaskOutcome export_code(const CodeJob& job, const Registry& registry, const fs::path& file) {
+    const CodeText text = make_code(job, registry);
+    const std::string name = file.filename().string();
+    if (!text.problem.empty())
+        return {false,
+                name + " was not written, because the graph has errors. " + sentence(text.problem)};
+    std::vector<FileBytes> files{{file, text.source}};
+    const std::string vertex = end_of(".vert", job.options);
+    const std::string fragment = end_of(".frag", job.options);
+    if (has_stages(job.options))
+        files = {{file.string() + vertex, text.vertex}, {file.string() + fragment, text.fragment}};
+    std::vector<std::string> read, made;
+    Diagnostics ignored;
+    const Project project = project_to_compile(job.model, job.document, ignored);
+    for (const InputFile& input : inputs_of(project, Types(project, registry)))
+        read.push_back(input.path);
+    for (const FileBytes& each : files)
+        made.push_back(each.path.string());
+    std::string why = overwrite_fault(made, read);
+    if (!why.empty()) return {false, name + " was not written: " + why + "."};
+    if (!write_files(files, why))
+        return {false, name + " was not written: " + disk_words(why) + "."};
+    const std::string stages = vertex + " and " + fragment;
+    return {true, "Wrote " + name + (has_stages(job.options) ? stages : "") + "."};
+}
+
+void start_code_export(State& state, const fs::path& file) {
+    const auto work = [job = job_of(state), registry = state.registry, file](TaskProgress&) {
+        return export_code(job, *registry, file);
+    };
+    start_task(state, {"Exporting " + file.filename().string(), work,
+                       [file](State& s) { start_code_export(s, file); }});
+}
+
+fs::path usual_export(const State& state) {
+    const std::string stem = state.path.stem().string();
+    return state.folder() / (has_stages(state.code.options) ? stem : stem + ".glsl");
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,104 @@
+#include "editor/model/document/cost.h"
+
+#include "cost/limits.h"
+#include "cost/report.h"
+#include "ir/cost.h"
+#include "ir/module.h"
+
+namespace wrinkle::editor {
+namespace {
+
+// "1,024"
+std::string in_thousands(size_t count) {
+    std::string digits = std::to_string(count);
+    for (size_t at = digits.size(); at > 3; at -= 3)
+        digits.insert(at - 3, ",");
+    return digits;
+}
+
+std::string counted_as(size_t count, const std::string& what) {
+    return in_thousands(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+// Returns the index of the node with which a path starts; npos for an empty or unknown path.
+size_t node_at(const Document& document, std::string_view path) {
+    return path.empty() ? Table<NodePtr>::npos
+                        : document.nodes.index_of(path.substr(0, path.find('/')));
+}
+
+}  // namespace
+
+Costs estimate_costs(const Module& module, const Document& document) {
+    Costs costs;
+    costs.estimated = true;
+    costs.nodes.resize(document.nodes.size());
+    const std::vector<Cost> instances = cost_by_node(module);
+    for (size_t i = 0; i < instances.size(); ++i) {
+        ShaderCost cost;
+        cost.alu = instances[i].ops;
+        cost.reads = instances[i].reads;
+        costs.total.cost += cost;
+        const size_t node = node_at(document, module.nodes[i].path);
+        if (node != Table<NodePtr>::npos) costs.nodes[node].cost += cost;
+    }
+    return costs;
+}
+
+Costs count_costs(const Module& module, const Document& document) {
+    Costs costs = estimate_costs(module, document);
+    if (costs.total.cost.alu > max_counted) {
+        costs.why =
+            "It is too large to be counted beside the work; wrinkle compile --cost counts it.";
+        return costs;
+    }
+    std::string why;
+    const auto report = measure_cost(module, Differentials::screen, why);
+    if (!report) {
+        costs.why = "It cannot be counted: " + why + ".";
+        return costs;
+    }
+    costs = {};
+    costs.total = {report->total, report->texture_units};
+    costs.nodes.resize(document.nodes.size());
+    for (const NodeCost& each : report->nodes) {
+        const size_t node = node_at(document, each.node);
+        if (node == Table<NodePtr>::npos) continue;
+        costs.nodes[node].cost += each.cost;
+        costs.nodes[node].texture_units += each.texture_units;
+    }
+    return costs;
+}
+
+CountedCosts count(CostJob job) {
+    Costs costs = count_costs(*job.module, job.document);
+    return {job.version, std::move(job.document), std::move(costs)};
+}
+
+std::string in_words(const Price& price, bool estimated) {
+    const std::string about = estimated ? "~" : "";
+    const std::string ops = about + counted_as(price.cost.alu, "op");
+    return price.cost.reads == 0 ? ops : about + counted_as(price.cost.reads, "read") + " · " + ops;
+}
+
+std::string in_full(const Price& price, const Costs& of) {
+    const ShaderCost& cost = price.cost;
+    if (of.estimated)
+        return "About " + counted_as(cost.alu, "number") + " computed and " +
+               counted_as(cost.reads, "texture read") + ", an estimate. " +
+               (of.why.empty() ? "The count follows." : of.why);
+    std::string text = counted_as(cost.alu, "number") + " computed, of these " +
+                       counted_as(cost.divisions, "division") + " and " +
+                       in_thousands(cost.transcendental) + " transcendental\n" +
+                       counted_as(cost.reads, "texture read") + " of " +
+                       counted_as(price.texture_units, "texture unit");
+    if (&price == &of.total)
+        text += " (every machine has " + std::to_string(guaranteed_texture_units) + ")";
+    if (cost.queries > 0) text += ", " + in_thousands(cost.queries) + " asked for a size";
+    if (cost.derivative_lanes > 0)
+        text += "\n" + counted_as(cost.derivative_lanes, "number") + " of screen derivatives";
+    if (cost.branches + cost.loops > 0)
+        text += "\n" + in_thousands(cost.branches) + " branches, " + counted_as(cost.loops, "loop");
+    return text;
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,69 @@
+// Edits of the wires between nodes, as pure functions of a snapshot and its types. None of them
+// adds a connection between types that do not convert.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "editor/model/document/model.h"
+
+namespace wrinkle::editor {
+
+// A wire by both ends; node "" is the graph, which has its outputs as inputs.
+struct Connection {
+    Link from;
+    std::string node;
+    std::string port;
+};
+
+// Returns the type that an input takes; std::nullopt if it takes any or is not known.
+std::optional<PortType> wanted_at(const Model& model, const std::string& node,
+                                  const std::string& port);
+// Returns true if a wire of that type may end there; a reroute must fit all its users.
+bool wire_is_legal(const Model& model, const Document& document, PortType given,
+                   const std::string& node, const std::string& port);
+bool converts(PortType from, std::optional<PortType> to);
+
+// Returns the inputs fed by a reroute, also through other reroutes.
+std::vector<Connection> fed_by_reroute(const Document& document, const std::string& id);
+
+// Ports by which a node of that type can be inserted in a wire: `given` fits `in`, and `out` fits
+// `wanted`. Equal types first, then in port order.
+struct Passage {
+    std::string in, out;
+};
+std::optional<Passage> passage(const NodeType& type, PortType given,
+                               std::optional<PortType> wanted);
+
+// Removes the nodes and reconnects their users: each gets the source of the node's first connected
+// input of the output's type, else of the first connected input that converts to it.
+Document delete_and_reconnect(const Model& model, const Document& document,
+                              const std::set<std::string>& ids);
+// Removes the nodes and their wires.
+Document delete_and_disconnect(const Model& model, const Document& document,
+                               const std::set<std::string>& ids);
+// Removes the wires from other nodes into these.
+Document without_outer_wires(const Model& model, const Document& document,
+                             const std::set<std::string>& ids);
+// Removes the wires.
+Document cut_wires(const Model& model, const Document& document,
+                   const std::vector<Connection>& wires);
+
+// Inserts the node in the wire.
+Document insert_in_wire(const Document& document, const Connection& wire, const std::string& id,
+                        const Passage& through);
+
+// Swaps the first two inputs of the first type that the node has at least twice, preferring inputs
+// with a value or a wire. Returns the document unchanged if there is no such type.
+Document swap_inputs(const Model& model, const Document& document, const std::string& id);
+
+// Returns the nodes and all nodes that they depend on, or all that depend on them.
+std::set<std::string> with_upstream(const Document& document, const std::set<std::string>& ids);
+std::set<std::string> with_downstream(const Document& document, const std::set<std::string>& ids);
+
+// Returns true if no wire is connected to the node.
+bool is_unconnected(const Document& document, const std::string& id);
+
+}  // namespace wrinkle::editor

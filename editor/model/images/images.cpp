@@ -1,0 +1,119 @@
+#include "editor/model/images/images.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "editor/model/images/remarks.h"
+#include "editor/view/state.h"
+#include "lower/literal.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+void keep_answer(State& state, ImageAnswer answer) {
+    Images& images = state.images;
+    std::erase(images.wanted, answer.file);
+    images.known[answer.file] = std::move(answer.examined);
+    ++images.changes;
+}
+
+Examined read_and_examine(const fs::path& file, const std::function<bool()>& stopped) {
+    Examined result;
+    result.stamp = stamp_of(file);
+    Diagnostics problems;
+    auto found = maps::examine(file, Wrap::repeat, problems, stopped);
+    if (!found) {
+        result.problem = file.filename().string() + " cannot be used";
+        for (const Diagnostic& each : problems.list())
+            if (each.severity == Severity::error) result.problem = each.message;
+        return result;
+    }
+    result.info = found->info;
+    result.verdict = std::move(found->verdict);
+    return result;
+}
+
+}  // namespace
+
+Examined examine_file(const fs::path& file, const std::function<bool()>& stopped) {
+    try {
+        return read_and_examine(file, stopped);
+    } catch (...) {  // most likely out of memory
+        Examined result;
+        result.stamp = stamp_of(file);
+        result.problem = file.filename().string() + " cannot be looked at: " + exception_text();
+        return result;
+    }
+}
+
+void want_image(State& state, const fs::path& file, const Stamp& stamp, bool first) {
+    Images& images = state.images;
+    const auto known = images.known.find(file);
+    if (known != images.known.end() && known->second.stamp == stamp) return;
+    if (!images.examiner) return keep_answer(state, {file, examine_file(file)});
+    std::vector<fs::path>& wanted = images.wanted;
+    const auto at = std::find(wanted.begin(), wanted.end(), file);
+    if (at == wanted.begin() && at != wanted.end()) return;
+    if (at != wanted.end() && !first) return;
+    if (at != wanted.end()) wanted.erase(at);
+    const bool running = !images.examiner->idle() && !wanted.empty();
+    wanted.insert(first ? wanted.begin() + (running ? 1 : 0) : wanted.end(), file);
+}
+
+const Examined* examined(const State& state, const fs::path& file) {
+    const Images& images = state.images;
+    const auto known = images.known.find(file);
+    const bool waits =
+        std::find(images.wanted.begin(), images.wanted.end(), file) != images.wanted.end();
+    return known == images.known.end() || waits ? nullptr : &known->second;
+}
+
+const Examined* examined_at(const State& state, const Node& node, std::string_view port) {
+    const Input* input = node.find(port);
+    if (!input || input->kind != Input::Kind::literal) return nullptr;
+    const std::string file(literal_image(input->value).file);
+    const auto path = state.images.paths.find(file);
+    return path == state.images.paths.end() ? nullptr : examined(state, path->second);
+}
+
+void follow_images(State& state, const std::vector<UsedFile>& files) {
+    Images& images = state.images;
+    std::map<std::string, fs::path> paths;
+    for (const UsedFile& file : files) {
+        if (file.name.empty()) continue;
+        paths[file.name] = file.path;
+        if (file.stamp.there && file.stamp.size > 0)
+            want_image(state, file.path, file.stamp, false);
+    }
+    if (paths == images.paths) return;
+    images.paths = std::move(paths);
+    ++images.changes;
+    const auto is_read = [&](const fs::path& file) {
+        return std::any_of(images.paths.begin(), images.paths.end(),
+                           [&](const auto& each) { return each.second == file; }) ||
+               state.dropped.waits_for(file);
+    };
+    std::erase_if(images.known, [&](const auto& each) { return !is_read(each.first); });
+    if (images.wanted.size() > 1)
+        images.wanted.erase(std::remove_if(images.wanted.begin() + 1, images.wanted.end(),
+                                           [&](const fs::path& file) { return !is_read(file); }),
+                            images.wanted.end());
+}
+
+void poll_images(State& state) {
+    Images& images = state.images;
+    if (images.examiner) {
+        if (auto answer = images.examiner->take()) keep_answer(state, std::move(*answer));
+        if (!images.wanted.empty() && images.examiner->idle())
+            images.examiner->post(images.wanted.front());
+    }
+    if (!state.fresh) return;
+    if (images.remarks_at == images.changes && same_document(images.remarks_of, state.document()))
+        return;
+    images.remarks_at = images.changes;
+    images.remarks_of = state.document();
+    images.remarks = find_remarks(state);
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,80 @@
+#include "editor/model/tasks/task.h"
+
+#include <utility>
+
+#include "base/progress_text.h"
+#include "editor/model/words.h"
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+Task::Task(TaskSpec order, std::function<void()> wake)
+    : order_(std::move(order)), thread_([this, wake = std::move(wake)] {
+          outcome_ = order_.work(progress_);
+          ended_ = true;
+          if (wake) wake();
+      }) {}
+
+Task::~Task() {
+    cancel();
+    if (thread_.joinable()) thread_.join();
+}
+
+TaskOutcome Task::outcome() {
+    if (thread_.joinable()) thread_.join();
+    return outcome_;
+}
+
+std::string progress_words(uint64_t done, uint64_t total, double seconds, const std::string& unit) {
+    if (total <= 1) return {};
+    if (unit.empty()) return grouped(done) + " of " + grouped(total) + " steps";
+    const auto now = static_cast<double>(done), all = static_cast<double>(total);
+    const std::string part = std::to_string(done * 100 / total) + " %";
+    if (done == 0 || !(seconds > 0)) return part;
+    const double rate = now / seconds;
+    return part + ", " + rough_count(rate) + unit + "/s, about " +
+           rough_duration((all - now) / rate) + " left";
+}
+
+bool start_task(State& state, TaskSpec order) {
+    Tasks& tasks = state.tasks;
+    if (tasks.running) {
+        state.status = tasks.running->order().name + " is not done yet.";
+        return false;
+    }
+    tasks.failed.clear();
+    tasks.warnings = Diagnostics();
+    tasks.warnings_of = state.path;
+    state.status = order.name;
+    tasks.running = std::make_unique<Task>(std::move(order), tasks.wake);
+    return true;
+}
+
+void cancel_task(State& state) {
+    if (state.tasks.running) state.tasks.running->cancel();
+    state.tasks.failed.clear();
+}
+
+void try_task_again(State& state) {
+    const auto again = std::exchange(state.tasks.again, {});
+    state.tasks.failed.clear();
+    if (again) again(state);
+}
+
+void poll_tasks(State& state) {
+    Tasks& tasks = state.tasks;
+    if (!tasks.running || !tasks.running->ended()) return;
+    TaskOutcome outcome = tasks.running->outcome();
+    const TaskSpec& order = tasks.running->order();
+    if (outcome.good || !tasks.running->cancelled()) {
+        state.status = outcome.sentence;
+        if (!outcome.good) tasks.failed = outcome.sentence;
+        tasks.warnings = std::move(outcome.warnings);
+    } else {
+        state.status = order.name + " was cancelled. Nothing was written.";
+    }
+    tasks.again = order.again;
+    tasks.running.reset();
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,119 @@
+#include "editor/view/canvas/boxes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/view/canvas/layout.h"
+#include "editor/view/look/draw.h"
+#include "graph/edit.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float grip = 6;  // screen pixels on either side of an edge
+
+bool holds(const Extent& outer, const Extent& inner) {
+    return inner.low.x >= outer.low.x && inner.low.y >= outer.low.y &&
+           inner.high.x <= outer.high.x && inner.high.y <= outer.high.y;
+}
+
+// The edges within `reach`, as bits: left 1, right 2, top 4, bottom 8.
+uint8_t edges_at(ImVec2 at, const Extent& box, float reach) {
+    const bool in_x = at.x >= box.low.x - reach && at.x <= box.high.x + reach;
+    const bool in_y = at.y >= box.low.y - reach && at.y <= box.high.y + reach;
+    if (!in_x || !in_y) return 0;
+    unsigned edges = 0;
+    if (std::fabs(at.x - box.low.x) <= reach) edges |= 1;
+    if (std::fabs(at.x - box.high.x) <= reach) edges |= 2;
+    if (std::fabs(at.y - box.low.y) <= reach) edges |= 4;
+    if (std::fabs(at.y - box.high.y) <= reach) edges |= 8;
+    return static_cast<uint8_t>(edges);
+}
+
+bool contains(const Extent& box, ImVec2 at) {
+    return at.x >= box.low.x && at.y >= box.low.y && at.x < box.high.x && at.y < box.high.y;
+}
+
+}  // namespace
+
+const Box* find_box(const Document& document, const BoxId& id) {
+    return (id.note ? document.notes : document.frames).find(id.id);
+}
+
+Document with_box(const Document& document, bool note, Box box) {
+    return note ? set_note(document, std::move(box)) : set_frame(document, std::move(box));
+}
+
+Document without_box(const Document& document, const BoxId& id) {
+    return id.note ? remove_note(document, id.id) : remove_frame(document, id.id);
+}
+
+std::string free_box_id(const Document& document, bool note) {
+    const std::string stem = note ? "note" : "frame";
+    std::string id = stem;
+    for (size_t n = 2; find_box(document, {note, id}); ++n)
+        id = stem + std::to_string(n);
+    return id;
+}
+
+Extent extent_of(const State& state, const BoxId& id, const Box& box) {
+    const Gesture& g = state.gesture;
+    const bool carried = g.kind == Gesture::Kind::move && g.carried_boxes.contains(id);
+    const ImVec2 by = carried ? g.offset : ImVec2(0, 0);
+    const ImVec2 low(static_cast<float>(box.rect.x), static_cast<float>(box.rect.y));
+    const ImVec2 size(static_cast<float>(box.rect.width), static_cast<float>(box.rect.height));
+    return {low + by, low + by + size};
+}
+
+std::vector<BoxId> all_boxes(const Document& document) {
+    std::vector<BoxId> boxes;
+    for (const Box& frame : document.frames)
+        boxes.push_back({false, frame.id});
+    for (const Box& note : document.notes)
+        boxes.push_back({true, note.id});
+    return boxes;
+}
+
+std::optional<Hit> pick_box(const State& state, ImVec2 mouse) {
+    const ImVec2 at = to_canvas(state.view, mouse);
+    const float zoom = state.view.zoom;
+    const std::vector<BoxId> boxes = all_boxes(state.document());
+    for (size_t i = boxes.size(); i-- > 0;) {
+        const Box& box = *find_box(state.document(), boxes[i]);
+        const Extent extent = extent_of(state, boxes[i], box);
+        Hit hit{Hit::Kind::box, Hit::no_card, i, edges_at(at, extent, grip / zoom)};
+        if (hit.edges != 0) return hit;
+        Extent handle = extent;
+        if (!boxes[i].note)
+            handle.high.y =
+                std::min(extent.high.y, extent.low.y + std::max(title_height, 18 / zoom));
+        if (contains(handle, at)) return hit;
+    }
+    return std::nullopt;
+}
+
+void name_boxes(State& state) {
+    for (const BoxId& id : all_boxes(state.document())) {
+        const Extent extent = extent_of(state, id, *find_box(state.document(), id));
+        const ImVec2 low = to_screen(state.view, extent.low);
+        ImVec2 high = to_screen(state.view, extent.high);
+        if (!id.note) high.y = std::min(high.y, low.y + title_height * state.view.zoom);
+        state.targets.add((id.note ? "note:" : "frame:") + id.id, {low.x, low.y, high.x, high.y});
+    }
+}
+
+void add_contents(const State& state, const BoxId& frame, std::set<std::string>& cards,
+                  std::set<BoxId>& boxes) {
+    const Box* box = find_box(state.document(), frame);
+    if (!box) return;
+    boxes.insert(frame);
+    if (frame.note) return;
+    const Extent outer = extent_of(state, frame, *box);
+    for (const Card& card : state.layout.cards)
+        if (holds(outer, {card.at, card.at + card.size})) cards.insert(card.id);
+    for (const BoxId& other : all_boxes(state.document()))
+        if (holds(outer, extent_of(state, other, *find_box(state.document(), other))))
+            boxes.insert(other);
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,284 @@
+#include "editor/view/canvas/canvas.h"
+
+#include <cmath>
+
+#include "editor/model/document/levels.h"
+#include "editor/view/canvas/boxes.h"
+#include "editor/view/canvas/card_names.h"
+#include "editor/view/canvas/gestures/gestures.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/canvas/new_cards.h"
+#include "editor/view/edit/edits.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/refresh.h"
+
+namespace wrinkle::editor {
+namespace {
+
+using Kind = Gesture::Kind;
+
+constexpr float threshold = 4;  // pixels before a press becomes a drag
+
+void toggle_more(State& state, const Card& card) {
+    bool& all = card.kind == Card::Kind::surface ? state.view.all_surface : state.view.all_outputs;
+    all = !all;
+    state.layout_stale = true;
+}
+
+// Double-click: the name is renamed in place; the rest of a sub-graph's card opens the sub-graph.
+bool is_on_name(const State& state, const Card& card) {
+    const ImVec2 at = to_canvas(state.view, ImGui::GetIO().MousePos) - card.at;
+    return at.y < header_height && at.x < name_left + card.name_width + 4;
+}
+
+void double_click(State& state, const Hit& hit) {
+    if (hit.kind == Hit::Kind::wire) {
+        reroute_wire(state, hit.part, to_canvas(state.view, ImGui::GetIO().MousePos));
+        return;
+    }
+    if (hit.kind == Hit::Kind::box) {
+        edit_box_text(state, all_boxes(state.document())[hit.part]);
+        return;
+    }
+    if (hit.kind == Hit::Kind::card || hit.kind == Hit::Kind::header) {
+        const Card& card = state.layout.cards[hit.card];
+        const Node* node = state.document().find(card.id);
+        if (node && node->subgraph() && !is_on_name(state, card)) {
+            state.view.selected = {card.id};
+            return open_group(state);
+        }
+    }
+    if (hit.kind == Hit::Kind::header) {
+        const Card& card = state.layout.cards[hit.card];
+        if (card.kind == Card::Kind::node) open_popup(state, card, nullptr, Popup::Kind::rename);
+    } else if (hit.kind == Hit::Kind::field) {
+        const Card& card = state.layout.cards[hit.card];
+        const Field& field = card.fields[hit.part];
+        if (field.lanes > 0) open_popup(state, card, &field, Popup::Kind::text);
+    }
+}
+
+void press(State& state, const Hit& hit) {
+    const ImGuiIO& io = ImGui::GetIO();
+    state.view.selected_wire.reset();
+    if (io.KeyAlt) return begin_gesture(state, Kind::pan);
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) double_click(state, hit);
+    if (!state.layout.nodes.same(state.document().nodes)) return;  // the hit is in another graph
+    if (state.popup.kind != Popup::Kind::none || state.box_text.open) return;
+    switch (hit.kind) {
+        case Hit::Kind::pin: {
+            const Card& card = state.layout.cards[hit.card];
+            return begin_wire(state, card, card.pins[hit.part]);
+        }
+        case Hit::Kind::field: {
+            const Card& card = state.layout.cards[hit.card];
+            return begin_value(state, card, card.fields[hit.part]);
+        }
+        case Hit::Kind::header:
+        case Hit::Kind::card:
+            return begin_move(state, state.layout.cards[hit.card].id);
+        case Hit::Kind::more:
+            return toggle_more(state, state.layout.cards[hit.card]);
+        case Hit::Kind::wire: {
+            const Wire& wire = state.layout.wires[hit.part];
+            state.view.selected.clear();
+            state.view.selected_wire = Link{wire.node, wire.port};
+            return;
+        }
+        case Hit::Kind::box:
+            return begin_box(state, hit);
+        case Hit::Kind::nothing:
+            begin_gesture(state, io.KeyCtrl && io.KeyShift ? Kind::lasso : Kind::box);
+            if (io.KeyShift || io.KeyCtrl) return;
+            state.view.selected.clear();
+            state.view.boxes.clear();
+            return;
+    }
+}
+
+void drag(State& state) {
+    Gesture& g = state.gesture;
+    const ImGuiIO& io = ImGui::GetIO();
+    pan_at_edges(state);
+    if (!ImGui::IsMousePosValid()) return;  // outside the window
+    const ImVec2 delta = io.MousePos - g.start;
+    if (!g.moved && std::fabs(delta.x) < threshold && std::fabs(delta.y) < threshold) return;
+    if (!g.moved && g.kind == Kind::wire) lift_wire(state);
+    g.moved = true;
+    switch (g.kind) {
+        case Kind::pan:
+            state.view.pan = state.view.pan + io.MouseDelta;
+            break;
+        case Kind::box:
+            drag_box(state);
+            break;
+        case Kind::lasso:
+            drag_lasso(state);
+            break;
+        case Kind::resize:
+            drag_resize(state, delta);
+            break;
+        case Kind::move:
+            drag_move(state, delta);
+            break;
+        case Kind::value:
+            drag_value(state, delta);
+            break;
+        case Kind::cut:
+        case Kind::reroute:
+            drag_stroke(state);
+            break;
+        case Kind::wire:
+        case Kind::lazy:
+        case Kind::none:
+            break;
+    }
+}
+
+void release(State& state) {
+    const Gesture g = state.gesture;
+    switch (g.kind) {
+        case Kind::wire:
+            drop_wire(state);
+            break;
+        case Kind::move:
+            if (g.moved)
+                drop_cards(state);
+            else if (g.node.empty())
+                click_box(state, g.box);
+            else
+                click_card(state, g.node);
+            break;
+        case Kind::value:
+            drop_value(state);
+            break;
+        case Kind::cut:
+            drop_cut(state);
+            break;
+        case Kind::reroute:
+            drop_reroutes(state);
+            break;
+        case Kind::lazy:
+            if (g.moved) drop_lazy(state);
+            break;
+        default:
+            break;
+    }
+    state.gesture = {};
+    state.layout_stale = true;
+}
+
+void cancel(State& state) {
+    if (state.gesture.moved) state.history.cancel(state.gesture.merge);
+    state.view.pan = state.gesture.pan;
+    if (state.gesture.kind == Kind::box || state.gesture.kind == Kind::lasso) {
+        state.view.selected = state.gesture.selected;
+        state.view.boxes = state.gesture.boxes;
+    }
+    state.status.clear();
+    state.gesture = {};
+    state.layout_stale = true;
+}
+
+// Returns true for gestures that store layout indices of cards or wires.
+bool points_at_layout(const Gesture& g) {
+    return g.kind == Kind::cut || g.kind == Kind::reroute || g.kind == Kind::lazy ||
+           g.kind == Kind::move;
+}
+
+void zoom_by_wheel(State& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (io.MouseWheel != 0)
+        zoom_at(state.view, state.layout, io.MousePos, std::pow(1.1F, io.MouseWheel));
+}
+
+void press_right(State& state, const Hit& hit) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool on_card = hit.card < state.layout.cards.size() && hit.kind != Hit::Kind::nothing &&
+                         hit.kind != Hit::Kind::wire;
+    if (io.KeyCtrl) return begin_gesture(state, Kind::cut, 1);
+    if (io.KeyShift) return begin_gesture(state, Kind::reroute, 1);
+    if (io.KeyAlt && on_card) {
+        begin_gesture(state, Kind::lazy, 1);
+        state.gesture.card = hit.card;
+    } else if (hit.kind == Hit::Kind::nothing && !io.KeyAlt) {
+        open_palette(state, io.MousePos, {});
+    }
+}
+
+// Shows the name of a small card in a tooltip if the canvas does not show it in full.
+void explain_small_card(State& state) {
+    const Hit& hit = state.hovered;
+    const bool at_card = hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire &&
+                         hit.card < state.layout.cards.size();
+    if (!at_card || state.view.zoom >= plain_zoom) return;
+    const Card& card = state.layout.cards[hit.card];
+    for (const CardName& name : card_names(state))
+        if (name.card == hit.card && !name.cut) return;
+    const std::string& name = card.kind == Card::Kind::outputs ? card.name : card.id;
+    show_tooltip(about_hit(state, {Hit::Kind::card, hit.card}), state.fonts.bold(16), name,
+                 card.label);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    state.targets.add("tip:" + card.id, {mouse.x, mouse.y, mouse.x, mouse.y});
+}
+
+}  // namespace
+
+void begin_gesture(State& state, Gesture::Kind kind, int button) {
+    state.gesture = {};
+    state.gesture.kind = kind;
+    state.gesture.button = button;
+    state.gesture.serial = state.history.serial();
+    state.gesture.pan = state.view.pan;
+    state.gesture.selected = state.view.selected;
+    state.gesture.boxes = state.view.boxes;
+    state.gesture.start = ImGui::GetIO().MousePos;
+    state.gesture.merge = "gesture " + std::to_string(state.history.serial());
+}
+
+void update_gesture(State& state, bool hovered) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const Gesture& g = state.gesture;
+    if (points_at_layout(g) && g.serial != state.history.serial()) cancel(state);
+    state.hovered = g.kind == Kind::wire              ? snap_wire(state, io.MousePos)
+                    : hovered || g.kind != Kind::none ? pick(state, io.MousePos)
+                                                      : Hit{};
+    if (g.kind == Kind::none && hovered) {
+        zoom_by_wheel(state);
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) press(state, state.hovered);
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Middle)) begin_gesture(state, Kind::pan, 2);
+        if (ImGui::IsMouseClicked(ImGuiMouseButton_Right)) press_right(state, state.hovered);
+    } else if (g.kind != Kind::none) {
+        drag(state);
+        if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Escape], false))
+            cancel(state);
+        else if (!io.MouseDown[g.button])
+            release(state);
+    }
+}
+
+void draw_canvas(State& state) {
+    View& view = state.view;
+    view.corner = ImGui::GetCursorScreenPos();
+    view.extent = ImGui::GetContentRegionAvail();
+    ImGui::InvisibleButton("canvas", view.extent,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                               ImGuiButtonFlags_MouseButtonRight);
+    update_gesture(state, ImGui::IsItemHovered());
+    refresh(state);
+    if (!view.fitted && view.extent.x > 0) {
+        fit(view, state.layout, false);
+        view.fitted = true;
+    }
+    reveal_new(state);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(view.corner, view.corner + view.extent, true);
+    draw_graph(state, list);
+    draw_gesture(state, list);
+    list.PopClipRect();
+    explain_small_card(state);
+    name_targets(state);
+    name_boxes(state);
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,41 @@
+// The canvas: draws cards and wires at screen scale, hit-tests the pointer, and turns gestures into
+// edits. One InvisibleButton takes all input; there are no ImGui widgets on nodes.
+//
+//   drag on empty ground     box select
+//   middle drag, Alt + drag  pan
+//   wheel                    zoom at the pointer
+//   drag a header or body    move the selection
+//   drag a field             change a number (Ctrl fine, Shift coarse)
+//   drag pin to pin          connect; from a connected input: detach the wire; to empty ground:
+//                            open the palette, filtered by fitting types
+//   double-click a field     type a value
+//   double-click a header    rename
+//   double-click a wire      insert a reroute
+//   drop a loose node on a wire   insert it into the wire
+//   Alt + right drag         from node to node: connect the best-fitting pins
+//   Ctrl + right drag        cut the crossed wires
+//   Shift + right drag       insert a reroute into each crossed wire
+//   Escape                   cancel the gesture
+#pragma once
+
+#include "editor/view/look/tooltip.h"
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+void draw_canvas(State& state);  // the panel: fills the current ImGui window
+
+// Parts of draw_canvas().
+Hit pick(const State& state, ImVec2 mouse);
+void draw_graph(const State& state, ImDrawList& list);
+void draw_gesture(const State& state, ImDrawList& list);  // feedback of the gesture in progress
+void update_gesture(State& state, bool active);
+void name_targets(State& state);
+// The rectangle of the hit row of a card, which a tooltip must not cover.
+About about_hit(const State& state, const Hit& hit);
+
+// Connects the loose end of a wire; on failure sets state.status to the reason.
+void connect_wire(State& state, const Gesture& wire, const Card& card, const Pin& pin);
+bool wire_fits(const State& state, const Gesture& wire, const Card& card, const Pin& pin);
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,59 @@
+// Pointer gestures on the canvas, one file each. A gesture begins with a press, follows the pointer
+// and ends with the release; Escape reverts it. The document changes in one history step.
+#pragma once
+
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+void begin_gesture(State& state, Gesture::Kind kind, int button = 0);
+
+// select.cpp
+void select_card(State& state, const std::string& id);
+void click_card(State& state, const std::string& id);  // a press without a drag
+void drag_box(State& state);
+void drag_lasso(State& state);
+
+// boxes.cpp
+void select_box(State& state, const BoxId& id);
+void begin_box(State& state, const Hit& hit);  // moves it by its title, resizes it at its edges
+void click_box(State& state, const BoxId& id);
+void drag_resize(State& state, ImVec2 delta);
+
+// edge_pan.cpp
+void pan_at_edges(State& state);
+
+// move.cpp
+void begin_move(State& state, const std::string& id);
+void carry_selection(State& state);  // and the contents of the selected frames
+void drag_move(State& state, ImVec2 delta);
+void drop_cards(State& state);
+
+// wire.cpp
+// Returns the target pin of a wire: the nearest fitting pin within 12 pixels, else the pin of the
+// hovered row, else the best-fitting pin of the card. A pin that does not fit is returned only if
+// there is no better one.
+Hit snap_wire(const State& state, ImVec2 mouse);
+void begin_wire(State& state, const Card& card, const Pin& pin);
+void lift_wire(State& state);
+void drop_wire(State& state);
+
+// value.cpp
+void open_popup(State& state, const Card& card, const Field* field, Popup::Kind kind);
+void begin_value(State& state, const Card& card, const Field& field);
+void drag_value(State& state, ImVec2 delta);
+void drop_value(State& state);
+
+// stroke.cpp
+// Appends the pointer position to the stroke; returns false if the pointer has not moved.
+bool follow_stroke(State& state);
+void drag_stroke(State& state);
+void drop_cut(State& state);
+void drop_reroutes(State& state);
+// Inserts a reroute into the wire at `at`, in canvas units.
+void reroute_wire(State& state, size_t wire, ImVec2 at);
+
+// lazy.cpp
+void drop_lazy(State& state);
+
+}  // namespace wrinkle::editor

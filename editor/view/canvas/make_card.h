@@ -1,0 +1,28 @@
+// Builds a card from its node: rows, pins, fields and their texts, in canvas units.
+#pragma once
+
+#include <set>
+#include <span>
+
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+// Returns true if the card shows a node preview. By default only nodes with a shown output type
+// different from all their input types do, so that a chain of operators does not repeat one
+// preview.
+bool has_picture(const View& view, const Node& node, const NodeType* type);
+
+// `read` lists the outputs with a reader, possibly with duplicates. The card is at (0, 0).
+Card make_card(const Fonts& fonts, const Node& node, const NodeType* type,
+               std::span<const std::string_view> read, bool picture);
+
+// Surface properties and graph inputs that are read.
+struct Used {
+    std::set<std::string_view> surface, inputs;
+};
+Card make_surface_card(const State& state, const Used& used);
+Card make_inputs_card(const State& state, const Used& used);
+Card make_outputs_card(const State& state);
+
+}  // namespace wrinkle::editor

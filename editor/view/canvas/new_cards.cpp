@@ -1,0 +1,103 @@
+#include "editor/view/canvas/new_cards.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/view/canvas/grid.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/canvas/make_card.h"
+#include "editor/view/look/draw.h"
+#include "graph/edit.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float clear = 16;  // between cards
+constexpr float step = 2 * grid;
+constexpr int most_steps = 128;
+constexpr size_t max_things = 16;
+
+Extent around(const std::vector<Extent>& things) {
+    Extent all = things.front();
+    for (const Extent& each : things) {
+        all.low = {std::min(all.low.x, each.low.x), std::min(all.low.y, each.low.y)};
+        all.high = {std::max(all.high.x, each.high.x), std::max(all.high.y, each.high.y)};
+    }
+    return all;
+}
+
+bool is_free(const std::vector<Extent>& fixed, const std::vector<Extent>& moving, ImVec2 by) {
+    return std::none_of(moving.begin(), moving.end(), [&](const Extent& thing) {
+        const ImVec2 low = thing.low + by - ImVec2(clear, clear);
+        const ImVec2 high = thing.high + by + ImVec2(clear, clear);
+        return std::any_of(fixed.begin(), fixed.end(), [&](const Extent& other) {
+            return low.x < other.high.x && low.y < other.high.y && high.x > other.low.x &&
+                   high.y > other.low.y;
+        });
+    });
+}
+
+// Returns the free offset nearest to `by` among those `ring` steps away along one axis.
+std::optional<ImVec2> free_on_ring(const std::vector<Extent>& fixed,
+                                   const std::vector<Extent>& moving, ImVec2 by, int ring) {
+    const float far = static_cast<float>(ring) * step;
+    for (int i = 0; i <= ring; ++i) {
+        const float along = static_cast<float>(i) * step;
+        const ImVec2 places[] = {{far, along},  {along, far},  {far, -along},  {-along, far},
+                                 {-far, along}, {along, -far}, {-far, -along}, {-along, -far}};
+        for (const ImVec2 place : places)
+            if (is_free(fixed, moving, by + place)) return by + place;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+ImVec2 free_shift(const std::vector<Extent>& fixed, std::vector<Extent> moving, ImVec2 by) {
+    by = {std::round(by.x / grid) * grid, std::round(by.y / grid) * grid};
+    if (moving.empty() || fixed.empty()) return by;
+    if (moving.size() > max_things) moving = {around(moving)};
+    for (int ring = 0; ring <= most_steps; ++ring)
+        if (const auto place = free_on_ring(fixed, moving, by, ring)) return *place;
+    return {by.x, grid_up(around(fixed).high.y + clear - around(moving).low.y)};
+}
+
+std::vector<Extent> card_extents(const State& state, const std::set<std::string>& except) {
+    std::vector<Extent> extents;
+    for (const Card& card : state.layout.cards)
+        if (!except.contains(card.id)) extents.push_back({card.at, card.at + card.size});
+    return extents;
+}
+
+ImVec2 free_place(const State& state, ImVec2 at, const Node& node, const NodeType* type,
+                  const std::set<std::string>& except) {
+    const bool picture = has_picture(state.view, node, type);
+    const ImVec2 size = make_card(state.fonts, node, type, {}, picture).size;
+    return free_shift(card_extents(state, except), {{{0, 0}, size}}, at);
+}
+
+Document settled(const State& state, const Document& document) {
+    std::vector<NodePosition> places;
+    for (const Card& card : state.layout.cards)
+        if (card.kind == Card::Kind::node && document.find(card.id) &&
+            !document.positions.find(card.id))
+            places.push_back({card.id, card.at.x, card.at.y});
+    return places.empty() ? document : move_nodes(document, places);
+}
+
+void show_new(State& state, const std::set<std::string>& ids) {
+    View& view = state.view;
+    view.selected = view.reveal = ids;
+    view.selected_wire.reset();
+    std::erase_if(view.order, [&](const std::string& id) { return ids.contains(id); });
+    view.order.insert(view.order.end(), ids.begin(), ids.end());
+    state.layout_stale = true;
+}
+
+void reveal_new(State& state) {
+    for (const std::string& id : state.view.reveal)
+        if (const Card* card = state.layout.find(id)) bring_in_sight(state.view, *card);
+    state.view.reveal.clear();
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,33 @@
+// Positions of new cards: near the requested position, without covering another card. New cards are
+// drawn on top and scrolled into view. Lengths in canvas units.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+// Returns an offset close to `by` that separates each extent of `moving` from all `fixed`; on
+// the grid. More than 16 extents move as their bounding box. If no offset in range is free, returns
+// one below all `fixed`. O(fixed * moving) per offset, at most 70,000 offsets.
+ImVec2 free_shift(const std::vector<Extent>& fixed, std::vector<Extent> moving, ImVec2 by);
+// Extents of all cards except `except`.
+std::vector<Extent> card_extents(const State& state, const std::set<std::string>& except = {});
+
+// Returns the position near `at` at which the node's card covers no other; `except` are cards about
+// to be removed.
+ImVec2 free_place(const State& state, ImVec2 at, const Node& node, const NodeType* type,
+                  const std::set<std::string>& except = {});
+
+// Returns the document with the current positions stored for cards without one: the automatic
+// layout would move them as soon as another card has a position.
+Document settled(const State& state, const Document& document);
+
+// Selects new nodes and raises them above all other cards; the next frame scrolls them into view.
+void show_new(State& state, const std::set<std::string>& ids);
+void reveal_new(State& state);  // after the layout update
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,69 @@
+#include "editor/view/commands/commands.h"
+
+#include "base/text.h"
+#include "editor/view/commands/groups.h"
+#include "editor/view/input/input_queue.h"
+
+namespace wrinkle::editor {
+namespace {
+
+std::vector<Command> all_commands() {
+    std::vector<Command> all;
+    for (const auto group : {file_commands(), edit_commands(), view_commands(), node_commands(),
+                             preview_commands(), help_commands()})
+        all.insert(all.end(), group.begin(), group.end());
+    return all;
+}
+
+bool pressed(std::string_view keys) {
+    const ImGuiIO& io = ImGui::GetIO();
+    bool ctrl = false, shift = false, alt = false;
+    int key = 0;
+    for (const std::string_view part : split(keys, '+')) {
+        ctrl |= part == "Ctrl";
+        shift |= part == "Shift";
+        alt |= part == "Alt";
+        key = key_named(part);
+    }
+    return key != 0 && io.KeyCtrl == ctrl && io.KeyShift == shift && io.KeyAlt == alt &&
+           ImGui::IsKeyPressed(key, false);
+}
+
+// Returns true if a text field in an ImGui popup has the keyboard. WantTextInput is not sufficient:
+// it is a result of the previous frame, so a field closed since then would swallow the next key.
+bool is_typing() {
+    return ImGui::GetIO().WantTextInput && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
+}  // namespace
+
+std::span<const Command> commands() {
+    static const std::vector<Command> all = all_commands();
+    return all;
+}
+
+const Command* find_command(std::string_view id) {
+    for (const Command& command : commands())
+        if (command.id == id) return &command;
+    return nullptr;
+}
+
+bool run_command(State& state, std::string_view id) {
+    const Command* command = find_command(id);
+    if (!command || !command->enabled(state)) return false;
+    command->run(state);
+    return true;
+}
+
+void run_keys(State& state) {
+    if (is_typing() || state.palette.open || state.help.open || state.offer.open ||
+        state.box_text.open || state.question.open() || state.bake_dialog.open ||
+        state.browser.purpose != Browser::Purpose::none || state.popup.kind != Popup::Kind::none ||
+        state.gesture.kind != Gesture::Kind::none)
+        return;
+    for (const Command& command : commands())
+        if (!command.keys.empty() && pressed(command.keys) && command.enabled(state))
+            return command.run(state);
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,33 @@
+// Table of all commands, used by menus, keyboard shortcuts, the command palette and the list of
+// shortcuts. Each command is defined in the file of its menu in this folder.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+struct Command {
+    std::string_view id;     // "undo"
+    std::string_view title;  // "Undo"
+    std::string_view keys;   // "Ctrl+Z"; "" for none
+    std::string_view menu;   // "Edit"
+    // Returns the reason why it cannot be run now, a short sentence; "" if it can.
+    std::string_view (*why_not)(const State&);
+    void (*run)(State&);
+    bool (*on)(const State&) = nullptr;  // toggle: returns true if on
+
+    bool enabled(const State& state) const { return why_not(state).empty(); }
+};
+
+std::span<const Command> commands();
+const Command* find_command(std::string_view id);
+bool run_command(State& state, std::string_view id);  // false if unknown or disabled
+
+// Runs the first enabled command with its keys pressed in this frame, unless a text field, a dialog
+// or a popup is open or a gesture is in progress.
+void run_keys(State& state);
+
+}  // namespace wrinkle::editor

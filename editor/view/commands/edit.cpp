@@ -1,0 +1,79 @@
+#include "editor/model/document/wiring.h"
+#include "editor/view/canvas/boxes.h"
+#include "editor/view/canvas/make_space.h"
+#include "editor/view/commands/groups.h"
+#include "editor/view/edit/clipboard.h"
+#include "editor/view/edit/edits.h"
+
+namespace wrinkle::editor {
+namespace {
+
+std::string_view no_undo(const State& state) {
+    return state.history.can_undo() ? "" : "Nothing has been done yet.";
+}
+std::string_view no_redo(const State& state) {
+    return state.history.can_redo() ? "" : "Nothing has been undone.";
+}
+std::string_view no_delete(const State& state) {
+    return state.view.selected_wire || !state.view.boxes.empty() ? "" : wants_selection(state);
+}
+
+std::string_view no_part(const State& state) {
+    return state.view.boxes.empty() ? wants_selection(state) : "";
+}
+
+void undo(State& state) {
+    const std::string name = state.history.undo_name();
+    const uint64_t serial = state.history.serial();
+    state.history.undo();
+    follow_undo(state, serial);
+    state.status = "Undid: " + name;
+}
+
+void redo(State& state) {
+    const std::string name = state.history.redo_name();
+    state.history.redo();
+    follow_redo(state, state.history.serial());
+    state.status = "Redid: " + name;
+}
+
+void find(State& state) {
+    const View& view = state.view;
+    open_palette(state, {view.corner.x + view.extent.x / 2 - 144, view.corner.y + 64}, {});
+    state.palette.find = true;
+}
+
+void select_all(State& state) {
+    for (const NodePtr& node : state.document().nodes)
+        state.view.selected.insert(node->id);
+    const std::vector<BoxId> boxes = all_boxes(state.document());
+    state.view.boxes = {boxes.begin(), boxes.end()};
+}
+
+constexpr Command edit_table[] = {
+    {"undo", "Undo", "Ctrl+Z", "Edit", no_undo, undo},
+    {"redo", "Redo", "Ctrl+Shift+Z", "Edit", no_redo, redo},
+    {"delete", "Delete", "Delete", "Edit", no_delete, delete_selected},
+    {"delete-with-wires", "Delete with wires", "Shift+Delete", "Edit", no_delete,
+     delete_selected_with_wires},
+    {"cut", "Cut", "Ctrl+X", "Edit", no_part, cut_selected},
+    {"copy", "Copy", "Ctrl+C", "Edit", no_part, copy_selected},
+    {"paste", "Paste", "Ctrl+V", "Edit", always, paste},
+    {"duplicate", "Duplicate", "Ctrl+D", "Edit", no_part, [](State& s) { duplicate_selected(s); }},
+    {"duplicate-alone", "Duplicate without inputs", "Ctrl+Shift+D", "Edit", no_part,
+     [](State& s) { duplicate_selected(s, false); }},
+    {"find", "Find in graph", "Ctrl+F", "Edit", always, find},
+    {"select-all", "Select all", "Ctrl+A", "Edit", always, select_all},
+    {"select-upstream", "Select what feeds it", "L", "Edit", wants_selection,
+     [](State& s) { s.view.selected = with_upstream(s.document(), s.view.selected); }},
+    {"select-downstream", "Select what it feeds", "Shift+L", "Edit", wants_selection,
+     [](State& s) { s.view.selected = with_downstream(s.document(), s.view.selected); }},
+};
+
+}  // namespace
+
+std::span<const Command> edit_commands() {
+    return edit_table;
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,71 @@
+#include "editor/model/bake/bake.h"
+#include "editor/model/code/export.h"
+#include "editor/model/document/files.h"
+#include "editor/view/commands/groups.h"
+#include "editor/view/panels/bake_dialog.h"
+#include "editor/view/panels/browser.h"
+#include "editor/view/preview/feed.h"
+
+namespace wrinkle::editor {
+namespace {
+
+void reload(State& state) {
+    forget_images(state);
+    if (state.preview) {
+        state.preview->forget_mesh();
+        state.preview->forget_light();
+    }
+    state.fresh = false;
+    state.status = "Images, meshes and sub-graphs are read again.";
+}
+
+void save_as(State& state) {
+    browse(state, Browser::Purpose::save_graph,
+           state.path.empty() ? state.folder() / state.file_name() : state.path);
+}
+
+void open(State& state) {
+    browse(state, Browser::Purpose::open_graph, state.folder() / "x");
+}
+
+std::string_view no_recoverable(const State& state) {
+    return state.keeping.recoverable.empty() ? "Nothing is left to recover." : "";
+}
+
+std::string_view no_plugins(const State& state) {
+    return state.plugins.places.empty() ? "No plugin or folder of plugins was given." : "";
+}
+
+void ask_recover(State& state) {
+    request_action(state,
+                   {PendingAction::Kind::recover, state.keeping.recoverable.front().journal});
+}
+
+constexpr Command file_table[] = {
+    {"new", "New", "Ctrl+N", "File", always,
+     [](State& s) {
+         s.start.left = true;
+         request_action(s, {PendingAction::Kind::new_graph, {}});
+     }},
+    {"open", "Open...", "Ctrl+O", "File", always, open},
+    {"save", "Save", "Ctrl+S", "File", always, [](State& s) { save_file(s); }},
+    {"save-as", "Save as...", "Ctrl+Shift+S", "File", always, save_as},
+    {"recover", "Recover unsaved graph...", "", "File", no_recoverable, ask_recover},
+    {"export-glsl", "Export GLSL...", "Ctrl+E", "File", always,
+     [](State& s) { browse(s, Browser::Purpose::export_text, usual_export(s)); }},
+    {"bake", "Bake maps...", "Ctrl+B", "File", no_maps, open_bake_dialog},
+    {"reload", "Read files again", "F5", "File", always, reload},
+    {"reload-plugins", "Reload plugins", "", "File", no_plugins, reload_plugins},
+    {"quit", "Quit", "Ctrl+Q", "File", always,
+     [](State& s) {
+         request_action(s, {PendingAction::Kind::quit, {}});
+     }},
+};
+
+}  // namespace
+
+std::span<const Command> file_commands() {
+    return file_table;
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,18 @@
+#include "editor/view/panels/help.h"
+#include "editor/view/commands/groups.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr Command help_table[] = {
+    {"help", "Help on the selected node", "F1", "Help", always, show_help},
+    {"shortcuts", "Shortcuts", "Shift+F1", "Help", always, show_shortcuts},
+};
+
+}  // namespace
+
+std::span<const Command> help_commands() {
+    return help_table;
+}
+
+}  // namespace wrinkle::editor

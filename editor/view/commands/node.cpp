@@ -1,0 +1,116 @@
+#include "editor/model/document/levels.h"
+#include "editor/view/canvas/arrange.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/canvas/make_space.h"
+#include "editor/view/canvas/tidy.h"
+#include "editor/view/commands/groups.h"
+#include "editor/view/edit/edits.h"
+#include "editor/view/edit/group.h"
+#include "editor/view/panels/popups.h"
+
+namespace wrinkle::editor {
+namespace {
+
+void add_node(State& state) {
+    open_palette(state, pointed_at(state.view), {});
+    state.palette.at_selection = true;
+}
+
+void tidy(State& state) {
+    Tidied tidy = tidied(state);
+    const uint64_t before = state.history.serial();
+    state.commit("Tidy", std::move(tidy.document));
+    if (state.history.serial() != before) push_borders(state, tidy.borders);
+    state.view.fitted = false;
+}
+
+std::string_view no_outer(const State& state) {
+    return state.outer.empty() ? "This graph was not opened from another." : "";
+}
+std::string_view no_group(const State& state) {
+    return selected_group(state) ? "" : "Select one node that is a sub-graph.";
+}
+
+// Return to the parent graph, or to the outermost graph.
+void leave_group(State& state) {
+    request_action(state, {PendingAction::Kind::leave, {}, state.outer.size() - 1});
+}
+void leave_groups(State& state) {
+    request_action(state, {PendingAction::Kind::leave, {}, 0});
+}
+std::string_view wants_two(const State& state) {
+    return state.view.selected.size() < 2 ? "Fewer than two nodes are selected." : "";
+}
+std::string_view wants_three(const State& state) {
+    return state.view.selected.size() < 3 ? "Fewer than three nodes are selected." : "";
+}
+std::string_view no_values(const State& state) {
+    if (state.view.selected.size() != 1) return "Select one node.";
+    if (selected_group(state)) return {};
+    const Card* card = state.layout.find(*state.view.selected.begin());
+    return card && !card->fields.empty() ? "" : "The node has no values.";
+}
+
+// Shows the node previews of the selected nodes, or hides them if all are shown.
+void turn_pictures(State& state) {
+    View& view = state.view;
+    view.pictures = true;
+    bool all = true;
+    for (const std::string& id : view.selected) {
+        const Card* card = state.layout.find(id);
+        all = all && (!card || !card->type || card->picture_y >= 0);
+    }
+    for (const std::string& id : view.selected) {
+        const Card* card = state.layout.find(id);
+        if (!card || (card->picture_y >= 0) != all) continue;
+        if (view.turned.erase(id) == 0) view.turned.insert(id);
+    }
+    state.layout_stale = true;
+}
+
+template <Side Where>
+void align(State& state) {
+    state.commit("Align", aligned(state, Where));
+}
+template <bool Across>
+void distribute(State& state) {
+    state.commit("Distribute", distributed(state, Across));
+}
+
+constexpr Command node_table[] = {
+    {"add-node", "Add node", "Space", "Node", always, add_node},
+    {"add-picture", "Add picture", "I", "Node", always, choose_picture},
+    {"edit-values", "Edit values, or open the sub-graph", "Enter", "Node", no_values,
+     [](State& s) { selected_group(s) ? open_group(s) : edit_values(s); }},
+    {"mute", "Mute", "M", "Node", wants_selection, mute_selected},
+    {"picture", "Picture of what it makes", "V", "Node", wants_selection, turn_pictures},
+    {"swap-inputs", "Swap inputs", "Alt+S", "Node", wants_selection, swap_selected},
+    {"frame", "Frame", "C", "Node", always, frame_selected},
+    {"note", "Note", "N", "Node", always, add_note},
+    {"group", "Group", "Ctrl+G", "Node", wants_selection, group_selected},
+    {"ungroup", "Ungroup", "Ctrl+Shift+G", "Node", wants_selection, ungroup_selected},
+    {"open-group", "Open sub-graph", "Tab", "Node", no_group, open_group},
+    {"leave-group", "Back to the graph around it", "Shift+Tab", "Node", no_outer, leave_group},
+    {"leave-groups", "Back to the outermost graph", "", "Node", no_outer, leave_groups},
+    {"tidy", "Tidy", "Ctrl+L", "Node", always, tidy},
+    {"tidy-selection", "Tidy selection", "Ctrl+Shift+L", "Node", wants_selection,
+     [](State& s) { s.commit("Tidy selection", tidied_selection(s)); }},
+    {"align-left", "Align left", "Alt+Left", "Node", wants_two, align<Side::left>},
+    {"align-right", "Align right", "Alt+Right", "Node", wants_two, align<Side::right>},
+    {"align-top", "Align top", "Alt+Up", "Node", wants_two, align<Side::top>},
+    {"align-bottom", "Align bottom", "Alt+Down", "Node", wants_two, align<Side::bottom>},
+    {"align-column", "Align middles in a column", "", "Node", wants_two, align<Side::middle_x>},
+    {"align-row", "Align middles in a row", "", "Node", wants_two, align<Side::middle_y>},
+    {"distribute-across", "Distribute across", "", "Node", wants_three, distribute<true>},
+    {"distribute-down", "Distribute down", "", "Node", wants_three, distribute<false>},
+    {"snap", "Snap to grid", "", "Node", wants_selection,
+     [](State& s) { s.commit("Snap to grid", snapped(s)); }},
+};
+
+}  // namespace
+
+std::span<const Command> node_commands() {
+    return node_table;
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,101 @@
+#include <cstdio>
+
+#include "editor/view/canvas/layout.h"
+#include "editor/view/commands/groups.h"
+#include "editor/view/edit/edits.h"
+#include "editor/view/panels/panels.h"
+#include "editor/view/panels/regions.h"
+
+namespace wrinkle::editor {
+namespace {
+
+void show_commands(State& state) {
+    const View& view = state.view;
+    open_palette(state, {view.corner.x + view.extent.x / 2 - 144, view.corner.y + 64}, {});
+    state.palette.commands = true;
+}
+
+template <int Step>
+void zoom(State& state) {
+    const View& view = state.view;
+    zoom_at(state.view, state.layout,
+            {view.corner.x + view.extent.x / 2, view.corner.y + view.extent.y / 2},
+            Step > 0 ? 1.21F : 1 / 1.21F);
+}
+
+template <Theme Which>
+void use_theme(State& state) {
+    state.look.theme = Which;
+}
+template <Theme Which>
+bool is_used(const State& state) {
+    return state.look.theme == Which;
+}
+
+template <int By>
+void rescale(State& state) {
+    state.look.scale = next_scale(state.look.scale, By);
+    char text[48];
+    std::snprintf(text, sizeof text, "Interface at %.0f %%",
+                  static_cast<double>(state.look.scale) * 100);
+    state.status = text;
+}
+template <int By>
+std::string_view no_scale(const State& state) {
+    if (next_scale(state.look.scale, By) != state.look.scale) return {};
+    return By > 0 ? "It is as large as it gets." : "It is as small as it gets.";
+}
+
+bool shows_side(const State& state) {
+    return state.panes.side_shown.value_or(regions_of(state).preview.size.x > 0);
+}
+
+void toggle_side(State& state) {
+    state.panes.side_shown = !shows_side(state);
+    state.panes.maximised = Pane::none;
+}
+
+void maximise(State& state) {
+    Pane& maximised = state.panes.maximised;
+    maximised = maximised != Pane::none ? Pane::none : regions_of(state).at(ImGui::GetMousePos());
+}
+bool is_maximised(const State& state) {
+    return state.panes.maximised != Pane::none;
+}
+
+constexpr Command view_table[] = {
+    {"commands", "Search commands", "Ctrl+P", "View", always, show_commands},
+    {"fit", "Show all", "Home", "View", always, [](State& s) { fit(s.view, s.layout, false); }},
+    {"fit-selection", "Show selection", "F", "View", wants_selection,
+     [](State& s) { fit(s.view, s.layout, true); }},
+    {"next-problem", "Next problem", "F8", "View", no_problems, next_problem},
+    {"zoom-in", "Zoom in", "Ctrl+Up", "View", always, zoom<1>},
+    {"zoom-out", "Zoom out", "Ctrl+Down", "View", always, zoom<-1>},
+    {"trace", "Trace the selection", "T", "View", always,
+     [](State& s) { s.view.tracing = !s.view.tracing; },
+     [](const State& s) { return s.view.tracing; }},
+    {"heat", "Tint costs", "H", "View", always, [](State& s) { s.view.heat = !s.view.heat; },
+     [](const State& s) { return s.view.heat; }},
+    {"pictures", "Pictures on nodes", "Shift+V", "View", always,
+     [](State& s) {
+         s.view.pictures = !s.view.pictures;
+         s.layout_stale = true;
+     },
+     [](const State& s) { return s.view.pictures; }},
+    {"side", "Preview and code", "F6", "View", always, toggle_side, shows_side},
+    {"maximise", "Maximise the panel under the pointer", "F11", "View", always, maximise,
+     is_maximised},
+    {"dark-theme", "Dark theme", "", "View", always, use_theme<Theme::dark>, is_used<Theme::dark>},
+    {"light-theme", "Light theme", "", "View", always, use_theme<Theme::light>,
+     is_used<Theme::light>},
+    {"larger", "Larger interface", "Ctrl+Shift+Up", "View", no_scale<1>, rescale<1>},
+    {"smaller", "Smaller interface", "Ctrl+Shift+Down", "View", no_scale<-1>, rescale<-1>},
+};
+
+}  // namespace
+
+std::span<const Command> view_commands() {
+    return view_table;
+}
+
+}  // namespace wrinkle::editor

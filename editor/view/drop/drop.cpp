@@ -1,0 +1,274 @@
+#include "editor/view/drop/drop.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "base/file.h"
+#include "editor/model/document/field.h"
+#include "editor/view/canvas/canvas.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/canvas/new_cards.h"
+#include "editor/view/drop/image_kind.h"
+#include "editor/view/edit/edits.h"
+#include "editor/view/edit/layer.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/panels/panels.h"
+#include "editor/view/refresh.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+std::string path_in_graph(const State& state, const fs::path& file) {
+    const auto place = inside(state.folder(), file);
+    std::error_code error;
+    const fs::path root = fs::canonical(state.folder(), error);
+    return place && !error ? place->lexically_relative(root).generic_string() : "";
+}
+
+namespace {
+
+enum class Kind : uint8_t { picture, environment, mesh, graph };
+
+Kind kind_of_name(const fs::path& file) {
+    std::string extension = file.extension().string();
+    for (char& c : extension)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (extension == ".obj" || extension == ".gltf" || extension == ".glb") return Kind::mesh;
+    if (extension == ".json") return Kind::graph;
+    if (extension == ".hdr" || extension == ".exr") return Kind::environment;
+    return Kind::picture;
+}
+
+bool on_preview(const State& state, const FileDrop& drop) {
+    const auto rect = state.targets.find("preview");
+    return rect && drop.x >= rect->x0 && drop.x < rect->x1 && drop.y >= rect->y0 &&
+           drop.y < rect->y1;
+}
+
+const Port* picture_port(const NodeType& type, const std::string& name) {
+    for (const Port& port : type.ports)
+        if (port.is_value() && port.type == PortType::image_ && (name.empty() || port.name == name))
+            return &port;
+    return nullptr;
+}
+
+// An image that was added to the graph.
+struct Picture {
+    std::string file;  // as written in the graph
+    ImageKind kind;
+    const NodeType* type = nullptr;
+    ImVec2 at{0, 0};  // canvas units
+    std::string merge;
+};
+
+bool set_on_card(State& state, const Picture& picture, const Hit& hit) {
+    const Card card = state.layout.cards[hit.card];
+    if (card.kind != Card::Kind::node || !card.type) return false;
+    const std::string field = hit.kind == Hit::Kind::field ? card.fields[hit.part].port : "";
+    const Port* port = picture_port(*card.type, field);
+    if (!port) port = picture_port(*card.type, "");
+    if (!port) return false;
+    state.commit(card.id + ": " + port->name,
+                 with_file(state.document(), card.id, *port, picture.file), picture.merge);
+    state.view.selected = {card.id};
+    return true;
+}
+
+// Adds a source node that reads the image according to its kind.
+NewNode with_source(const State& state, const Picture& picture, ImVec2 at) {
+    NewNode made = with_picture(state, *picture.type, picture.file, at);
+    const Port* port = picture_port(*picture.type, "");
+    if (port && picture.kind.encoding)
+        made.document = with_image_word(made.document, made.id, *port, "encoding",
+                                        name_of(*picture.kind.encoding));
+    return made;
+}
+
+void add_on_wire(State& state, const Picture& picture, const Wire& wire) {
+    const NewNode made = with_source(state, picture, picture.at + ImVec2(-336, 96));
+    const Port* bump = bump_of(*picture.type);
+    std::string why = picture.file + " is a picture of colours, so there is no bump to add";
+    std::optional<Document> document;
+    if (bump)
+        document = with_bump_on_wire(state, made.document, wire, {made.id, bump->name},
+                                     picture.at + ImVec2(-88, -60), why);
+    state.commit("Add " + made.id, document ? std::move(*document) : made.document, picture.merge);
+    show_new(state, {made.id});
+    if (!document) state.status = why;
+}
+
+// Returns true if the graph now shows it.
+bool add_on_ground(State& state, const Picture& picture) {
+    if (state.document().nodes.empty()) leave_empty_graph(state);
+    const NewNode made = with_source(state, picture, picture.at);
+    Document document = made.document;
+    const Port* bump = bump_of(*picture.type);
+    const bool shown = bump && !document.outputs.find("normal");
+    if (shown)
+        document =
+            with_bump_shown(state, document, {made.id, bump->name}, picture.at + ImVec2(512, 0));
+    state.commit("Add " + made.id, std::move(document), picture.merge);
+    show_new(state, {made.id});
+    state.status = made.id + " is a " + picture.type->title + ": " + picture.kind.why + ".";
+    return shown;
+}
+
+const Wire* wire_of_normal(const State& state) {
+    for (const Wire& wire : state.layout.wires)
+        if (wire.node.empty() && wire.port == "normal") return &wire;
+    return nullptr;
+}
+
+// If `layered`, earlier images are shown and this one is layered over them.
+bool place_picture(State& state, const Picture& picture, bool layered) {
+    if (layered)
+        if (const Wire* found = wire_of_normal(state)) {
+            const Wire wire = before_resolve(state, state.document(), *found);
+            Picture placed = picture;
+            placed.at = (wire.start + wire.end) * 0.5F;
+            add_on_wire(state, placed, wire);
+            return true;
+        }
+    const Hit hit = pick(state, to_screen(state.view, picture.at));
+    if (hit.kind == Hit::Kind::wire) {
+        const Wire wire = state.layout.wires[hit.part];
+        add_on_wire(state, picture, wire);
+        return false;
+    }
+    if (hit.kind != Hit::Kind::nothing && set_on_card(state, picture, hit)) return false;
+    return add_on_ground(state, picture);
+}
+
+// Layers it over the selected wire or over the bump that the output `normal` shows, else adds it on
+// empty canvas.
+void place_chosen(State& state, Picture picture) {
+    picture.at =
+        to_canvas(state.view, state.view.corner + state.view.extent * 0.5F) - ImVec2(120, 120);
+    const auto selected = state.view.selected_wire;
+    for (const Wire& each : state.layout.wires)
+        if (selected && each.node == selected->node && each.port == selected->port) {
+            const Wire wire = each;
+            picture.at = (wire.start + wire.end) * 0.5F;
+            return add_on_wire(state, picture, wire);
+        }
+    if (wire_of_normal(state))
+        place_picture(state, picture, true);
+    else
+        add_on_ground(state, picture);
+}
+
+void place(State& state, Arrival& arrival, const fs::path& file, const Examined& examined) {
+    Picture picture;
+    picture.file = path_in_graph(state, file);
+    if (!examined.problem.empty() || picture.file.empty()) {
+        state.status = examined.problem;
+        return;
+    }
+    picture.kind = kind_of(examined, file.filename().string());
+    picture.type = state.registry->find(picture.kind.node_type);
+    if (!picture.type) return;
+    picture.at = arrival.at;
+    picture.merge = arrival.merge;
+    if (arrival.chosen)
+        place_chosen(state, picture);
+    else
+        arrival.layered = place_picture(state, picture, arrival.layered);
+    state.images.paths[picture.file] = file;
+    ++state.images.changes;
+    refresh(state);
+}
+
+// Places files in order until one is not examined yet. All files of one drop are one undo step.
+void place_arrivals(State& state) {
+    std::vector<Arrival>& waiting = state.dropped.waiting;
+    while (!waiting.empty()) {
+        Arrival& next = waiting.front();
+        while (!next.files.empty()) {
+            const fs::path file = next.files.front();
+            const Examined* found = examined(state, file);
+            if (!found) return;
+            place(state, next, file, Examined(*found));
+            next.files.erase(next.files.begin());
+        }
+        waiting.erase(waiting.begin());
+    }
+}
+
+void await(State& state, Arrival arrival) {
+    for (auto file = arrival.files.rbegin(); file != arrival.files.rend(); ++file)
+        want_image(state, *file, stamp_of(*file), true);  // reversed: the first ends up in front
+    if (state.images.busy() && !arrival.files.empty())
+        state.status = "Looking at " + arrival.files.front().filename().string() + ".";
+    state.dropped.waiting.push_back(std::move(arrival));
+    place_arrivals(state);
+}
+
+fs::path canonical_or_same(const fs::path& file) {
+    std::error_code error;
+    const fs::path found = fs::canonical(file, error);
+    return error ? file : found;
+}
+
+void handle(State& state, const FileDrop& drop) {
+    std::vector<std::string> pictures;
+    for (const std::string& file : drop.files) {
+        const Kind kind = kind_of_name(file);
+        if (kind == Kind::graph) return request_action(state, {PendingAction::Kind::open, file});
+        if (kind == Kind::mesh || (kind == Kind::environment && on_preview(state, drop)))
+            state.dropped.for_preview = file;
+        else
+            pictures.push_back(file);
+    }
+    const bool all_inside = std::all_of(pictures.begin(), pictures.end(), [&](const auto& file) {
+        return !path_in_graph(state, file).empty();
+    });
+    if (all_inside) return add_pictures(state, drop, pictures);
+    state.dropped.outside = {drop.x, drop.y, pictures};
+    state.dropped.asked = true;
+    state.dropped.by_name = false;
+}
+
+void set_picture(State& state, const std::string& id, const std::string& name,
+                 const std::string& file) {
+    const NodeType* type = state.type_of(id);
+    const Port* port = type ? picture_port(*type, name) : nullptr;
+    if (port) state.commit(id + ": " + name, with_file(state.document(), id, *port, file));
+}
+
+}  // namespace
+
+void add_pictures(State& state, const FileDrop& drop, const std::vector<std::string>& files) {
+    Arrival arrival;
+    arrival.at = to_canvas(state.view, {drop.x, drop.y});
+    arrival.merge = "drop " + std::to_string(state.history.serial());
+    for (const std::string& file : files)
+        arrival.files.push_back(canonical_or_same(file));
+    await(state, std::move(arrival));
+}
+
+void add_picture(State& state, const std::string& file) {
+    Arrival arrival;
+    arrival.chosen = true;
+    arrival.files = {canonical_or_same(state.folder() / file)};
+    await(state, std::move(arrival));
+}
+
+void use_picture(State& state, const std::string& node, const std::string& port,
+                 const std::string& file) {
+    const std::string place = path_in_graph(state, file);
+    if (!place.empty())
+        return node.empty() ? add_picture(state, place) : set_picture(state, node, port, place);
+    state.dropped.outside = {0, 0, {file}};
+    state.dropped.asked = state.dropped.by_name = true;
+    state.dropped.node = node;
+    state.dropped.port = port;
+}
+
+void handle_drops(State& state) {
+    const std::vector<FileDrop> arrived = std::move(state.dropped.arrived);
+    state.dropped.arrived.clear();
+    for (const FileDrop& drop : arrived)
+        handle(state, drop);
+    place_arrivals(state);
+}
+
+}  // namespace wrinkle::editor

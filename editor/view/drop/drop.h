@@ -1,0 +1,40 @@
+// Handles files dropped on the window, by their type and the target:
+//
+//   an image on empty canvas      a source node; shown if the graph has no output `normal` yet
+//   an image on a wire            its bump is added to the one on the wire
+//   an image on a node with one   replaces the node's image
+//   a mesh, or an HDR image on the preview   sets the preview's mesh or environment
+//   a graph                       is opened
+//
+// The second of several images is layered over the first. An image outside the graph's folder must
+// be copied into it to be read, which a dialog offers. A graph without a file that names no other
+// file can adopt the folder of such images instead, so that they are read at their location.
+#pragma once
+
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+// Called at the end of a frame, when all widgets on screen are registered by name.
+void handle_drops(State& state);
+
+// Returns the path as written in the graph; "" for a file outside its folder.
+std::string path_in_graph(const State& state, const std::filesystem::path& file);
+
+// Adds images of the graph's folder at the drop position.
+void add_pictures(State& state, const FileDrop& drop, const std::vector<std::string>& files);
+
+// Adds an image chosen by name, a path as written in the graph: layered over the selected wire or
+// over the bump that the output `normal` shows, else as a source on empty canvas.
+void add_picture(State& state, const std::string& file);
+
+// Sets an image from anywhere on a node, "" for a new one; prompts if it is outside the graph's
+// folder.
+void use_picture(State& state, const std::string& node, const std::string& port,
+                 const std::string& file);
+
+// Draws the dialog that offers to copy outside files into the graph's folder, or to make their
+// folder the graph's.
+void draw_copy_question(State& state);
+
+}  // namespace wrinkle::editor

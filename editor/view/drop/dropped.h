@@ -1,0 +1,40 @@
+// Dropped files that wait for processing.
+#pragma once
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "editor/view/input/input_queue.h"
+
+namespace wrinkle::editor {
+
+// Images being added to the graph, while they are examined.
+struct Arrival {
+    std::vector<std::filesystem::path> files;  // canonical; the first one is added next
+    ImVec2 at{0, 0};                           // canvas units
+    bool chosen = false;                       // chosen by name: without a position
+    bool layered = false;  // earlier images are shown: the next is layered over them
+    std::string merge;
+};
+
+struct Dropped {
+    std::vector<FileDrop> arrived;  // since the last frame
+    FileDrop outside;               // some files are outside the graph's folder: copy them?
+    bool asked = false;             // that dialog is open
+    bool by_name = false;           // chosen by name for `node` and `port`, "" for a new node
+    std::string node, port;
+    std::vector<Arrival> waiting;  // the first one is added first
+    std::string for_preview;       // a mesh or an environment; the preview takes it and clears it
+
+    bool waits_for(const std::filesystem::path& file) const {
+        return std::any_of(waiting.begin(), waiting.end(), [&](const Arrival& each) {
+            return std::find(each.files.begin(), each.files.end(), file) != each.files.end();
+        });
+    }
+};
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,151 @@
+// Dialog about images outside the graph's folder, and its answers.
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "base/file.h"
+#include "editor/model/document/folders.h"
+#include "editor/model/document/words.h"
+#include "editor/view/drop/drop.h"
+#include "editor/view/panels/panels.h"
+#include "lower/named_images.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+// Returns the folder for copies: the graph's `textures` folder if it exists, else the graph's
+// folder.
+fs::path copy_folder(const State& state) {
+    std::error_code ignored;
+    const fs::path textures = state.folder() / "textures";
+    return fs::is_directory(textures, ignored) ? textures : state.folder();
+}
+
+// Copies the file under a name that no other file has; returns "" on failure.
+std::string copied(State& state, const fs::path& file) {
+    const fs::path folder = copy_folder(state);
+    fs::path to = folder / file.filename();
+    std::error_code error, ignored;
+    for (int i = 2; fs::exists(to, ignored); ++i)
+        to = folder / (file.stem().string() + std::to_string(i) + file.extension().string());
+    if (fs::copy_file(file, to, error)) return to.string();
+    state.status = file.filename().string() + " was not copied: " + disk_words(error) + ".";
+    return {};
+}
+
+// Adds the files after the answer; files that are still outside could not be copied.
+void add_answered(State& state, const FileDrop& drop, const std::vector<std::string>& files) {
+    if (!state.dropped.by_name) return add_pictures(state, drop, files);
+    const Dropped to = state.dropped;
+    for (const std::string& file : files)
+        use_picture(state, to.node, to.port, file);
+}
+
+void copy_and_add(State& state, const FileDrop& drop) {
+    std::vector<std::string> files;
+    for (const std::string& file : drop.files) {
+        const std::string place = path_in_graph(state, file).empty() ? copied(state, file) : file;
+        if (!place.empty()) files.push_back(place);
+    }
+    add_answered(state, drop, files);
+}
+
+bool names_files(const State& state) {
+    const Project project = project_with(state.model, state.document());
+    const Document& top = project.top();
+    return !named_images(project, *state.model.types, 0).empty() ||
+           std::any_of(top.nodes.begin(), top.nodes.end(),
+                       [](const NodePtr& node) { return node->subgraph().has_value(); });
+}
+
+// Returns the nearest folder that contains all of the files if the graph may adopt it and it is not
+// the root folder; otherwise "".
+fs::path folder_to_have(const State& state, const std::vector<std::string>& files) {
+    if (!state.path.empty() || files.empty() || names_files(state)) return {};
+    fs::path folder = real_path(files.front()).parent_path();
+    for (const std::string& file : files)
+        while (folder.has_relative_path() && !inside(folder, file))
+            folder = folder.parent_path();
+    return folder.has_relative_path() ? folder : fs::path();
+}
+
+void have_folder(State& state, const fs::path& folder) {
+    state.unsaved_folder = folder;
+    state.keeping.journal.drop();  // it refers to the other folder
+    state.fresh = false;
+}
+
+bool may_write(const fs::path& folder) {
+    return access(folder.c_str(), W_OK) == 0;
+}
+
+// Returns "textures"; for the root folder its path.
+std::string name_of_folder(const fs::path& folder) {
+    return folder.has_filename() ? folder.filename().string() : folder.string();
+}
+
+enum class Outside : uint8_t { asking, copy, refer, cancel };
+
+Outside draw_outside_answers(State& state, const fs::path& copies, const fs::path& theirs) {
+    Outside answer = Outside::asking;
+    if (may_write(copies)) {
+        const std::string label = "Copy into " + name_of_folder(copies);
+        if (button(state, label.c_str(), "copy:yes")) answer = Outside::copy;
+        ImGui::SameLine();
+    }
+    if (!theirs.empty()) {
+        const std::string label = "Refer to " + name_of_folder(theirs);
+        if (button(state, label.c_str(), "copy:refer")) answer = Outside::refer;
+        ImGui::SameLine();
+    }
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]);
+    return button(state, "Cancel", "copy:no") || escape ? Outside::cancel : answer;
+}
+
+std::string words_on_outside(const State& state, const fs::path& copies, const fs::path& theirs) {
+    std::vector<std::string> names;
+    for (const std::string& file : state.dropped.outside.files)
+        if (path_in_graph(state, file).empty()) names.push_back(fs::path(file).filename().string());
+    const bool many = names.size() > 1;
+    std::string text = listed(names) + (many ? " are" : " is") + " not below " +
+                       state.folder().string() +
+                       ". A graph reads files below its own folder only.\n\n";
+    text += may_write(copies)
+                ? "A copy goes into " + copies.string() + "."
+                : "Nothing can be copied into " + copies.string() + ", which is read-only.";
+    if (!theirs.empty())
+        text += "\nTo refer to " + std::string(many ? "them" : "it") +
+                ", this unsaved graph gets " + theirs.string() +
+                " as its folder: it is proposed when you save.";
+    return text;
+}
+
+}  // namespace
+
+void draw_copy_question(State& state) {
+    Dropped& dropped = state.dropped;
+    if (dropped.asked && !ImGui::IsPopupOpen("##copy")) ImGui::OpenPopup("##copy");
+    if (!ImGui::BeginPopupModal("##copy", nullptr,
+                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize))
+        return;
+    const fs::path copies = copy_folder(state);
+    const fs::path theirs = folder_to_have(state, dropped.outside.files);
+    ImGui::PushTextWrapPos(560);
+    ImGui::TextUnformatted(words_on_outside(state, copies, theirs).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy({0, 8});
+    const Outside answer = draw_outside_answers(state, copies, theirs);
+    if (answer != Outside::asking) {
+        const FileDrop drop = std::move(dropped.outside);
+        dropped.outside = {};
+        dropped.asked = false;
+        ImGui::CloseCurrentPopup();
+        if (answer == Outside::refer) have_folder(state, theirs);
+        if (answer == Outside::refer) add_answered(state, drop, drop.files);
+        if (answer == Outside::copy) copy_and_add(state, drop);
+    }
+    ImGui::EndPopup();
+}
+
+}  // namespace wrinkle::editor

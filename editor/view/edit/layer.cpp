@@ -1,0 +1,169 @@
+#include "editor/view/edit/layer.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "editor/model/document/field.h"
+#include "editor/model/document/wiring.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/edit/edits.h"
+#include "editor/view/look/draw.h"
+#include "graph/edit.h"
+
+namespace wrinkle::editor {
+namespace {
+
+// Size of a card that has no layout yet.
+ImVec2 usual_size(const NodeType& type) {
+    const bool wide = std::any_of(type.ports.begin(), type.ports.end(), [](const Port& port) {
+        return port.type == PortType::image_ || lanes_of_field(port) > 1;
+    });
+    const auto rows = static_cast<float>(type.ports.size());
+    return {wide ? 240.0F : 176.0F, header_height + rows * row_height + 8};
+}
+
+// Returns the nearest position below all cards in the way.
+ImVec2 clear_place(const State& state, const Document& document, ImVec2 at, ImVec2 own) {
+    at = {std::round(at.x / 8) * 8, std::round(at.y / 8) * 8};
+    const auto meets = [&](float x, float y, float width, float height) {
+        return x < at.x + own.x + 16 && at.x < x + width + 16 && y < at.y + own.y + 16 &&
+               at.y < y + height + 16;
+    };
+    for (bool moved = true; moved;) {
+        moved = false;
+        for (const Card& card : state.layout.cards) {
+            if (card.kind == Card::Kind::node) continue;
+            if (!meets(card.at.x, card.at.y, card.size.x, card.size.y)) continue;
+            at.y = std::ceil((card.at.y + card.size.y + 24) / 8) * 8;
+            moved = true;
+        }
+        for (const Position& place : document.positions) {
+            const Node* node = document.find(place.id);
+            const Card* card = state.layout.find(place.id);
+            const NodeType* type = node ? state.registry->find(node->type) : nullptr;
+            if (!node || (!card && !type)) continue;
+            const ImVec2 size = card ? card->size : usual_size(*type);
+            const auto x = static_cast<float>(place.x), y = static_cast<float>(place.y);
+            if (!meets(x, y, size.x, size.y)) continue;
+            at.y = std::ceil((y + size.y + 24) / 8) * 8;
+            moved = true;
+        }
+    }
+    return at;
+}
+
+std::string id_after(const Document& document, std::string_view wish, std::string_view type) {
+    std::string id(wish.substr(0, 64));
+    for (char& c : id)
+        if (c == '.' || c == ' ' || std::iscntrl(static_cast<unsigned char>(c))) c = '_';
+    return free_id(document, id_problem(id).empty() ? id : type);
+}
+
+// Returns the node type that adds two bumps on a wire from `from` to `to`; nullptr if there is
+// none.
+const NodeType* adder(const State& state, PortType from, PortType to, PortType bump) {
+    const auto fits = [&](PortType kind) {
+        return converts(from, kind) && converts(bump, kind) && converts(kind, to);
+    };
+    if (from == PortType::height_ && to == PortType::height_ && fits(PortType::height_))
+        return state.registry->find("height_add");
+    return fits(PortType::gradient_) ? state.registry->find("gradient_add") : nullptr;
+}
+
+const Port* first_output(const NodeType& type) {
+    for (const Port& port : type.ports)
+        if (port.kind == Port::Kind::output) return &port;
+    return nullptr;
+}
+
+// Returns the other input of an addition at the wire's end if it is free; otherwise "".
+std::string free_input(const State& state, const Document& document, const Wire& wire) {
+    const Node* reader = document.find(wire.node);
+    if (!reader || (reader->type != "gradient_add" && reader->type != "height_add")) return {};
+    const std::string other = wire.port == "a" ? "b" : "a";
+    const NodeType* type = state.registry->find(reader->type);
+    if (!type || type->find_input(other) == NodeType::none) return {};
+    return reader->find(other) ? "" : other;
+}
+
+}  // namespace
+
+NewNode with_node(const State& state, const Document& document, const NodeType& type,
+                  std::string_view wish, ImVec2 at) {
+    Node node;
+    node.id = id_after(document, wish, type.id);
+    node.type = type.id;
+    node.version = static_cast<int>(type.version);
+    const std::string id = node.id;
+    const ImVec2 place = clear_place(state, document, at, usual_size(type));
+    return {add_node(document, std::move(node), place.x, place.y), id};
+}
+
+NewNode with_picture(const State& state, const NodeType& type, const std::string& file, ImVec2 at) {
+    const std::string stem = std::filesystem::path(file).stem().string();
+    NewNode made = with_node(state, state.document(), type, stem, at);
+    for (const Port& port : type.ports)
+        if (port.is_value() && port.type == PortType::image_) {
+            made.document = set_value(made.document, made.id, port.name, json::Value::string(file));
+            break;
+        }
+    return made;
+}
+
+const Port* bump_of(const NodeType& type) {
+    const Port* best = nullptr;
+    for (const Port& port : type.ports) {
+        if (port.kind != Port::Kind::output) continue;
+        if (port.type == PortType::height_) return &port;
+        if (port.type == PortType::gradient_ && !best) best = &port;
+    }
+    return best;
+}
+
+Document with_bump_shown(const State& state, const Document& document, const Link& bump,
+                         ImVec2 at) {
+    const NodeType* type = state.registry->find("resolve");
+    if (!type) return document;
+    const NewNode made = with_node(state, document, *type, type->id, at);
+    const Document wired = connect(made.document, bump, made.id, "gradient");
+    return set_output(wired, "normal", {made.id, "normal"});
+}
+
+std::optional<Document> with_bump_on_wire(const State& state, const Document& document,
+                                          const Wire& dropped_on, const Link& bump, ImVec2 at,
+                                          std::string& why) {
+    const Wire wire = before_resolve(state, document, dropped_on);
+    if (const std::string port = free_input(state, document, wire); !port.empty())
+        return connect(document, bump, wire.node, port);
+    const Node* source = document.find(bump.node);
+    const NodeType* source_type = source ? state.registry->find(source->type) : nullptr;
+    const uint32_t output = source_type ? source_type->find_output(bump.port) : NodeType::none;
+    const NodeType* type = output == NodeType::none ? nullptr
+                                                    : adder(state, wire.from_type, wire.to_type,
+                                                            source_type->ports[output].type);
+    if (!type) {
+        why = wire.from.text() + " carries no bump to lay another over";
+        return std::nullopt;
+    }
+    const NewNode made = with_node(state, document, *type, type->id, at);
+    Document result = connect(made.document, wire.from, made.id, "a");
+    result = connect(result, bump, made.id, "b");
+    return with_wire(result, {made.id, first_output(*type)->name}, wire.node, wire.port);
+}
+
+Wire before_resolve(const State& state, const Document& document, const Wire& wire) {
+    const Node* source = document.find(wire.from.node);
+    if (!source || source->type != "resolve") return wire;
+    for (const Wire& each : state.layout.wires)
+        if (each.node == source->id && each.port == "gradient") return each;
+    return wire;
+}
+
+void leave_empty_graph(State& state) {
+    state.view.surface_at.reset();
+    state.view.outputs_at.reset();
+    state.view.fitted = false;
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,88 @@
+#include "editor/view/look/magnified.h"
+
+#include <cmath>
+
+#include "editor/view/look/draw.h"
+
+namespace wrinkle::editor {
+namespace {
+
+ImFont* measuring_font(const Fonts& fonts, const TextStyle& style) {
+    return style.bold ? fonts.bold(style.size) : fonts.regular(style.size);
+}
+
+unsigned next_letter(const char*& at, const char* end) {
+    const auto first = static_cast<unsigned char>(*at++);
+    const int more = first < 0xC0 ? 0 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
+    unsigned code = more == 0 ? first : first & (0x3FU >> more);
+    for (int i = 0; i < more && at < end; ++i)
+        code = code << 6 | (static_cast<unsigned char>(*at++) & 0x3FU);
+    return code > IM_UNICODE_CODEPOINT_MAX ? 0xFFFDU : code;
+}
+
+void draw_bar(ImDrawList& list, const TextStyle& style, float zoom, ImVec2 at, ImU32 color,
+              float width) {
+    const float tall = std::max(style.size * zoom * 0.35F, 1.0F);
+    const ImVec2 low(at.x, at.y + (style.size * zoom - tall) / 2);
+    const ImU32 pale = (color & ~IM_COL32_A_MASK) | 110U << IM_COL32_A_SHIFT;
+    list.AddRectFilled(low, low + ImVec2(width, tall), pale);
+}
+
+// Appends glyphs of one font.
+class Run {
+public:
+    Run(ImDrawList& list, ImFont* font, float drawn, float pixel)
+        : list_(list), font_(font), scale_(drawn / font->FontSize), pixel_(pixel) {}
+
+    void add(ImVec2 at, ImU32 color, unsigned code) {
+        const ImFontGlyph* glyph = font_->FindGlyph(static_cast<ImWchar>(code));
+        if (!glyph || !glyph->Visible) return;
+        const ImVec2 origin(std::round(at.x / pixel_) * pixel_, at.y);
+        const ImVec2 low = origin + ImVec2(glyph->X0, glyph->Y0) * scale_;
+        const ImVec2 high = origin + ImVec2(glyph->X1, glyph->Y1) * scale_;
+        if (high.x < list_.GetClipRectMin().x || low.x > list_.GetClipRectMax().x) return;
+        list_.PrimReserve(6, 4);
+        list_.PrimRectUV(low, high, {glyph->U0, glyph->V0}, {glyph->U1, glyph->V1}, color);
+    }
+
+private:
+    ImDrawList& list_;
+    ImFont* font_;
+    float scale_, pixel_;
+};
+
+}  // namespace
+
+void draw_magnified(ImDrawList& list, const Fonts& fonts, const TextStyle& style, float zoom,
+                    ImVec2 at, ImU32 color, std::string_view text) {
+    const float tall = style.size * zoom;
+    if (at.y > list.GetClipRectMax().y || at.y + tall < list.GetClipRectMin().y) return;
+    ImFont* measure = measuring_font(fonts, style);
+    if (style.right_aligned || tall < min_text) {
+        const float width = magnified_width(fonts, style, text) * zoom;
+        if (style.right_aligned) at.x -= width;
+        if (tall < min_text) return draw_bar(list, style, zoom, at, color, width);
+    }
+    float drawn = tall;
+    ImFont* font = fonts.magnified(style.bold, tall, drawn);
+    const float pixel = 1 / fonts.scale();
+    at.y = std::round((at.y + (tall - drawn) / 2) / pixel) * pixel;
+    Run run(list, font, drawn, pixel);
+    const float step = measure->Scale * zoom;
+    for (const char *c = text.data(), *end = c + text.size(); c < end;) {
+        const unsigned code = next_letter(c, end);
+        run.add(at, color, code);
+        at.x += measure->GetCharAdvance(static_cast<ImWchar>(code)) * step;
+    }
+}
+
+float magnified_width(const Fonts& fonts, const TextStyle& style, std::string_view text) {
+    return text_width(measuring_font(fonts, style), style.size, text);
+}
+
+std::string magnified_fitting(const Fonts& fonts, const TextStyle& style, std::string_view text,
+                              float width) {
+    return fitting(measuring_font(fonts, style), style.size, text, width);
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,95 @@
+#include "editor/view/look/theme.h"
+
+namespace wrinkle::editor::theme {
+namespace {
+
+Theme current = Theme::dark;
+
+// By PortType.
+struct TypeColor {
+    PortType type;
+    ImU32 dark, light;
+};
+constexpr TypeColor type_colors[] = {
+    {PortType::float_, rgb(0xF2F5F3), rgb(0x3B382E)},
+    {PortType::vec2_, rgb(0x4A8E86), rgb(0x34949A)},
+    {PortType::vec3_, rgb(0x1BA3FE), rgb(0x237CFA)},
+    {PortType::vec4_, rgb(0x767AAC), rgb(0x1E0DB1)},
+    {PortType::color_, rgb(0xF8A7AD), rgb(0x6C0C4E)},
+    {PortType::height_, rgb(0xF6CC18), rgb(0x9F7002)},
+    {PortType::derivative_, rgb(0xD58105), rgb(0x802E02)},
+    {PortType::gradient_, rgb(0xCDFEAE), rgb(0x416D4C)},
+    {PortType::normal_, rgb(0xDDC9FF), rgb(0x645C89)},
+    {PortType::image_, rgb(0xDF435D), rgb(0xF5346E)},
+};
+
+void style_colors() {
+    const auto set = [](ImGuiCol which, ImU32 color) {
+        ImGui::GetStyle().Colors[which] = ImGui::ColorConvertU32ToFloat4(color);
+    };
+    current == Theme::dark ? ImGui::StyleColorsDark() : ImGui::StyleColorsLight();
+    set(ImGuiCol_Text, text);
+    set(ImGuiCol_TextDisabled, text_off);
+    set(ImGuiCol_WindowBg, panel);
+    set(ImGuiCol_ChildBg, with_alpha(panel, 0));
+    set(ImGuiCol_PopupBg, node);
+    set(ImGuiCol_Border, border);
+    set(ImGuiCol_FrameBg, field);
+    set(ImGuiCol_FrameBgHovered, accent_soft);
+    set(ImGuiCol_FrameBgActive, accent_soft);
+    set(ImGuiCol_MenuBarBg, bar);
+    set(ImGuiCol_Button, panel);
+    set(ImGuiCol_ButtonHovered, accent_soft);
+    set(ImGuiCol_ButtonActive, accent_fill);
+    set(ImGuiCol_Header, accent_soft);
+    set(ImGuiCol_HeaderHovered, accent_soft);
+    set(ImGuiCol_HeaderActive, accent_soft);
+    set(ImGuiCol_CheckMark, accent);
+    set(ImGuiCol_SliderGrab, accent);
+    set(ImGuiCol_Separator, border);
+    set(ImGuiCol_ScrollbarBg, with_alpha(panel, 0));
+    set(ImGuiCol_ScrollbarGrab, control);
+    set(ImGuiCol_NavHighlight, accent);
+    set(ImGuiCol_TextSelectedBg, accent_soft);
+    set(ImGuiCol_PlotHistogram, accent);
+    set(ImGuiCol_ModalWindowDimBg, IM_COL32(0, 0, 0, current == Theme::dark ? 128 : 77));
+}
+
+void style_shapes() {
+    ImGuiStyle& style = ImGui::GetStyle();
+    style.WindowPadding = {8, 8};
+    style.FramePadding = {8, 4};
+    style.ItemSpacing = {8, 4};
+    style.WindowRounding = 0;
+    style.PopupRounding = 8;
+    style.FrameRounding = 5;
+    style.ScrollbarSize = 10;
+    style.WindowBorderSize = 0;
+    style.FrameBorderSize = 1;
+    style.DisabledAlpha = 0.5F;
+}
+
+}  // namespace
+
+ImU32 of(PortType type) {
+    for (const TypeColor& color : type_colors)
+        if (color.type == type) return current == Theme::dark ? color.dark : color.light;
+    return text;
+}
+
+void use(Theme theme) {
+    current = theme;
+#define X(name, of_dark, of_light) name = rgb(theme == Theme::dark ? of_dark : of_light);
+    WRINKLE_THEME_COLORS(X)
+#undef X
+    shadow = theme == Theme::dark ? IM_COL32(0, 0, 0, 71) : IM_COL32(0, 0, 0, 0);
+    if (!ImGui::GetCurrentContext()) return;
+    style_shapes();
+    style_colors();
+}
+
+Theme used() {
+    return current;
+}
+
+}  // namespace wrinkle::editor::theme

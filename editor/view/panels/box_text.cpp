@@ -1,0 +1,66 @@
+#include "editor/view/panels/box_text.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "editor/view/canvas/boxes.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/edit/edits.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/panels/fields.h"
+
+namespace wrinkle::editor {
+namespace {
+
+// Returns true when editing is finished.
+bool draw_entry(State& state, ImVec2 size) {
+    BoxText& entry = state.box_text;
+    if (entry.opening) focus_field(state);
+    ImGui::SetNextItemWidth(size.x);
+    const bool done = entry.box.note
+                          ? ImGui::InputTextMultiline("##text", &entry.text, size,
+                                                      ImGuiInputTextFlags_CtrlEnterForNewLine |
+                                                          ImGuiInputTextFlags_EnterReturnsTrue)
+                          : ImGui::InputText("##text", &entry.text,
+                                             ImGuiInputTextFlags_EnterReturnsTrue |
+                                                 ImGuiInputTextFlags_AutoSelectAll);
+    note_field(state);
+    return done;
+}
+
+}  // namespace
+
+void draw_box_text(State& state) {
+    BoxText& entry = state.box_text;
+    if (!entry.open) return;
+    const Box* box = find_box(state.document(), entry.box);
+    if (!box) {
+        entry = {};
+        return;
+    }
+    const Extent extent = extent_of(state, entry.box, *box);
+    const ImVec2 low = to_screen(state.view, extent.low), high = to_screen(state.view, extent.high);
+    const ImVec2 size(std::max(high.x - low.x, 160.0F), std::max(high.y - low.y, 64.0F));
+    ImGui::SetNextWindowPos(low);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(4, 4));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleColor(ImGuiCol_Border, theme::accent);
+    if (entry.opening) ImGui::SetNextWindowFocus();
+    ImGui::Begin("##box-text", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    const bool done = draw_entry(state, size - ImVec2(8, 8));
+    const bool away = !entry.opening && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
+    entry.opening = false;
+    ImGui::End();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+    if (ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]))
+        entry = {};
+    else if (done || away)
+        accept_box_text(state);
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,393 @@
+#include "editor/view/panels/browser.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "editor/model/code/export.h"
+#include "editor/view/drop/drop.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/look/tooltip.h"
+#include "editor/view/panels/fields.h"
+#include "editor/view/panels/file_actions.h"
+#include "editor/view/panels/panels.h"
+#include "editor/view/panels/preview_parts.h"
+#include "editor/view/preview/picture_export.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+using Purpose = Browser::Purpose;
+constexpr float file_tall = 28, places_width = 176;
+
+bool saves(const Browser& browser) {
+    return browser.purpose == Purpose::save_graph || browser.purpose == Purpose::export_text ||
+           browser.purpose == Purpose::export_picture || browser.purpose == Purpose::bake_into;
+}
+
+std::string title_of(Purpose purpose) {
+    switch (purpose) {
+        case Purpose::open_graph:
+            return "Open a graph";
+        case Purpose::save_graph:
+            return "Save the graph as";
+        case Purpose::export_text:
+            return "Export GLSL";
+        case Purpose::export_picture:
+            return "Save the picture of the preview";
+        case Purpose::picture:
+            return "Choose an image";
+        case Purpose::bake_mesh:
+            return "Choose a mesh";
+        case Purpose::bake_into:
+            return "Bake into a folder, or a file";
+        case Purpose::none:
+            break;
+    }
+    return {};
+}
+
+std::vector<std::string> extensions_of(Purpose purpose) {
+    if (purpose == Purpose::picture)
+        return {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr", ".pfm", ".pnm", ".ppm"};
+    if (purpose == Purpose::bake_mesh) return {".obj", ".gltf", ".glb"};
+    if (purpose == Purpose::bake_into) return {".png", ".tif", ".exr"};
+    if (purpose == Purpose::export_picture) return {".png", ".jpg", ".jpeg", ".tif", ".tiff"};
+    if (purpose == Purpose::export_text) return {".glsl", ".frag", ".vert"};
+    return {".json"};
+}
+
+void go_to(Browser& browser, const fs::path& folder) {
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(folder, error);
+    browser.folder = error ? folder : whole;
+    browser.listing = list_folder(browser.folder, extensions_of(browser.purpose));
+    browser.chosen = 0;
+    browser.focus = true;
+    browser.shown = filtered(browser.listing, "");
+    if (!saves(browser)) browser.text.clear();
+    browser.filtered_by = browser.text;
+}
+
+std::string with_extension(const Browser& browser, std::string name, const State& state) {
+    const bool stages =
+        browser.purpose == Purpose::export_text && state.code.options.form == Form::shader;
+    const bool folder = browser.purpose == Purpose::bake_into;
+    if (!saves(browser) || stages || folder || !fs::path(name).extension().empty()) return name;
+    return name + (browser.purpose == Purpose::save_graph    ? ".json"
+                   : browser.purpose == Purpose::export_text ? ".glsl"
+                                                             : ".png");
+}
+
+// Uses the chosen file for the purpose; returns true when the browser is to be closed.
+bool take(State& state, const fs::path& file) {
+    const Browser browser = state.browser;
+    switch (browser.purpose) {
+        case Purpose::open_graph:
+            open_chosen(state, file);
+            return true;
+        case Purpose::save_graph:
+            save_chosen(state, file);
+            return true;
+        case Purpose::export_text:
+            start_code_export(state, file);
+            return true;
+        case Purpose::export_picture: {
+            const std::vector<PictureSize> sizes = picture_sizes(state);
+            start_picture_export(state, file, sizes[std::min(browser.size, sizes.size() - 1)]);
+            return true;
+        }
+        case Purpose::picture:
+            use_picture(state, browser.node, browser.port, file.string());
+            return true;
+        case Purpose::bake_mesh:
+            state.bake_dialog.choices.mesh = file.string();
+            return true;
+        case Purpose::bake_into:
+            state.bake_dialog.choices.into = file;
+            return true;
+        case Purpose::none:
+            break;
+    }
+    return true;
+}
+
+// Uses the typed path or the chosen entry. Returns true when the browser is to be closed.
+bool enter(State& state) {
+    Browser& browser = state.browser;
+    std::error_code ignored;
+    const bool path = browser.text.find('/') != browser.text.npos || browser.text == "..";
+    const fs::path typed = browser.folder / with_home(browser.text);
+    if (path && fs::is_directory(typed, ignored)) {
+        browser.text.clear();
+        go_to(browser, typed);
+        return false;
+    }
+    if (saves(browser) || path) {
+        if (browser.text.empty()) return false;
+        return take(state, with_extension(browser, typed.string(), state));
+    }
+    if (browser.shown.empty()) {
+        const bool named = browser.purpose == Purpose::open_graph && !browser.text.empty();
+        return named && take(state, typed);
+    }
+    const Entry entry = browser.listing.entries[browser.shown[static_cast<size_t>(browser.chosen)]];
+    if (!entry.folder) return take(state, browser.folder / entry.name);
+    go_to(browser, browser.folder / entry.name);
+    return false;
+}
+
+bool draw_field(State& state) {
+    Browser& browser = state.browser;
+    if (browser.focus) focus_field(state);
+    browser.focus = false;
+    ImGui::SetNextItemWidth(-1);
+    const bool was_empty = browser.text.empty();
+    const char* hint = saves(browser) ? "Name of the file" : "Type a part of the name, or a path";
+    const bool entered = ImGui::InputTextWithHint("##name", hint, &browser.text,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+    note_field(state);
+    name_item(state, "browser:name");
+    name_item(state, "answer:path");
+    if (!browser.trouble.empty()) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::PushStyleColor(ImGuiCol_Text, theme::error);
+        ImGui::TextUnformatted(browser.trouble.c_str());
+        ImGui::PopStyleColor();
+        ImGui::PopTextWrapPos();
+    }
+    const ImGuiIO& io = ImGui::GetIO();
+    if (was_empty && browser.text.empty() &&
+        ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Backspace], false))
+        go_to(browser, browser.folder.parent_path());
+    if (entered) browser.focus = true;
+    if (browser.filtered_by != browser.text) {
+        browser.filtered_by = browser.text;
+        browser.chosen = 0;
+        if (!saves(browser)) browser.shown = filtered(browser.listing, browser.text);
+    }
+    return entered;
+}
+
+// Breadcrumb of the current path, one button for each folder.
+void draw_path(State& state) {
+    Browser& browser = state.browser;
+    fs::path whole, wanted;
+    int index = 0;
+    for (const fs::path& part : browser.folder) {
+        whole /= part;
+        ImGui::PushID(index);
+        if (index > 0) ImGui::SameLine(0, 2);
+        if (button(state, part.string().c_str(), "browser:part" + std::to_string(index)))
+            wanted = whole;
+        ImGui::PopID();
+        ++index;
+    }
+    if (!wanted.empty()) go_to(browser, wanted);
+}
+
+void draw_places(State& state) {
+    ImGui::BeginChild("##places", {places_width, -36}, false);
+    std::vector<std::pair<std::string, fs::path>> places{{"Graph's folder", state.folder()}};
+    if (const char* home = std::getenv("HOME")) places.emplace_back("Home", home);
+    for (const fs::path& file : state.keeping.settings.recent)
+        places.emplace_back(file.filename().string(), file);
+    std::error_code ignored;
+    for (size_t i = 0; i < places.size(); ++i) {
+        const auto& [name, path] = places[i];
+        const bool folder = fs::is_directory(path, ignored);
+        if (!folder && state.browser.purpose != Purpose::open_graph) continue;
+        ImGui::PushID(static_cast<int>(i));
+        const bool taken = ImGui::Selectable(name.c_str(), false, 0, {places_width - 12, 22});
+        name_item(state, "browser:place" + std::to_string(i));
+        if (ImGui::IsItemHovered()) show_tooltip(beside_window(), path.string());
+        ImGui::PopID();
+        if (taken && folder) go_to(state.browser, path);
+        if (taken && !folder) {
+            open_chosen(state, path);
+            state.browser = {};
+            break;
+        }
+    }
+    ImGui::EndChild();
+}
+
+void draw_entry(State& state, const Entry& entry, ImVec2 low, ImVec2 high, bool chosen) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool pictures = state.browser.purpose == Purpose::picture && !entry.folder;
+    const uint32_t picture = pictures ? state.thumbnails.of(state.browser.folder / entry.name) : 0;
+    if (chosen) list.AddRectFilled(low, high, theme::accent_soft, 4);
+    if (entry.folder) {
+        list.AddRectFilled(low + ImVec2(9, 8), low + ImVec2(16, 12), theme::text_dim, 1);
+        list.AddRectFilled(low + ImVec2(9, 10), low + ImVec2(25, 21), theme::text_dim, 2);
+    } else if (picture) {
+        list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture)),
+                      low + ImVec2(5, 2), low + ImVec2(29, 26), {0, 1}, {1, 0});
+    } else {
+        list.AddRect(low + ImVec2(11, 6), low + ImVec2(23, 22), theme::text_dim, 2, 0, 1.5F);
+    }
+    ImFont* font = state.fonts.regular(16);
+    draw_text(list, font, 16, low + ImVec2(36, 6), theme::text,
+              fitting(font, 16, entry.name, high.x - low.x - 44));
+}
+
+// Returns true if a folder was clicked or a file double-clicked; it is then the chosen entry.
+bool draw_list(State& state) {
+    Browser& browser = state.browser;
+    bool taken = false;
+    ImGui::BeginChild("##entries", {0, -36}, true, ImGuiWindowFlags_NoNavInputs);
+    if (!browser.listing.trouble.empty()) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextUnformatted(browser.listing.trouble.c_str());
+        ImGui::PopTextWrapPos();
+    } else if (browser.shown.empty()) {
+        ImGui::TextDisabled("%s", browser.listing.entries.empty() ? "Nothing here can be opened."
+                                                                  : "No name matches.");
+    }
+    if (browser.scroll) ImGui::SetScrollY(static_cast<float>(browser.chosen - 5) * file_tall);
+    browser.scroll = false;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(browser.shown.size()), file_tall);
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const Entry& entry = browser.listing.entries[browser.shown[static_cast<size_t>(i)]];
+            ImGui::PushID(i);
+            const ImVec2 low = ImGui::GetCursorScreenPos();
+            const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0F), file_tall);
+            if (ImGui::InvisibleButton("entry", size)) {
+                browser.chosen = i;
+                if (saves(browser) && !entry.folder) browser.text = entry.name;
+                taken |= entry.folder;
+            }
+            taken |= ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
+            state.targets.add("file:" + entry.name,
+                              {low.x, low.y, low.x + size.x, low.y + file_tall});
+            draw_entry(state, entry, low, low + size, i == browser.chosen);
+            ImGui::PopID();
+        }
+    ImGui::EndChild();
+    return taken;
+}
+
+void move_choice(Browser& browser) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto pressed = [&](ImGuiKey key) { return ImGui::IsKeyPressed(io.KeyMap[key]); };
+    const int before = browser.chosen;
+    browser.chosen += pressed(ImGuiKey_DownArrow) - pressed(ImGuiKey_UpArrow) +
+                      12 * (pressed(ImGuiKey_PageDown) - pressed(ImGuiKey_PageUp));
+    const int last = std::max(static_cast<int>(browser.shown.size()) - 1, 0);
+    browser.chosen = std::clamp(browser.chosen, 0, last);
+    browser.scroll |= browser.chosen != before;
+}
+
+// Opens the clicked entry; a folder even if the field holds the name of a file to save.
+bool enter_chosen(State& state) {
+    const Browser& browser = state.browser;
+    const Entry& entry =
+        browser.listing.entries[browser.shown[static_cast<size_t>(browser.chosen)]];
+    if (!entry.folder) return enter(state);
+    const fs::path folder = browser.folder / entry.name;
+    go_to(state.browser, folder);
+    return false;
+}
+
+void draw_sizes(State& state) {
+    Choices choices;
+    for (const PictureSize& size : picture_sizes(state)) {
+        choices.targets.push_back("size:" + std::to_string(choices.labels.size()));
+        choices.labels.push_back(grouped(static_cast<size_t>(size.width)) + " \u00D7 " +
+                                 grouped(static_cast<size_t>(size.height)) + " px");
+    }
+    size_t& chosen = state.browser.size;
+    chosen = std::min(chosen, choices.labels.size() - 1);
+    choices.chosen = static_cast<int>(chosen);
+    const int picked =
+        choose(state, "##size", "browser:size", choices.labels[chosen], choices, 176);
+    if (picked >= 0) chosen = static_cast<size_t>(picked);
+    ImGui::SameLine();
+}
+
+// Returns true when the browser is to be closed.
+bool draw_content(State& state) {
+    Browser& browser = state.browser;
+    draw_text(*ImGui::GetWindowDrawList(), state.fonts.bold(24), 24, ImGui::GetCursorScreenPos(),
+              theme::text, title_of(browser.purpose));
+    ImGui::Dummy({1, 28});
+    draw_path(state);
+    bool done = draw_field(state) && enter(state);
+    move_choice(browser);
+    draw_places(state);
+    if (browser.purpose == Purpose::none) return true;
+    ImGui::SameLine();
+    if (draw_list(state)) done |= enter_chosen(state);
+    if (browser.purpose == Purpose::export_picture) draw_sizes(state);
+    const std::string label = saves(browser) ? "Save" : "Open";
+    if (button(state, label.c_str(), "browser:take", true, {104, 28})) done |= enter(state);
+    name_item(state, saves(browser) ? "answer:save" : "answer:open");
+    ImGui::SameLine();
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]);
+    return button(state, "Cancel", "browser:cancel", false, {104, 28}) || escape || done;
+}
+
+}  // namespace
+
+void browse(State& state, Purpose purpose, const fs::path& file) {
+    Browser browser;
+    browser.purpose = purpose;
+    browser.focus = true;
+    if (saves(browser)) browser.text = file.filename().string();
+    const fs::path folder = file.parent_path();
+    go_to(browser, folder.empty() ? fs::path(".") : folder);
+    state.browser = std::move(browser);
+}
+
+void browse_picture(State& state, const std::string& node, const std::string& port) {
+    std::error_code ignored;
+    const fs::path textures = state.folder() / "textures";
+    const bool there = fs::is_directory(textures, ignored);
+    browse(state, Purpose::picture, (there ? textures : state.folder()) / "x");
+    state.browser.node = node;
+    state.browser.port = port;
+}
+
+namespace {
+
+// Opens the browser for a question of kind open or save_as.
+void take_question(State& state) {
+    const Question asked = std::exchange(state.question, {});
+    const bool saving = asked.kind == Question::Kind::save_as;
+    const fs::path file = asked.text.empty() ? state.folder() / (saving ? state.file_name() : "x")
+                                             : fs::path(asked.text);
+    browse(state, saving ? Purpose::save_graph : Purpose::open_graph, file);
+    if (!saving) state.browser.text = asked.text.empty() ? "" : file.filename().string();
+    state.browser.then = asked.then;
+    state.browser.trouble = asked.trouble;
+}
+
+}  // namespace
+
+void draw_browser(State& state) {
+    if (state.question.wants_path()) take_question(state);
+    if (state.browser.purpose == Purpose::none) return;
+    if (!ImGui::IsPopupOpen("##browser")) ImGui::OpenPopup("##browser");
+    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    const ImVec2 size(std::min(760.0F, room.x - 32), std::min(560.0F, room.y - 32));
+    ImGui::SetNextWindowPos({(room.x - size.x) / 2, (room.y - size.y) / 2});
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24, 20));
+    if (ImGui::BeginPopupModal("##browser", nullptr,
+                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+        const bool done = draw_content(state);
+        if (done) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+        if (done) state.browser = {};
+    }
+    ImGui::PopStyleVar();
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,20 @@
+// File browser: folders and files of one kind, with a text field. The typed text filters the list;
+// it may also be a path to open or the name of a file to save.
+//
+//   Up, Down, Page Up, Page Down   choose        Enter   opens the folder or chooses the file
+//   Backspace in an empty field    one folder up  Escape  closes
+#pragma once
+
+#include "editor/view/panels/listing.h"
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+// Opens the browser in the folder of `file`; if the purpose is to save, proposes its name.
+void browse(State& state, Browser::Purpose purpose, const std::filesystem::path& file);
+// Opens the browser to choose an image for an input of a node; "" as `node` adds a node.
+void browse_picture(State& state, const std::string& node, const std::string& port);
+
+void draw_browser(State& state);
+
+}  // namespace wrinkle::editor

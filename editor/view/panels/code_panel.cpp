@@ -1,0 +1,258 @@
+// Generated source, as written by `wrinkle compile`. Lines of the selected nodes are highlighted.
+// The node of the line under the pointer is highlighted on the canvas; a click selects it.
+#include <algorithm>
+
+#include "base/text.h"
+#include "editor/model/code/tokens.h"
+#include "editor/model/document/change.h"
+#include "editor/view/commands/commands.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/look/tooltip.h"
+#include "editor/view/panels/panels.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float code_head = 38, line_height = 17, number_right = 32, text_left = 44;
+constexpr float narrow = 520;  // below this width the options are in a menu
+
+ImU32 color_of(Token token) {
+    switch (token) {
+        case Token::keyword:
+            return theme::code_keyword;
+        case Token::type:
+            return theme::code_type;
+        case Token::function:
+            return theme::code_function;
+        case Token::number:
+            return theme::code_number;
+        case Token::comment:
+            return theme::code_comment;
+        case Token::text:
+            break;
+    }
+    return theme::code_text;
+}
+
+void draw_line(ImDrawList& list, ImFont* font, ImVec2 at, std::string_view line) {
+    const float advance = font->GetCharAdvance('m') * font->Scale;
+    for (const Piece& piece : pieces_of(line))
+        list.AddText(font, font->FontSize * font->Scale,
+                     {at.x + advance * static_cast<float>(piece.begin), at.y},
+                     color_of(piece.token), line.data() + piece.begin, line.data() + piece.end);
+}
+
+void take(Code& code, CodeText text) {
+    code.problem = text.problem;
+    if (text.problem.empty()) code.text = std::move(text);
+}
+
+bool is_asked(const State& state) {
+    const Code& code = state.code;
+    if (!code.asked || code.asked_file != state.follow.first) return false;
+    if (code.asked_options != code.options) return false;
+    if (same_document(code.asked_of, state.document())) return true;
+    const Change difference = change(code.asked_of, state.document());
+    return !difference.renamed &&
+           (difference.kind == Change::Kind::none || difference.kind == Change::Kind::cosmetic);
+}
+
+// Takes finished source and requests it for a changed document, except while a value is dragged.
+void follow(State& state) {
+    Code& code = state.code;
+    if (code.maker)
+        if (auto text = code.maker->take()) take(code, std::move(*text));
+    const bool other_file = code.asked_file != state.follow.first;
+    if (!state.fresh || is_asked(state)) return;
+    if (!other_file && state.gesture.kind == Gesture::Kind::value) return;
+    if (other_file) code.text = {};
+    code.asked = true;
+    code.asked_file = state.follow.first;
+    code.asked_of = state.document();
+    code.asked_options = code.options;
+    CodeJob job{state.model, state.document(), identifier(state.path.stem().string()),
+                code.options};
+    if (code.maker)
+        code.maker->ask(std::move(job));
+    else
+        take(code, make_code(job, *state.registry));
+}
+
+// Returns the label of a target: "GLSL 3.30" for "glsl330". Other items are their own label.
+std::string label_of(const std::string& item) {
+    const Target* target = find_target(item);
+    return target ? std::string(target->label) : item;
+}
+
+// Combo box; scripts name it `target` and its items `target`:item. Returns the chosen index.
+int draw_choice(State& state, const std::string& target, std::span<const std::string> items,
+                int chosen, float width) {
+    const std::string& shown = items[static_cast<size_t>(chosen)];
+    if (!begin_choice(state, ("##" + target).c_str(), target, label_of(shown), width))
+        return chosen;
+    for (size_t i = 0; i < items.size(); ++i) {
+        const bool own = static_cast<int>(i) == chosen;
+        if (ImGui::Selectable(label_of(items[i]).c_str(), own)) chosen = static_cast<int>(i);
+        name_item(state, target + ":" + items[i]);
+    }
+    ImGui::EndCombo();
+    return chosen;
+}
+
+// Translated targets do not have the form "Function".
+void draw_forms(State& state, float width) {
+    CodeOptions& options = state.code.options;
+    static const std::string all[] = {"Function", "Vertex", "Fragment"};
+    const Target* target = find_target(options.target);
+    const int first = target && is_translated(*target) ? 1 : 0;
+    const bool functions = first == 0 && options.form == Form::function;
+    const int form = functions ? 0 : options.vertex ? 1 : 2;
+    const auto forms = std::span(all).subspan(static_cast<size_t>(first));
+    const int wanted = first + draw_choice(state, "code:form", forms, form - first, width);
+    options.form = wanted == 0 ? Form::function : Form::shader;
+    options.vertex = wanted == 1;
+}
+
+void draw_options(State& state, float width) {
+    CodeOptions& options = state.code.options;
+    std::vector<std::string> names;
+    int target = 0;
+    for (const Target& each : targets()) {
+        if (each.name == options.target) target = static_cast<int>(names.size());
+        names.emplace_back(each.name);
+    }
+    target = draw_choice(state, "code:target", names, target, width);
+    options.target = names[static_cast<size_t>(target)];
+    ImGui::SameLine(0, 4);
+    draw_forms(state, width);
+    ImGui::SameLine(0, 4);
+    static const std::string values[] = {"Baked", "Uniforms"};
+    options.uniforms = draw_choice(state, "code:parameters", values, options.uniforms, width) == 1;
+}
+
+void draw_head(State& state) {
+    const ImVec2 at = ImGui::GetWindowPos();
+    const float width = ImGui::GetWindowWidth();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, at + ImVec2(width, code_head), theme::panel);
+    draw_text(list, state.fonts.bold(18), 18, at + ImVec2(12, 10), theme::text, "Code");
+    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(66, 13), theme::text_dim,
+              counted(state.code.text.starts.size(), "line"));
+    const bool wide = width >= narrow;
+    constexpr float choice = 108, buttons = 60, menu = 32;
+    ImGui::SetCursorPos({width - buttons - (wide ? 3 * choice + 8 : menu) - 12, 7});
+    if (wide) {
+        draw_options(state, choice);
+    } else {
+        if (icon_button(state, "more", "code:menu", "Language, form, parameters"))
+            ImGui::OpenPopup("##code-options");
+        if (ImGui::BeginPopup("##code-options")) {
+            draw_options(state, choice);
+            ImGui::EndPopup();
+        }
+    }
+    ImGui::SetCursorPos({width - buttons - 4, 7});
+    if (icon_button(state, "copy", "code:copy", "Copy the text"))
+        ImGui::SetClipboardText(state.code.text.source.c_str());
+    ImGui::SameLine(0, 4);
+    if (icon_button(state, "export-glsl", "code:export", "Export GLSL...  Ctrl+E"))
+        run_command(state, "export-glsl");
+    ImGui::SetCursorPosY(code_head);
+}
+
+void draw_row(State& state, size_t index, float width) {
+    const CodeText& text = state.code.text;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string& node = text.node(index);
+    ImGui::PushID(static_cast<int>(index));
+    const ImVec2 size(width, line_height);
+    const bool clicked = ImGui::InvisibleButton("line", size);
+    ImGui::PopID();
+    const bool hovered = ImGui::IsItemHovered();
+    if (!node.empty() && state.view.selected.contains(node)) {
+        list.AddRectFilled(at, at + size, theme::code_highlight);
+        list.AddRectFilled(at, at + ImVec2(3, line_height), theme::accent);
+    }
+    if (hovered) list.AddRect(at, at + size, theme::border);
+    if (hovered) state.code.hovered = node;
+    state.targets.add("line:" + std::to_string(index + 1),
+                      {at.x, at.y, at.x + size.x, at.y + size.y});
+    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(number_right, 1), theme::text_off,
+              std::to_string(index + 1), true);
+    draw_line(list, state.fonts.code(), at + ImVec2(text_left, 0), text.line(index));
+    if (!clicked || !state.document().find(node)) return;
+    state.view.selected = {node};
+    state.code.scrolled_to = node;
+}
+
+// Scrolls to the lines of a node that was selected in another panel.
+void scroll_to_selected(State& state) {
+    Code& code = state.code;
+    const std::string selected =
+        state.view.selected.size() == 1 ? *state.view.selected.begin() : std::string();
+    if (selected == code.scrolled_to) return;
+    code.scrolled_to = selected;
+    const auto found = std::find(code.text.nodes.begin(), code.text.nodes.end(), selected);
+    if (selected.empty() || found == code.text.nodes.end()) return;
+    const float y = static_cast<float>(found - code.text.nodes.begin()) * line_height;
+    const float top = ImGui::GetScrollY(), tall = ImGui::GetWindowHeight();
+    if (y < top || y > top + tall - 3 * line_height) ImGui::SetScrollY(y - tall / 3);
+}
+
+// One-line message above the source.
+void draw_strip(State& state, ImU32 color, const std::string& text) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, at + ImVec2(width, 28), theme::bar);
+    list.AddRectFilled(at, at + ImVec2(4, 28), color);
+    ImFont* font = state.fonts.regular(14);
+    const std::string shown = fitting(font, 14, text, width - 20);
+    draw_text(list, font, 14, at + ImVec2(12, 7), theme::text, shown);
+    if (shown != text && ImGui::IsMouseHoveringRect(at, at + ImVec2(width, 28)))
+        show_tooltip({at, at + ImVec2(width, 28)}, text);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 28);
+}
+
+void draw_problem(State& state) {
+    draw_strip(
+        state, theme::warn,
+        (state.code.text.starts.empty() ? "No text yet. " : "The last text that could be made. ") +
+            sentence(state.code.problem));
+}
+
+}  // namespace
+
+void draw_code(State& state) {
+    follow(state);
+    state.code.hovered.clear();
+    draw_head(state);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::code);
+    const bool empty = state.code.text.starts.empty() && holds_nothing(state.document());
+    if (!state.code.problem.empty() && !empty) draw_problem(state);
+    if (const std::string why = why_no_line(state); !why.empty() && state.code.problem.empty()) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        draw_strip(state, theme::accent, why);
+        state.targets.add("code:why", {at.x, at.y, at.x + 28, at.y + 28});
+    }
+    const CodeText& text = state.code.text;
+    ImGui::BeginChild("##lines", {0, 0}, false,
+                      ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_HorizontalScrollbar);
+    const float advance = state.fonts.code()->GetCharAdvance('m');
+    const float width = std::max(ImGui::GetContentRegionAvail().x,
+                                 text_left + 8 + advance * static_cast<float>(text.longest));
+    scroll_to_selected(state);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(text.starts.size()), line_height);
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            draw_row(state, static_cast<size_t>(i), width);
+    ImGui::EndChild();
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar();
+}
+
+}  // namespace wrinkle::editor

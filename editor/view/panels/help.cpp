@@ -1,0 +1,255 @@
+#include "editor/view/panels/help.h"
+
+#include <algorithm>
+
+#include "base/text.h"
+#include "editor/view/canvas/canvas.h"
+#include "editor/view/commands/commands.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/look/tooltip.h"
+#include "editor/view/panels/image_section.h"
+#include "editor/view/panels/panels.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float rest = 0.6F;  // seconds until a tooltip shows
+constexpr float tip_width = 360;
+
+constexpr GestureHelp table[] = {
+    {"Drag from pin to pin", "connects; from a connected input takes the wire off"},
+    {"Drag a pin into the open", "searches what fits there"},
+    {"Drag a value", "changes it; Ctrl fine, Shift coarse"},
+    {"Click a value", "opens its list, its colour or its pictures"},
+    {"Double-click a value", "types it; Tab goes on to the next"},
+    {"Double-click a name", "renames the node"},
+    {"Double-click a sub-graph", "opens it"},
+    {"Drag empty ground", "selects what the box touches"},
+    {"Middle drag, Alt + drag", "moves the view"},
+    {"Wheel", "zooms at the pointer"},
+    {"Right-click empty ground", "searches nodes"},
+    {"Drop a picture", "adds it as a source, on a wire as a layer"},
+};
+
+std::string default_text(const Port& port) {
+    const auto value = [&](size_t i) {
+        return shortest(static_cast<float>(port.default_value[i]));
+    };
+    if (port.kind == Port::Kind::choice) {
+        const auto index = static_cast<size_t>(port.default_value[0]);
+        return index < port.choices.size() ? port.choices[index] : "";
+    }
+    if (port.kind == Port::Kind::flag) return port.default_value[0] != 0 ? "yes" : "no";
+    if (port.kind == Port::Kind::count) return value(0);
+    if (port.default_kind == Port::Default::surface)
+        return std::string(surface_properties()[port.default_surface].name);
+    if (port.default_kind != Port::Default::constant) return {};
+    std::string text;
+    for (size_t i = 0; i < static_cast<size_t>(lanes_of(port.type)); ++i)
+        text += (i > 0 ? " " : "") + value(i);
+    return text;
+}
+
+std::string type_text(const Port& port) {
+    switch (port.kind) {
+        case Port::Kind::choice:
+            return "choice";
+        case Port::Kind::count:
+            return "count";
+        case Port::Kind::flag:
+            return "yes or no";
+        case Port::Kind::field:
+            return "any " + std::string(name_of(port.type));
+        case Port::Kind::input:
+        case Port::Kind::output:
+            break;
+    }
+    return std::string(name_of(port.type));
+}
+
+void draw_port(const State& state, const Port& port) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (!port.is_option())
+        draw_pin(list, port.type, at + ImVec2(8, 9), 6, theme::of(port.type), true, theme::node);
+    ImGui::Indent(24);
+    write_wrapped(state, port.name, theme::text, true);
+    ImGui::SameLine(0, 10);
+    write_wrapped(state, port_facts(port), theme::text_dim, false, 14);
+    write_wrapped(state, port.doc, theme::text_dim, false, 14);
+    ImGui::Unindent(24);
+    ImGui::Dummy({1, 2});
+}
+
+void draw_node_page(State& state, const NodeType& type) {
+    write_wrapped(state, type.title, theme::text, true, 24);
+    write_wrapped(state, type.id + "   " + type.family, theme::text_dim, false, 14);
+    write_wrapped(state, type.doc, theme::text);
+    if (const Node* node = state.document().find(state.help.node))
+        draw_image_sections(state, *node);
+    for (const bool outputs : {true, false}) {
+        ImGui::Dummy({1, 6});
+        write_wrapped(state, outputs ? "Outputs" : "Inputs and values", theme::text, true, 18);
+        for (const Port& port : type.ports)
+            if ((port.kind == Port::Kind::output) == outputs) draw_port(state, port);
+    }
+}
+
+void draw_pair(const State& state, std::string_view left, std::string_view right, float width) {
+    write_wrapped(state, std::string(left), theme::text);
+    ImGui::SameLine(width);
+    write_wrapped(state, std::string(right), theme::text_dim);
+}
+
+void draw_shortcuts(const State& state) {
+    write_wrapped(state, "Shortcuts", theme::text, true, 24);
+    std::string menu;
+    for (const Command& command : commands()) {
+        if (menu != command.menu) {
+            menu = command.menu;
+            ImGui::Dummy({1, 6});
+            write_wrapped(state, menu, theme::text, true, 18);
+        }
+        draw_pair(state, command.title, command.keys, 260);
+    }
+    ImGui::Dummy({1, 6});
+    write_wrapped(state, "By hand", theme::text, true, 18);
+    for (const GestureHelp& each : table)
+        draw_pair(state, each.hand, each.what, 260);
+}
+
+const NodeType* help_type(const State& state) {
+    return state.help.type.empty() ? nullptr : state.type_of(state.help.node);
+}
+
+// Returns the tooltip for the element under the pointer; false if there is none.
+bool hover_words(const State& state, std::string& name, std::string& title, std::string& facts,
+                 std::string& doc, std::string& image) {
+    const Hit& hit = state.hovered;
+    if (hit.kind == Hit::Kind::nothing || hit.kind == Hit::Kind::wire ||
+        hit.card >= state.layout.cards.size())
+        return false;
+    const Card& card = state.layout.cards[hit.card];
+    if (!card.type) return false;
+    const Port* port = nullptr;
+    if (hit.kind == Hit::Kind::field && hit.part < card.fields.size())
+        port = &card.type->ports[card.fields[hit.part].index];
+    if (hit.kind == Hit::Kind::pin && hit.part < card.pins.size())
+        for (const Port& each : card.type->ports)
+            if (each.name == card.pins[hit.part].port &&
+                (each.kind == Port::Kind::output) == card.pins[hit.part].output)
+                port = &each;
+    if (!port && hit.kind != Hit::Kind::header) return false;
+    name = port ? port->name : card.type->id;
+    title = port ? port->name : card.type->title;
+    facts = port ? port_facts(*port) : "F1 says more";
+    doc = port ? port->doc : card.type->doc;
+    if (port && port->is_value() && port->type == PortType::image_)
+        image = image_words(state, card.id, port->name);
+    return true;
+}
+
+}  // namespace
+
+std::string port_facts(const Port& port) {
+    std::string text = type_text(port);
+    if (!port.unit.empty()) text += ", " + (port.unit == "x" ? std::string("\u00D7") : port.unit);
+    if (const std::string value = default_text(port);
+        !value.empty() && port.kind != Port::Kind::output)
+        text += ", default " + value;
+    const bool hard = port.has_hard_range();
+    if (hard || port.has_soft_range())
+        text += ", " + shortest(static_cast<float>(hard ? port.hard_min : port.soft_min)) + " to " +
+                shortest(static_cast<float>(hard ? port.hard_max : port.soft_max));
+    if (port.kind != Port::Kind::output && port.is_required()) text += ", required";
+    for (size_t i = 0; i < port.choices.size(); ++i)
+        text += (i == 0 ? ": " : ", ") + port.choices[i];
+    return text;
+}
+
+std::span<const GestureHelp> gesture_help() {
+    return table;
+}
+
+std::string shortcuts_markdown() {
+    std::string text = "| command | keys | menu |\n|---|---|---|\n";
+    for (const Command& command : commands())
+        text += "| " + std::string(command.title) + " | " + std::string(command.keys) + " | " +
+                std::string(command.menu) + " |\n";
+    text += "\n| by hand | |\n|---|---|\n";
+    for (const GestureHelp& each : table)
+        text += "| " + std::string(each.hand) + " | " + std::string(each.what) + " |\n";
+    return text;
+}
+
+void show_shortcuts(State& state) {
+    state.help = {true, true, "", ""};
+}
+
+void show_help(State& state) {
+    show_shortcuts(state);
+    if (state.view.selected.size() != 1) return;
+    const std::string& id = *state.view.selected.begin();
+    if (const NodeType* type = state.type_of(id)) state.help = {true, true, id, type->id};
+}
+
+void write_wrapped(const State& state, const std::string& text, ImU32 color, bool bold,
+                   float size) {
+    ImGui::PushFont(bold ? state.fonts.bold(size) : state.fonts.regular(size));
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+}
+
+void draw_help(State& state) {
+    if (!state.help.open) return;
+    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    const ImVec2 size(std::min(560.0F, room.x - 32), std::min(640.0F, room.y - 96));
+    ImGui::SetNextWindowPos({(room.x - size.x) / 2, (room.y - size.y) / 2});
+    ImGui::SetNextWindowSize(size);
+    if (state.help.opening) ImGui::SetNextWindowFocus();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24, 20));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::Begin("##help", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PushTextWrapPos(0);
+    const NodeType* type = help_type(state);
+    if (type)
+        draw_node_page(state, *type);
+    else
+        draw_shortcuts(state);
+    ImGui::PopTextWrapPos();
+    const ImVec2 low = ImGui::GetWindowPos();
+    state.targets.add(type ? "help:" + type->id : "help:shortcuts",
+                      {low.x, low.y, low.x + size.x, low.y + size.y});
+    const bool away = !state.help.opening && !ImGui::IsWindowFocused();
+    state.help.opening = false;
+    ImGui::End();
+    ImGui::PopStyleVar(3);
+    if (away || ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape])) state.help = {};
+}
+
+void draw_hover_docs(State& state) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool still = io.MouseDelta.x == 0 && io.MouseDelta.y == 0 && !io.MouseDown[0] &&
+                       state.gesture.kind == Gesture::Kind::none && !state.palette.open &&
+                       !state.help.open && state.popup.kind == Popup::Kind::none;
+    state.help.rested = still ? state.help.rested + io.DeltaTime : 0;
+    std::string name, title, facts, doc, image;
+    const bool any = still && hover_words(state, name, title, facts, doc, image);
+    state.help.waiting = any && state.help.rested < rest;
+    if (!any || state.help.waiting) return;
+    const Tooltip tip(about_hit(state, state.hovered), tip_width);
+    if (!tip) return;
+    write_wrapped(state, title, theme::text, true);
+    write_wrapped(state, doc, theme::text);
+    write_wrapped(state, facts, theme::text_dim, false, 14);
+    if (!image.empty()) write_wrapped(state, image + " F1 says more.", theme::text);
+    state.targets.add("tip:" + name, {io.MousePos.x, io.MousePos.y, io.MousePos.x, io.MousePos.y});
+}
+
+}  // namespace wrinkle::editor

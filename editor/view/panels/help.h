@@ -1,0 +1,37 @@
+// In-editor help: the page of a node type, tooltips with the docs of the element under the pointer,
+// the list of shortcuts from the table of commands.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+// F1: opens the page of the selected node's type; the shortcuts if not exactly one is selected.
+void show_help(State& state);
+void show_shortcuts(State& state);
+void draw_help(State& state);
+
+// Draws a tooltip after the pointer has rested (0.6 s) on a node, a pin or a value.
+void draw_hover_docs(State& state);
+
+// Writes a paragraph, wrapped at the current ImGui wrap position.
+void write_wrapped(const State& state, const std::string& text, ImU32 color, bool bold = false,
+                   float size = 16);
+
+// Returns type, unit, default and range: "float, m, default 0.1, 0 to 1".
+std::string port_facts(const Port& port);
+
+// A pointer gesture on the canvas and its effect; gestures are not commands.
+struct GestureHelp {
+    std::string_view hand, what;
+};
+std::span<const GestureHelp> gesture_help();
+
+// Returns the tables of docs/editor.md; a test compares them.
+std::string shortcuts_markdown();
+
+}  // namespace wrinkle::editor

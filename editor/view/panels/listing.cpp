@@ -1,0 +1,85 @@
+#include "editor/view/panels/listing.h"
+
+#include <algorithm>
+#include <cctype>
+
+#include "editor/view/panels/search.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+bool is_digit(char c) {
+    return std::isdigit(static_cast<unsigned char>(c));
+}
+
+// Returns the digits at `at` without leading zeros; moves `at` past them.
+std::string_view number_at(std::string_view text, size_t& at) {
+    const size_t begin = std::min(text.find_first_not_of('0', at), text.size());
+    while (at < text.size() && is_digit(text[at]))
+        ++at;
+    return text.substr(std::min(begin, at), at - std::min(begin, at));
+}
+
+bool has_extension(const std::string& name, std::span<const std::string> extensions) {
+    const std::string own = lower_case(fs::path(name).extension().string());
+    return extensions.empty() ||
+           std::find(extensions.begin(), extensions.end(), own) != extensions.end();
+}
+
+}  // namespace
+
+bool name_before(std::string_view a, std::string_view b) {
+    const std::string x = lower_case(a), y = lower_case(b);
+    size_t i = 0, k = 0;
+    while (i < x.size() && k < y.size()) {
+        if (is_digit(x[i]) && is_digit(y[k])) {
+            const std::string_view m = number_at(x, i), n = number_at(y, k);
+            if (m.size() != n.size()) return m.size() < n.size();
+            if (m != n) return m < n;
+        } else {
+            if (x[i] != y[k]) return x[i] < y[k];
+            ++i;
+            ++k;
+        }
+    }
+    const bool x_ends = i == x.size(), y_ends = k == y.size();
+    return x_ends == y_ends ? a < b : x_ends;
+}
+
+Listing list_folder(const fs::path& folder, std::span<const std::string> extensions) {
+    Listing listing;
+    std::error_code error, ignored;
+    fs::directory_iterator at(folder, error);
+    for (; !error && at != fs::directory_iterator(); at.increment(error)) {
+        Entry entry{at->path().filename().string(), at->is_directory(ignored)};
+        if (entry.name.starts_with('.')) continue;
+        if (!entry.folder && !has_extension(entry.name, extensions)) continue;
+        listing.entries.push_back(std::move(entry));
+        if (listing.entries.size() < Listing::max_entries) continue;
+        listing.trouble = "Only the first " + std::to_string(Listing::max_entries) +
+                          " entries are listed. Type a name to go to the others.";
+        break;
+    }
+    if (error) listing.trouble = folder.string() + " cannot be read: " + error.message() + ".";
+    std::sort(listing.entries.begin(), listing.entries.end(), [](const Entry& a, const Entry& b) {
+        return a.folder != b.folder ? a.folder : name_before(a.name, b.name);
+    });
+    return listing;
+}
+
+std::vector<size_t> filtered(const Listing& listing, std::string_view query) {
+    const std::string wanted = lower_case(query);
+    std::vector<std::pair<int, size_t>> found;
+    for (size_t i = 0; i < listing.entries.size(); ++i)
+        if (const auto matched = match(listing.entries[i].name, "", "", wanted))
+            found.emplace_back(matched->rank, i);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<size_t> indices;
+    for (const auto& [rank, index] : found)
+        indices.push_back(index);
+    return indices;
+}
+
+}  // namespace wrinkle::editor

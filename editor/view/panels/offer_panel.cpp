@@ -1,0 +1,70 @@
+#include "editor/view/panels/offer_panel.h"
+
+#include <algorithm>
+
+#include "editor/view/edit/offer.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/look/tooltip.h"
+#include "editor/view/panels/panels.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float width = 440;
+
+// Returns the index of the chosen row, or -1.
+int draw_offered(State& state) {
+    Offer& offer = state.offer;
+    const ImGuiIO& io = ImGui::GetIO();
+    const int count = static_cast<int>(offer.choices.size());
+    if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_DownArrow])) ++offer.chosen;
+    if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_UpArrow])) --offer.chosen;
+    offer.chosen = std::clamp(offer.chosen, 0, std::max(count - 1, 0));
+    int taken = -1;
+    for (int i = 0; i < count; ++i) {
+        const Offer::Choice& choice = offer.choices[static_cast<size_t>(i)];
+        const std::string label = "Insert " + choice.type->title;
+        if (button(state, label.c_str(), "offer:" + choice.type->id, i == offer.chosen,
+                   {width - 24, 28}))
+            taken = i;
+        if (ImGui::IsItemHovered()) show_tooltip(beside_window(), choice.type->doc);
+    }
+    const bool enter = ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false);
+    return enter && !offer.opening && count > 0 ? offer.chosen : taken;
+}
+
+}  // namespace
+
+void draw_offer(State& state) {
+    Offer& offer = state.offer;
+    if (!offer.open) return;
+    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({std::clamp(offer.at.x + 12, 0.0F, std::max(room.x - width, 0.0F)),
+                             std::clamp(offer.at.y + 12, 0.0F, std::max(room.y - 160, 0.0F))});
+    ImGui::SetNextWindowSize({width, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12, 8));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::node);
+    ImGui::PushStyleColor(ImGuiCol_Border, theme::line);
+    if (offer.opening) ImGui::SetNextWindowFocus();
+    ImGui::Begin("##offer", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    ImGui::PushTextWrapPos(width - 12);
+    ImGui::TextUnformatted(offer.why.c_str());
+    ImGui::PopTextWrapPos();
+    const int taken = draw_offered(state);
+    const bool away = !offer.opening && !ImGui::IsWindowFocused();
+    ImGui::End();
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar(3);
+    offer.opening = false;
+    if (taken >= 0)
+        accept_offer(state, static_cast<size_t>(taken));
+    else if (away || ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]))
+        offer = {};
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,139 @@
+// State of the popups and dialogs over the panels: palette, browser, bake dialog, field editors.
+#pragma once
+
+#include <imgui.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editor/model/bake/choices.h"
+#include "editor/model/document/intent.h"
+#include "editor/view/canvas/gesture.h"
+#include "editor/view/panels/listing.h"
+#include "editor/view/panels/samples.h"
+#include "registry/registry.h"
+
+namespace wrinkle::editor {
+
+// Search that adds a node, optionally at the end of a wire.
+struct Palette {
+    bool open = false, opening = false;
+    bool find = false;      // lists the nodes of the graph instead
+    bool commands = false;  // lists commands instead
+    ImVec2 at{0, 0};        // screen
+    std::string query;
+    int chosen = 0;
+    int first = 0;              // first row that is drawn
+    bool all_types = false;     // also types that do not fit the wire
+    bool at_selection = false;  // insert into the selected wire or after the selected nodes
+    Gesture wire;               // if its kind is wire: the wire to connect to the new node
+};
+
+// State of the file browser.
+struct Browser {
+    enum class Purpose : uint8_t {
+        none,
+        open_graph,
+        save_graph,
+        export_text,
+        export_picture,
+        picture,
+        bake_mesh,
+        bake_into  // a folder, or a file
+    };
+    Purpose purpose = Purpose::none;
+    std::filesystem::path folder;
+    Listing listing;
+    std::vector<size_t> shown;  // indices into listing.entries, as filtered
+    int chosen = 0;             // index into `shown`
+    std::string text, filtered_by;
+    bool focus = false, scroll = false;
+    std::string node, port;  // purpose `picture`; "" adds a node
+    size_t size = 0;         // purpose `export_picture`: index into picture_sizes()
+    PendingAction then;      // action after the graph is saved
+    std::string trouble;     // why the last answer failed
+};
+
+// State of the bake dialog.
+struct BakeDialog {
+    bool open = false, opening = false;
+    BakeChoices choices;
+    std::optional<BakeChoices> looked;  // choices for which `replaces` was computed
+    std::string replaces;               // one sentence on the files that would be overwritten
+};
+
+// Start page, drawn in place of the canvas while there is no graph.
+struct Start {
+    bool left = false;  // the user requested an empty graph
+    bool read = false;
+    std::vector<Sample> samples;
+};
+
+// Help window: the page of a node's type, or the list of shortcuts.
+struct Help {
+    bool open = false, opening = false;
+    std::string node, type;  // "" for the shortcuts
+    float rested = 0;        // seconds since the pointer moved
+    bool waiting = false;    // a tooltip is due when the pointer has rested long enough
+};
+
+// State of the list of problems.
+struct Problems {
+    size_t current = 0;    // index of the problem shown last
+    bool visited = false;  // a problem has been shown
+    bool scroll = false;
+};
+
+// Recently used items, newest first.
+struct Recent {
+    std::vector<std::string> nodes, commands;  // ids
+};
+
+// Node types to insert between the two ends of a wire with incompatible types.
+struct Offer {
+    struct Choice {
+        const NodeType* type = nullptr;
+        std::string in, out;  // its ports for the wire
+    };
+    bool open = false, opening = false;
+    ImVec2 at{0, 0};  // screen
+    std::string why;  // one sentence
+    std::vector<Choice> choices;
+    int chosen = 0;
+    // The wire from the output `from` to the input node.port; `lifted` is the input that it was
+    // disconnected from, if any.
+    Link from;
+    std::string node, port;
+    std::optional<Link> lifted;
+};
+
+// Editor for the text of a note or the title of a frame.
+struct BoxText {
+    bool open = false, opening = false;
+    BoxId box;
+    std::string text;
+    std::string merge;  // merge key of the undo step that created the box
+};
+
+// Text field, list or color picker over a field or a header.
+struct Popup {
+    enum class Kind : uint8_t { none, text, rename, choice, file, color };
+    Kind kind = Kind::none;
+    bool opening = false;
+    std::string node;
+    uint32_t port_index = 0;
+    int lane = 0;
+    ImVec2 at{0, 0};
+    float width = 0;
+    std::string text;
+    std::vector<std::string> files;  // for kind file: listed when the popup opened
+    std::string query;               // filters a list
+    int chosen = 0;                  // index into the filtered list
+    int next = 0;                    // next field to open: 1 (Tab), -1 (Shift+Tab), 0: none
+    std::string merge;               // merge key of the undo steps of a color edit
+};
+
+}  // namespace wrinkle::editor

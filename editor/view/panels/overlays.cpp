@@ -1,0 +1,219 @@
+// Overlays on the canvas: breadcrumb of open graphs, zoom, minimap.
+#include <algorithm>
+#include <cstdio>
+
+#include "editor/model/document/levels.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/commands/commands.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/look/icons.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/panels/panels.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float margin = 16, tall = 28, crumb_gap = 24;
+const ImVec2 map_size(168, 112);
+
+// Undecorated window on the canvas. It does not take focus, so a drag on the canvas continues.
+class Overlay {
+public:
+    Overlay(const char* id, ImVec2 at, ImVec2 size) : low_(at), high_(at + size) {
+        ImGui::SetNextWindowPos(at);
+        ImGui::SetNextWindowSize(size);
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+        ImGui::Begin(id, nullptr,
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
+                         ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavInputs |
+                         ImGuiWindowFlags_NoNavFocus);
+        list().AddRectFilled(low_, high_, theme::bar, 5);
+        list().AddRect(low_, high_, theme::border, 5);
+    }
+    Overlay(const Overlay&) = delete;
+    Overlay& operator=(const Overlay&) = delete;
+    ~Overlay() {
+        ImGui::End();
+        ImGui::PopStyleVar(2);
+    }
+    static ImDrawList& list() { return *ImGui::GetWindowDrawList(); }
+    ImVec2 low() const { return low_; }
+
+private:
+    ImVec2 low_, high_;
+};
+
+// One open file of the breadcrumb, or "..." for several.
+struct Crumb {
+    static constexpr size_t gap = ~size_t{0};
+    size_t depth = 0;  // index into State::outer; its size: the graph on the canvas
+    std::string text;
+    float width = 0;
+};
+
+// Returns the crumbs that fit; drops those after the outermost file first, the innermost stays.
+std::vector<Crumb> find_crumbs(const State& state, float room) {
+    ImFont* font = state.fonts.regular(16);
+    std::vector<std::string> files = open_files(state);
+    std::vector<Crumb> crumbs;
+    float total = 0;
+    for (size_t i = 0; i < files.size(); ++i) {
+        const bool dirty = i < state.outer.size() && state.outer[i].dirty();
+        const float most = std::max(room / (files.size() > 1 ? 2 : 1) - 48, 60.0F);
+        const std::string text = fitting(font, 16, files[i], most) + (dirty ? " *" : "");
+        crumbs.push_back({i, text, text_width(font, 16, text)});
+        total += crumbs.back().width + crumb_gap;
+    }
+    while (total > room && crumbs.size() > 2) {
+        const bool first = crumbs[1].depth != Crumb::gap;
+        if (!first && crumbs.size() == 3) break;
+        const auto dropped = crumbs.begin() + (first ? 1 : 2);
+        total -= dropped->width + crumb_gap;
+        crumbs.erase(dropped);
+        if (!first) continue;
+        const Crumb dots{Crumb::gap, "...", text_width(font, 16, "...")};
+        total += dots.width + crumb_gap;
+        crumbs.insert(crumbs.begin() + 1, dots);
+    }
+    return crumbs;
+}
+
+bool draw_crumb_ground(State& state, const Crumb& crumb, ImVec2 at) {
+    const ImVec2 low = at - ImVec2(6, 5), size(crumb.width + 12, tall - 2);
+    ImGui::SetCursorScreenPos(low);
+    const std::string id = "crumb:" + std::to_string(crumb.depth);
+    const bool pressed = ImGui::InvisibleButton(id.c_str(), size);
+    name_item(state, id);
+    if (ImGui::IsItemHovered())
+        Overlay::list().AddRectFilled(low, low + size, theme::accent_soft, 4);
+    return pressed;
+}
+
+// Draws the open files from the outermost to the one on the canvas; a click returns to that file.
+void draw_crumbs(State& state) {
+    const View& view = state.view;
+    ImFont* font = state.fonts.regular(16);
+    std::vector<Crumb> crumbs = find_crumbs(state, view.extent.x - 2 * margin);
+    if (crumbs.size() == 1)
+        crumbs.push_back({Crumb::gap, "Main graph", text_width(font, 16, "Main graph")});
+    float width = 0;
+    for (const Crumb& crumb : crumbs)
+        width += crumb.width + crumb_gap;
+    const Overlay overlay("##crumbs", view.corner + ImVec2(margin, margin), {width, tall});
+    const ImVec2 low = overlay.low();
+    state.targets.add("crumbs", {low.x, low.y, low.x + width, low.y + tall});
+    ImDrawList& list = Overlay::list();
+    ImVec2 at = low + ImVec2(12, 6);
+    std::optional<size_t> pressed;
+    for (const Crumb& crumb : crumbs) {
+        const bool leads = crumb.depth < state.outer.size();
+        const bool here = crumb.depth == state.outer.size();
+        if (leads && draw_crumb_ground(state, crumb, at)) pressed = crumb.depth;
+        draw_text(list, font, 16, at, here ? theme::text : theme::text_dim, crumb.text);
+        at.x += crumb.width + crumb_gap;
+        if (&crumb != &crumbs.back())
+            draw_icon(list, "into", at + ImVec2(-crumb_gap / 2, 8), theme::text_dim);
+    }
+    if (pressed) request_action(state, {PendingAction::Kind::leave, {}, *pressed});
+}
+
+bool draw_part(State& state, const char* id, ImVec2 at, float width) {
+    ImGui::SetCursorScreenPos(at);
+    const bool pressed = ImGui::InvisibleButton(id, {width, tall});
+    name_item(state, std::string("canvas:") + id);
+    if (ImGui::IsItemHovered())
+        Overlay::list().AddRectFilled(at + ImVec2(1, 1), at + ImVec2(width - 1, tall - 1),
+                                      theme::accent_soft, 4);
+    if (pressed) run_command(state, id);
+    return pressed;
+}
+
+void draw_zoom(State& state) {
+    const View& view = state.view;
+    const float y = view.corner.y + view.extent.y - margin - tall;
+    const Overlay overlay("##zoom", {view.corner.x + margin, y}, {188, tall});
+    const ImVec2 at = overlay.low();
+    ImDrawList& list = Overlay::list();
+    ImFont* font = state.fonts.regular(16);
+    draw_part(state, "fit", at, 64);
+    draw_icon(list, "fit", at + ImVec2(18, 14), theme::text_dim);
+    draw_text(list, font, 16, at + ImVec2(33, 6), theme::text, "Fit");
+    draw_part(state, "zoom-out", at + ImVec2(68, 0), 32);
+    draw_icon(list, "zoom-out", at + ImVec2(84, 14), theme::text_dim);
+    char text[16];
+    std::snprintf(text, sizeof text, "%.0f %%", static_cast<double>(view.zoom) * 100);
+    const float middle = at.x + 126 - text_width(font, 16, text) / 2;
+    draw_text(list, font, 16, {middle, at.y + 6}, theme::text, text);
+    draw_part(state, "zoom-in", at + ImVec2(152, 0), 32);
+    draw_icon(list, "zoom-in", at + ImVec2(168, 14), theme::text_dim);
+}
+
+struct Map {
+    ImVec2 origin;  // screen position of the canvas origin
+    float scale;
+    ImVec2 at(ImVec2 canvas) const { return origin + canvas * scale; }
+};
+
+Map fit_map(const Layout& layout, ImVec2 low) {
+    const ImVec2 size = layout.high - layout.low, room = map_size - ImVec2(16, 16);
+    const float scale =
+        std::min({room.x / std::max(size.x, 1.0F), room.y / std::max(size.y, 1.0F), 0.12F});
+    const ImVec2 middle = (layout.low + layout.high) * 0.5F;
+    return {low + map_size * 0.5F - middle * scale, scale};
+}
+
+void draw_cards(const State& state, const Map& map) {
+    ImDrawList& list = Overlay::list();
+    const bool any = !state.view.selected.empty();
+    for (const Card& card : state.layout.cards) {
+        const ImVec2 low = map.at(card.at), size = card.size * map.scale;
+        const bool selected = any && state.view.selected.contains(card.id);
+        list.AddRectFilled(low, low + ImVec2(std::max(size.x, 1.5F), std::max(size.y, 1.5F)),
+                           selected ? theme::accent : theme::control);
+    }
+    for (const Diagnostic& problem : state.built.problems.list()) {
+        const std::string_view path = problem.node;
+        const Card* card = state.layout.find(path.substr(0, path.find('/')));
+        if (!card) continue;
+        const ImVec2 low = map.at(card->at), size = card->size * map.scale;
+        list.AddRectFilled(low, low + ImVec2(std::max(size.x, 3.0F), std::max(size.y, 3.0F)),
+                           problem.severity == Severity::error ? theme::error : theme::warn);
+    }
+}
+
+// A click or drag on the minimap centers the canvas at that position.
+void draw_minimap(State& state) {
+    View& view = state.view;
+    const ImVec2 at = view.corner + view.extent - map_size - ImVec2(margin, margin);
+    const Overlay overlay("##minimap", at, map_size);
+    const Map map = fit_map(state.layout, at);
+    draw_cards(state, map);
+    const ImVec2 low = map.at(to_canvas(view, view.corner));
+    const ImVec2 high = map.at(to_canvas(view, view.corner + view.extent));
+    ImDrawList& list = Overlay::list();
+    list.PushClipRect(at + ImVec2(1, 1), at + map_size - ImVec2(1, 1), true);
+    list.AddRect(low, high, theme::text_dim, 2);
+    list.PopClipRect();
+    ImGui::SetCursorScreenPos(at);
+    ImGui::InvisibleButton("map", map_size);
+    name_item(state, "minimap");
+    if (!ImGui::IsItemActive() && !ImGui::IsItemDeactivated()) return;
+    if (!ImGui::IsMousePosValid()) return;  // the pointer left the window
+    const ImVec2 canvas = (ImGui::GetIO().MousePos - map.origin) * (1 / map.scale);
+    view.pan = view.extent * 0.5F - canvas * view.zoom;
+}
+
+}  // namespace
+
+void draw_overlays(State& state) {
+    const View& view = state.view;
+    if (view.extent.x < 260 || view.extent.y < 140) return;
+    draw_crumbs(state);
+    draw_zoom(state);
+    if (view.extent.x >= 700 && view.extent.y >= 280 && !state.document().nodes.empty())
+        draw_minimap(state);
+}
+
+}  // namespace wrinkle::editor

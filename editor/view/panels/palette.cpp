@@ -1,0 +1,265 @@
+#include "editor/view/panels/palette.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "editor/view/canvas/layout.h"
+#include "editor/view/commands/commands.h"
+#include "editor/view/edit/edits.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/panels/fields.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float padding = 8, query_tall = 30, footer_tall = 30;
+constexpr int rows_shown = 8;
+
+float width_of(const Palette& palette) {
+    return palette.commands ? 480 : 288;
+}
+float row_tall(const Palette& palette) {
+    return palette.commands ? 32 : 46;
+}
+
+void choose(State& state, const PaletteRow& row) {
+    const Palette palette = state.palette;
+    if (!row.off.empty()) {
+        state.status = row.off;
+        return;
+    }
+    state.palette = {};
+    if (!row.node.empty()) {
+        state.view.selected = {row.node};
+        return fit(state.view, state.layout, true);
+    }
+    if (row.command) {
+        note_use(state.recent.commands, row.command->id);
+        return row.command->run(state);
+    }
+    note_use(state.recent.nodes, row.type->id);
+    const ImVec2 at = to_canvas(state.view, palette.at);
+    if (palette.at_selection) return add_node_to_selection(state, *row.type, at);
+    add_node_of_type(state, *row.type, at, palette.wire);
+}
+
+// Highlights the letters that match the query.
+void draw_title(const State& state, ImDrawList& list, ImVec2 at, const PaletteRow& row) {
+    const std::string_view title = row.title;
+    size_t next = 0;
+    for (size_t i = 0; i < title.size();) {
+        const bool matched = next < row.letters.size() && row.letters[next] == i;
+        size_t end = i;
+        while (end < title.size() &&
+               (next < row.letters.size() && row.letters[next] == end) == matched) {
+            if (matched) ++next;
+            ++end;
+        }
+        ImFont* font = matched || row.type ? state.fonts.bold(16) : state.fonts.regular(16);
+        const ImU32 color = !row.off.empty() ? theme::text_off
+                            : matched        ? theme::accent
+                                             : theme::text;
+        draw_text(list, font, 16, at, color, title.substr(i, end - i));
+        at.x += text_width(font, 16, title.substr(i, end - i));
+        i = end;
+    }
+}
+
+void draw_output(ImDrawList& list, const NodeType& type, ImVec2 at, bool chosen) {
+    for (const Port& port : type.ports) {
+        if (port.kind != Port::Kind::output) continue;
+        if (chosen) list.AddCircleFilled(at, 11, theme::panel);
+        return draw_pin(list, port.type, at, 6, theme::of(port.type), true,
+                        chosen ? theme::panel : theme::node);
+    }
+}
+
+void draw_row(const State& state, const PaletteRow& row, ImVec2 low, ImVec2 high, bool chosen) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (chosen) list.AddRectFilled(low, high, theme::accent_soft, 4);
+    ImFont* small = state.fonts.regular(14);
+    const std::string right = row.type ? (chosen ? "Enter" : "") : row.key;
+    const float right_edge = high.x - 10;
+    if (row.type) {
+        draw_output(list, *row.type, {low.x + 18, (low.y + high.y) / 2}, chosen);
+        draw_title(state, list, low + ImVec2(38, 5), row);
+        draw_text(list, small, 14, low + ImVec2(38, 24), theme::text_dim,
+                  fitting(small, 14, row.doc, high.x - low.x - 48));
+        return draw_text(list, small, 14, {right_edge, low.y + 6}, theme::text_dim, right, true);
+    }
+    draw_title(state, list, low + ImVec2(10, 8), row);
+    const float key = text_width(small, 14, right);
+    draw_text(list, small, 14, {right_edge, low.y + 9}, theme::text_dim, right, true);
+    const float name = text_width(state.fonts.bold(16), 16, row.title) + 24;
+    draw_text(
+        list, small, 14, low + ImVec2(name, 9), theme::text_off,
+        fitting(small, 14, row.off.empty() ? row.doc : row.off, high.x - low.x - name - key - 24));
+}
+
+void move_choice(Palette& palette, int count) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto pressed = [&](ImGuiKey key) { return ImGui::IsKeyPressed(io.KeyMap[key]); };
+    const int before = palette.chosen;
+    if (pressed(ImGuiKey_DownArrow)) ++palette.chosen;
+    if (pressed(ImGuiKey_UpArrow)) --palette.chosen;
+    if (pressed(ImGuiKey_PageDown)) palette.chosen += rows_shown;
+    if (pressed(ImGuiKey_PageUp)) palette.chosen -= rows_shown;
+    palette.chosen = std::clamp(palette.chosen, 0, std::max(count - 1, 0));
+    if (palette.chosen != before || palette.first > palette.chosen)
+        palette.first = std::clamp(palette.first, palette.chosen - rows_shown + 1, palette.chosen);
+    if (ImGui::IsWindowHovered() && io.MouseWheel != 0)
+        palette.first -= static_cast<int>(io.MouseWheel * 3);
+    palette.first = std::clamp(palette.first, 0, std::max(count - rows_shown, 0));
+}
+
+// Returns the index of the chosen row, or -1.
+int draw_rows(State& state, const std::vector<PaletteRow>& rows) {
+    Palette& palette = state.palette;
+    int taken = -1;
+    const int last = std::min(palette.first + rows_shown, static_cast<int>(rows.size()));
+    for (int i = palette.first; i < last; ++i) {
+        ImGui::PushID(i);
+        const ImVec2 low = ImGui::GetCursorScreenPos();
+        const ImVec2 high = low + ImVec2(width_of(palette) - 2 * padding, row_tall(palette));
+        if (ImGui::InvisibleButton("row", high - low)) taken = i;
+        const ImVec2 moved = ImGui::GetIO().MouseDelta;
+        if (ImGui::IsItemHovered() && (moved.x != 0 || moved.y != 0)) palette.chosen = i;
+        const PaletteRow& row = rows[static_cast<size_t>(i)];
+        draw_row(state, row, low, high, i == palette.chosen);
+        state.targets.add(row.target, {low.x, low.y, high.x, high.y});
+        ImGui::PopID();
+    }
+    return taken;
+}
+
+// Returns the active filter: "takes gradient"; "" if there is none.
+std::string filter_of(const Palette& palette) {
+    if (palette.commands || palette.wire.kind != Gesture::Kind::wire) return {};
+    if (palette.all_types) return "all types";
+    return (palette.wire.from_output ? "takes " : "gives ") +
+           std::string(name_of(palette.wire.type));
+}
+
+int on_query_tab(ImGuiInputTextCallbackData* data) {
+    auto& palette = *static_cast<Palette*>(data->UserData);
+    palette.all_types = !palette.all_types;
+    palette.first = palette.chosen = 0;
+    return 0;
+}
+
+bool draw_query(State& state) {
+    Palette& palette = state.palette;
+    if (palette.opening) focus_field(state);
+    const std::string filter = filter_of(palette);
+    ImFont* small = state.fonts.regular(14);
+    const float chip = filter.empty() ? 0 : text_width(small, 14, filter) + 20;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const ImVec2 size(width_of(palette) - 2 * padding, query_tall);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, at + size, theme::field, 4);
+    list.AddRect(at, at + size, theme::accent, 4, 0, 2);
+    list.AddCircle(at + ImVec2(14, 14), 5, theme::text_dim, 0, 1.5F);
+    list.AddLine(at + ImVec2(18, 18), at + ImVec2(21, 21), theme::text_dim, 1.5F);
+    draw_text(list, small, 14, at + ImVec2(size.x - 10, 8),
+              palette.all_types ? theme::text_off : theme::text_dim, filter, true);
+    ImGui::SetCursorScreenPos(at + ImVec2(24, 0));
+    ImGui::SetNextItemWidth(size.x - 24 - chip);
+    ImGui::PushStyleColor(ImGuiCol_FrameBg, 0);
+    ImGui::PushStyleColor(ImGuiCol_Border, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 7));
+    const std::string before = palette.query;
+    const bool enter = ImGui::InputTextWithHint(
+        "##query", palette.commands ? "Search commands" : "Search nodes", &palette.query,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion, on_query_tab,
+        &palette);
+    note_field(state);
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor(2);
+    ImGui::SetCursorScreenPos(at + ImVec2(0, query_tall + 4));
+    if (palette.query != before) palette.first = palette.chosen = 0;
+    return enter;
+}
+
+void draw_nothing(const State& state) {
+    const Palette& palette = state.palette;
+    const bool filtered = !filter_of(palette).empty() && !palette.all_types;
+    const std::string text = std::string("No ") + (palette.commands ? "command" : "node") +
+                             " matches \"" + palette.query + "\". Backspace to widen" +
+                             (filtered ? ", or Tab to search all types." : ".");
+    ImGui::PushTextWrapPos(width_of(palette) - padding);
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::text_dim);
+    ImGui::TextUnformatted(text.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+}
+
+void draw_footer(const State& state) {
+    const Palette& palette = state.palette;
+    const ImVec2 at = ImGui::GetCursorScreenPos() + ImVec2(0, 2);
+    const float width = width_of(palette) - 2 * padding;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddLine(at, at + ImVec2(width, 0), theme::border);
+    const std::string words =
+        std::string("\u2191\u2193 choose   Enter ") + (palette.commands ? "run" : "place") +
+        (palette.wire.kind == Gesture::Kind::wire ? "   Tab all" : "") + "   Esc close";
+    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(4, 9), theme::text_dim, words);
+    ImGui::Dummy({width, footer_tall - 4});
+}
+
+ImVec2 place_of(const Palette& palette) {
+    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    const float width = width_of(palette);
+    const float tall = query_tall + footer_tall + 24 + row_tall(palette) * rows_shown;
+    if (palette.commands) return {std::max((room.x - width) / 2, 0.0F), 96};
+    return {std::clamp(palette.at.x, 0.0F, std::max(room.x - width, 0.0F)),
+            std::clamp(palette.at.y, 0.0F, std::max(room.y - tall, 0.0F))};
+}
+
+// Returns the index of the chosen row, or -1; sets `away` if the palette has lost focus.
+int draw_window(State& state, std::vector<PaletteRow>& rows, bool& away) {
+    Palette& palette = state.palette;
+    ImGui::Begin("##palette", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    const bool enter = draw_query(state);
+    rows = palette_rows(state);
+    move_choice(palette, static_cast<int>(rows.size()));
+    int taken = draw_rows(state, rows);
+    if (rows.empty()) draw_nothing(state);
+    draw_footer(state);
+    if (enter && !rows.empty()) taken = palette.chosen;
+    away = !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) && !palette.opening;
+    ImGui::End();
+    // ImGui unfocuses the field on Enter; focus it again if Enter had no effect.
+    const bool in_vain = enter && (taken < 0 || !rows[static_cast<size_t>(taken)].off.empty());
+    palette.opening = in_vain;
+    return taken;
+}
+
+}  // namespace
+
+void draw_palette(State& state) {
+    if (!state.palette.open) return;
+    ImGui::SetNextWindowPos(place_of(state.palette));
+    ImGui::SetNextWindowSize({width_of(state.palette), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(padding, padding));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::node);
+    ImGui::PushStyleColor(ImGuiCol_Border, theme::line);
+    if (state.palette.opening) ImGui::SetNextWindowFocus();
+    std::vector<PaletteRow> rows;
+    bool away = false;
+    const int taken = draw_window(state, rows, away);
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar(4);
+    if (taken >= 0)
+        choose(state, rows[static_cast<size_t>(taken)]);
+    else if (away || ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]))
+        state.palette = {};
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,37 @@
+// Search box that adds a node, runs a command or finds a node: type, choose with the arrow keys or
+// the mouse, Enter accepts. For a wire it lists types with a matching port; Tab lists all types.
+#pragma once
+
+#include "editor/view/panels/search.h"
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+void draw_palette(State& state);
+
+// Returns the matches of a query, best first. Sort keys: the rank of search.h, no conversion on the
+// wire before a conversion, most recently used first, shorter title first. For an empty query, the
+// last key is the family instead: images, gradients, noises, then the rest.
+struct FoundNode {
+    const NodeType* type = nullptr;
+    Match match;
+};
+std::vector<FoundNode> find_nodes(const State& state, std::string_view query);
+std::vector<const NodeType*> search_nodes(const State& state, std::string_view query);
+
+// One row of the list.
+struct PaletteRow {
+    std::string title, doc, key;
+    std::string off;     // why it cannot be chosen; "" if it can
+    std::string target;  // its name for scripts
+    std::vector<size_t> letters;
+    const NodeType* type = nullptr;
+    const struct Command* command = nullptr;
+    std::string node;  // id of a node of the graph to show
+};
+std::vector<PaletteRow> palette_rows(const State& state);
+
+// Moves the id to the front of the recently used ids; stores at most 8.
+void note_use(std::vector<std::string>& recent, std::string_view id);
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,138 @@
+// Rows of the palette: matching node types, commands or nodes of the graph.
+#include <algorithm>
+#include <tuple>
+
+#include "editor/view/commands/commands.h"
+#include "editor/view/edit/edits.h"
+#include "editor/view/panels/palette.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr size_t max_recent = 8;
+
+// Sort key for an empty query: families that create bumps, then those that use them, tools last.
+size_t order_of_family(std::string_view family) {
+    constexpr std::string_view first[] = {"image", "gradient", "noise",     "pattern", "height",
+                                          "uv",    "decal",    "triplanar", "parallax"};
+    const auto* const found = std::find(std::begin(first), std::end(first), family);
+    return static_cast<size_t>(found - std::begin(first));
+}
+
+size_t order_of_use(const std::vector<std::string>& recent, std::string_view id) {
+    return static_cast<size_t>(std::find(recent.begin(), recent.end(), id) - recent.begin());
+}
+
+std::vector<PaletteRow> node_rows(const State& state) {
+    std::vector<PaletteRow> rows;
+    for (FoundNode& found : find_nodes(state, state.palette.query)) {
+        PaletteRow row;
+        row.title = found.type->title;
+        row.doc = found.type->doc;
+        row.target = "palette:" + found.type->id;
+        row.letters = std::move(found.match.letters);
+        row.type = found.type;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+PaletteRow row_of(const State& state, const Command& command, Match match) {
+    PaletteRow row;
+    row.title = command.title;
+    row.doc = command.menu;
+    row.key = command.keys;
+    row.off = command.why_not(state);
+    row.target = "palette:" + std::string(command.id);
+    row.letters = std::move(match.letters);
+    row.command = &command;
+    return row;
+}
+
+std::vector<PaletteRow> command_rows(const State& state) {
+    using Key = std::tuple<int, bool, size_t>;
+    std::vector<std::pair<Key, PaletteRow>> found;
+    const std::string query = lower_case(state.palette.query);
+    for (const Command& command : commands()) {
+        auto matched = match(command.title, command.id, command.menu, query);
+        if (!matched) continue;
+        const Key key{matched->rank, !command.enabled(state),
+                      order_of_use(state.recent.commands, command.id)};
+        found.emplace_back(key, row_of(state, command, std::move(*matched)));
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<PaletteRow> rows;
+    for (auto& [key, row] : found)
+        rows.push_back(std::move(row));
+    return rows;
+}
+
+// Returns the nodes of the graph that match the query by id, type or title.
+std::vector<PaletteRow> graph_rows(const State& state) {
+    std::vector<std::pair<int, PaletteRow>> found;
+    const std::string query = lower_case(state.palette.query);
+    for (const NodePtr& node : state.document().nodes) {
+        const NodeType* type = state.type_of(node->id);
+        const std::string title = type ? type->title : "unknown type";
+        auto matched = match(node->id, node->type, title, query);
+        if (!matched) continue;
+        PaletteRow row;
+        row.title = row.node = node->id;
+        row.doc = title;
+        row.target = "palette:" + node->id;
+        row.letters = std::move(matched->letters);
+        row.type = type;
+        found.emplace_back(matched->rank, std::move(row));
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<PaletteRow> rows;
+    for (auto& [rank, row] : found)
+        rows.push_back(std::move(row));
+    return rows;
+}
+
+}  // namespace
+
+std::vector<FoundNode> find_nodes(const State& state, std::string_view query) {
+    const std::string wanted = lower_case(query);
+    const Gesture wire = state.palette.all_types ? Gesture() : state.palette.wire;
+    using Key = std::tuple<int, bool, size_t, size_t>;
+    std::vector<std::pair<Key, FoundNode>> found;
+    for (const NodeType& type : state.registry->list()) {
+        if (!type_fits(type, wire)) continue;
+        auto matched = match(type.title, type.id, type.doc, wanted);
+        if (!matched) continue;
+        const size_t last = wanted.empty() ? order_of_family(type.family) : type.title.size();
+        const Key key{matched->rank, !type_matches(type, wire),
+                      order_of_use(state.recent.nodes, type.id), last};
+        found.emplace_back(key, FoundNode{&type, std::move(*matched)});
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<FoundNode> nodes;
+    for (auto& [key, node] : found)
+        nodes.push_back(std::move(node));
+    return nodes;
+}
+
+std::vector<const NodeType*> search_nodes(const State& state, std::string_view query) {
+    std::vector<const NodeType*> types;
+    for (const FoundNode& found : find_nodes(state, query))
+        types.push_back(found.type);
+    return types;
+}
+
+std::vector<PaletteRow> palette_rows(const State& state) {
+    if (state.palette.find) return graph_rows(state);
+    return state.palette.commands ? command_rows(state) : node_rows(state);
+}
+
+void note_use(std::vector<std::string>& recent, std::string_view id) {
+    std::erase(recent, id);
+    recent.insert(recent.begin(), std::string(id));
+    if (recent.size() > max_recent) recent.resize(max_recent);
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,334 @@
+#include "editor/view/panels/popups.h"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "editor/model/document/field.h"
+#include "editor/view/canvas/gestures/gestures.h"
+#include "editor/view/commands/commands.h"
+#include "editor/view/drop/drop.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/panels/browser.h"
+#include "editor/view/panels/fields.h"
+#include "editor/view/panels/panels.h"
+#include "editor/view/panels/search.h"
+#include "graph/edit.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr size_t max_without_field = 8;  // most choices without a query field
+constexpr float choice_tall = 24, choices_shown = 10;
+
+const Port* port_of(const State& state) {
+    const NodeType* type = state.type_of(state.popup.node);
+    const bool there = type && state.popup.port_index < type->ports.size();
+    return there ? &type->ports[state.popup.port_index] : nullptr;
+}
+
+void accept_number(State& state) {
+    const Port* port = port_of(state);
+    char* end = nullptr;
+    const double value = std::strtod(state.popup.text.c_str(), &end);
+    if (!port || end == state.popup.text.c_str() || *end != 0) {
+        state.status = "\"" + state.popup.text + "\" is not a number.";
+        return;
+    }
+    state.commit(state.popup.node + ": " + port->name,
+                 with_number(state.document(), state.popup.node, *port, state.popup.lane, value));
+}
+
+void accept_name(State& state) {
+    const std::string& wanted = state.popup.text;
+    if (const std::string problem = id_problem(wanted); !problem.empty()) {
+        state.status = "\"" + wanted + "\" cannot be the name of a node: " + problem + ".";
+    } else if (wanted != state.popup.node && state.document().find(wanted)) {
+        state.status = "There is a node " + wanted + " already. Choose another name.";
+    } else {
+        state.commit("Rename to " + wanted,
+                     rename_node(state.document(), state.popup.node, wanted));
+        state.view.selected = {wanted};
+    }
+}
+
+int on_entry_tab(ImGuiInputTextCallbackData* data) {
+    static_cast<Popup*>(data->UserData)->next = ImGui::GetIO().KeyShift ? -1 : 1;
+    return 0;
+}
+
+// Returns true when editing is finished.
+bool draw_text_entry(State& state) {
+    Popup& popup = state.popup;
+    if (popup.opening) focus_field(state);
+    ImGui::SetNextItemWidth(-1);
+    // Each value has its own ImGui id, so that Tab does not carry over the text of the last field.
+    const std::string id = "##" + popup.node +
+                           std::to_string(popup.port_index * 4 + static_cast<uint32_t>(popup.lane));
+    const bool entered =
+        ImGui::InputText(id.c_str(), &popup.text,
+                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll |
+                             ImGuiInputTextFlags_CallbackCompletion,
+                         on_entry_tab, &popup);
+    note_field(state);
+    if (!entered && popup.next == 0) return false;
+    popup.kind == Popup::Kind::text ? accept_number(state) : accept_name(state);
+    return true;
+}
+
+// Returns the indices of the names that match the query, best first.
+std::vector<size_t> narrowed(const std::vector<std::string>& names, const std::string& query) {
+    std::vector<std::pair<int, size_t>> found;
+    for (size_t i = 0; i < names.size(); ++i)
+        if (const auto matched = match(names[i], "", "", lower_case(query)))
+            found.emplace_back(matched->rank, i);
+    std::sort(found.begin(), found.end());
+    std::vector<size_t> shown;
+    for (const auto& [rank, index] : found)
+        shown.push_back(index);
+    return shown;
+}
+
+// Returns true on Enter; Tab sets `next`.
+bool draw_query(State& state, bool field) {
+    Popup& popup = state.popup;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (!field) {
+        const bool tab = ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Tab], false);
+        if (tab) popup.next = io.KeyShift ? -1 : 1;
+        return !popup.opening && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false);
+    }
+    if (popup.opening) focus_field(state);
+    ImGui::SetNextItemWidth(-1);
+    const std::string before = popup.query;
+    const bool entered = ImGui::InputTextWithHint(
+        "##query", "Type a part of the name", &popup.query,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion, on_entry_tab,
+        &popup);
+    note_field(state);
+    if (popup.query != before) popup.chosen = 0;
+    return entered;
+}
+
+// `field`: draw a query field that filters the list. Returns true if a name was chosen (`taken`).
+bool draw_list(State& state, const std::vector<std::string>& names, bool field, size_t& taken) {
+    Popup& popup = state.popup;
+    const bool entered = draw_query(state, field);
+    const std::vector<size_t> shown = narrowed(names, popup.query);
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto pressed = [&](ImGuiKey key) { return ImGui::IsKeyPressed(io.KeyMap[key]); };
+    const int before = popup.chosen;
+    popup.chosen += pressed(ImGuiKey_DownArrow) - pressed(ImGuiKey_UpArrow);
+    popup.chosen = std::clamp(popup.chosen, 0, std::max(static_cast<int>(shown.size()) - 1, 0));
+    const float rows =
+        std::min(static_cast<float>(std::max<size_t>(shown.size(), 1)), choices_shown);
+    ImGui::BeginChild("##names", {0, rows * choice_tall}, false, ImGuiWindowFlags_NoNavInputs);
+    if (popup.chosen != before)
+        ImGui::SetScrollY((static_cast<float>(popup.chosen) - rows / 2) * choice_tall);
+    if (shown.empty()) ImGui::TextDisabled("No name matches.");
+    int clicked = -1;
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(shown.size()), choice_tall);
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const std::string& name = names[shown[static_cast<size_t>(i)]];
+            ImGui::PushID(i);
+            if (ImGui::Selectable("##name", i == popup.chosen, 0, {0, choice_tall})) clicked = i;
+            ImGui::PopID();
+            name_item(state, "choice:" + name);
+            const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+            ImFont* font = state.fonts.regular(16);
+            draw_text(*ImGui::GetWindowDrawList(), font, 16, low + ImVec2(8, 4), theme::text,
+                      fitting(font, 16, name, high.x - low.x - 16));
+        }
+    ImGui::EndChild();
+    const int chosen = clicked >= 0 ? clicked : entered && !shown.empty() ? popup.chosen : -1;
+    if (chosen >= 0) taken = shown[static_cast<size_t>(chosen)];
+    if (entered && chosen < 0) popup.opening = true;  // focus the field again
+    return chosen >= 0;
+}
+
+bool draw_choices(State& state) {
+    const Port* port = port_of(state);
+    if (!port) return true;
+    const std::string node = state.popup.node;
+    const bool flag = port->kind == Port::Kind::flag;
+    const std::vector<std::string> names =
+        flag ? std::vector<std::string>{"no", "yes"} : port->choices;
+    size_t taken = 0;
+    if (!draw_list(state, names, names.size() > max_without_field, taken))
+        return state.popup.next != 0;
+    const Document& now = state.document();
+    state.commit(node + ": " + port->name,
+                 flag ? with_flag(now, node, *port, taken == 1)
+                      : with_choice(now, node, *port, static_cast<uint32_t>(taken)));
+    return true;
+}
+
+// Chooses an image for the port; if the popup has no node, adds the image.
+bool draw_files(State& state) {
+    const bool adds = state.popup.node.empty();
+    const Port* port = adds ? nullptr : port_of(state);
+    if (!port && !adds) return true;
+    const std::vector<std::string> files = state.popup.files;
+    if (files.empty()) ImGui::TextDisabled("There are no images below the graph's folder.");
+    const std::string node = state.popup.node, name = port ? port->name : "";
+    if (button(state, "Browse...", "choice:browse")) {
+        browse_picture(state, node, name);
+        return true;
+    }
+    size_t taken = 0;
+    if (!draw_list(state, files, true, taken)) return state.popup.next != 0;
+    if (adds)
+        add_picture(state, files[taken]);
+    else
+        state.commit(state.popup.node + ": " + port->name,
+                     with_file(state.document(), state.popup.node, *port, files[taken]));
+    return true;
+}
+
+// All changes until the popup closes are one undo step.
+bool draw_color(State& state) {
+    const Port* port = port_of(state);
+    const Node* node = state.document().find(state.popup.node);
+    if (!port || !node) return true;
+    const auto numbers = numbers_at(*node, *port);
+    float color[3];
+    for (size_t i = 0; i < 3; ++i)
+        color[i] = static_cast<float>(numbers[i]);
+    ImGui::SetNextItemWidth(220);
+    constexpr ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
+                                          ImGuiColorEditFlags_NoSidePreview |
+                                          ImGuiColorEditFlags_DisplayRGB;
+    const bool changed = ImGui::ColorPicker3("##color", color, flags);
+    name_item(state, "color");
+    if (changed) {
+        Document document = state.document();
+        for (int i = 0; i < 3; ++i)
+            document =
+                with_number(document, state.popup.node, *port, i, static_cast<double>(color[i]));
+        state.commit(state.popup.node + ": " + port->name, document, state.popup.merge);
+    }
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Tab], false)) state.popup.next = 1;
+    return state.popup.next != 0 || ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false);
+}
+
+bool draw_popup_content(State& state) {
+    switch (state.popup.kind) {
+        case Popup::Kind::text:
+        case Popup::Kind::rename:
+            return draw_text_entry(state);
+        case Popup::Kind::choice:
+            return draw_choices(state);
+        case Popup::Kind::file:
+            return draw_files(state);
+        case Popup::Kind::color:
+            return draw_color(state);
+        case Popup::Kind::none:
+            break;
+    }
+    return true;
+}
+
+Popup::Kind kind_of(const Port& port) {
+    if (port.kind == Port::Kind::choice || port.kind == Port::Kind::flag)
+        return Popup::Kind::choice;
+    if (port.is_value() && port.type == PortType::image_) return Popup::Kind::file;
+    if (port.is_value() && port.type == PortType::color_) return Popup::Kind::color;
+    return Popup::Kind::text;
+}
+
+void open_next(State& state, const Popup& popup) {
+    const Card* found = state.layout.find(popup.node);
+    if (!found || found->fields.empty()) return;
+    const Card card = *found;
+    const auto count = static_cast<int>(card.fields.size());
+    for (int i = 0; i < count; ++i) {
+        const Field& field = card.fields[static_cast<size_t>(i)];
+        if (field.index != popup.port_index || field.lane != popup.lane) continue;
+        int to = (i + popup.next + count) % count;
+        // The components of a color are one field.
+        while (popup.kind == Popup::Kind::color && to != i &&
+               card.fields[static_cast<size_t>(to)].index == popup.port_index)
+            to = (to + popup.next + count) % count;
+        return open_field(state, card, card.fields[static_cast<size_t>(to)]);
+    }
+}
+
+bool is_list(Popup::Kind kind) {
+    return kind == Popup::Kind::choice || kind == Popup::Kind::file;
+}
+
+// Returns true when the popup is to be closed.
+bool draw_window(State& state) {
+    const Popup::Kind kind = state.popup.kind;
+    ImGui::Begin("##popup", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_NoSavedSettings |
+                     (kind == Popup::Kind::color ? ImGuiWindowFlags_AlwaysAutoResize : 0));
+    const bool was_opening = state.popup.opening;
+    const bool done = draw_popup_content(state);
+    if (was_opening) state.popup.opening = false;
+    const bool away = !was_opening && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) &&
+                      !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+    ImGui::End();
+    return done || away;
+}
+
+}  // namespace
+
+void open_field(State& state, const Card& card, const Field& field) {
+    const Port& port = card.type->ports[field.index];
+    const Node* node = state.document().find(card.id);
+    if (!node) return;
+    const Popup::Kind kind = kind_of(port);
+    open_popup(state, card, &field, kind);
+    if (kind == Popup::Kind::choice)
+        state.popup.chosen = static_cast<int>(numbers_at(*node, port)[0]);
+    state.popup.merge = "popup " + std::to_string(state.history.serial());
+}
+
+void edit_values(State& state) {
+    const Card* card = state.layout.find(*state.view.selected.begin());
+    if (card && !card->fields.empty()) open_field(state, Card(*card), Field(card->fields.front()));
+}
+
+void choose_picture(State& state) {
+    Popup popup;
+    popup.kind = Popup::Kind::file;
+    popup.opening = true;
+    popup.width = 360;
+    const View& view = state.view;
+    popup.at = view.corner + ImVec2((view.extent.x - popup.width) / 2, 64);
+    popup.files = image_files(state.folder());
+    state.popup = std::move(popup);
+}
+
+void draw_popup(State& state) {
+    if (state.popup.kind == Popup::Kind::none) return;
+    const bool list = is_list(state.popup.kind), color = state.popup.kind == Popup::Kind::color;
+    const float width = std::max(state.popup.width, list ? 240.0F : 0.0F);
+    ImVec2 at = state.popup.at;
+    if (list) at.x = std::min(at.x, ImGui::GetIO().DisplaySize.x - width - 8);
+    ImGui::SetNextWindowPos(at);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, list || color ? ImVec2(6, 6) : ImVec2(0, 0));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    ImGui::PushStyleColor(ImGuiCol_Border, theme::accent);
+    if (state.popup.opening) ImGui::SetNextWindowFocus();
+    if (!color) ImGui::SetNextWindowSize({width, 0});
+    const bool done = draw_window(state);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(3);
+    const bool escape = ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]);
+    if (!done && !escape) return;
+    const Popup closed = std::move(state.popup);
+    state.popup = {};
+    if (escape && closed.kind == Popup::Kind::color) state.history.cancel(closed.merge);
+    if (closed.next != 0 && !escape) open_next(state, closed);
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,215 @@
+// Preview panel: header, views, image and comparison.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "editor/view/commands/commands.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/panels/panels.h"
+#include "editor/view/panels/preview_parts.h"
+#include "mesh/shapes.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float preview_head = 34, strip_height = 32;
+
+std::string capitalised(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+        text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
+Choices lights(const PreviewView& view) {
+    Choices choices{{"Studio", "Phong"}, {"light:studio", "light:phong"}, 0};
+    if (!view.environment.empty()) {
+        choices.labels.push_back(std::filesystem::path(view.environment).filename().string());
+        choices.targets.push_back("light:file");
+        choices.chosen = 2;
+    }
+    if (view.lighting == gpu::Lighting::phong) choices.chosen = 1;
+    return choices;
+}
+
+void choose_light(PreviewView& view, int picked) {
+    view.lighting = picked == 1 ? gpu::Lighting::phong : gpu::Lighting::ggx;
+    if (picked == 0) view.environment.clear();
+}
+
+void edit_path(State& state, const char* label, const char* hint, const char* target,
+               std::string& path, const char* none) {
+    char text[1024] = "";
+    path.copy(text, sizeof text - 1);
+    ImGui::TextUnformatted(label);
+    ImGui::SetNextItemWidth(280);
+    ImGui::PushID(label);
+    if (ImGui::InputTextWithHint("##path", hint, text, sizeof text,
+                                 ImGuiInputTextFlags_EnterReturnsTrue))
+        path = text[0] ? text : none;
+    ImGui::PopID();
+    name_item(state, target);
+}
+
+void draw_more(State& state) {
+    PreviewView& view = state.view.preview_view;
+    if (icon_button(state, "more", "preview:more", "Scale, displacement, files"))
+        ImGui::OpenPopup("preview-more");
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12, 12));
+    if (ImGui::BeginPopup("preview-more")) {
+        ImGui::SetNextItemWidth(150);
+        ImGui::DragFloat("Object scale", &view.scale, 0.01F, 0.01F, 100.0F, "%.2f x",
+                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+        name_item(state, "preview:scale");
+        ImGui::Checkbox("Displaced", &view.displaced);
+        name_item(state, "preview:displaced");
+        edit_path(state, "Mesh file", "teapot.glb", "preview:mesh-file", view.mesh, "sphere");
+        edit_path(state, "Surroundings", "sky.hdr", "preview:environment-file", view.environment,
+                  "");
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar();
+}
+
+// Uses a mesh or environment map that was dropped on the window.
+void take_dropped(State& state) {
+    const std::string file = std::exchange(state.dropped.for_preview, {});
+    if (file.empty()) return;
+    const std::string type = std::filesystem::path(file).extension().string();
+    PreviewView& view = state.view.preview_view;
+    const bool light = type == ".hdr" || type == ".exr" || type == ".HDR" || type == ".EXR";
+    (light ? view.environment : view.mesh) = file;
+    if (light) view.lighting = gpu::Lighting::ggx;
+}
+
+std::string what_is_shown(const State& state) {
+    const std::string& node = state.follow.running_for.node;
+    return node.empty() ? "output: normal" : "node: " + node + ", preview only";
+}
+
+// Icon button of a command; the tooltip has its title and keys.
+void draw_command(State& state, const char* id, const char* icon, const char* target) {
+    const Command* command = find_command(id);
+    if (!command) return;
+    const std::string why(command->why_not(state));
+    std::string words = std::string(command->title) + "  " + std::string(command->keys);
+    if (!why.empty()) words += "\n" + why;
+    if (icon_button(state, icon, target, words, why.empty())) command->run(state);
+    ImGui::SameLine(0, 4);
+}
+
+void draw_head_icons(State& state) {
+    draw_command(state, "save-picture", "camera", "preview:picture");
+    draw_command(state, "frame-preview", "fit", "preview:frame");
+    Pane& maximised = state.panes.maximised;
+    const bool whole = maximised == Pane::preview;
+    if (icon_button(state, whole ? "restore" : "maximise", "preview:maximise",
+                    whole ? "Back to its place  F11" : "As large as the window  F11"))
+        maximised = whole ? Pane::none : Pane::preview;
+    ImGui::SameLine(0, 4);
+    draw_more(state);
+}
+
+}  // namespace
+
+std::string mesh_label(const std::string& mesh) {
+    return make_shape(mesh) ? capitalised(mesh) : std::filesystem::path(mesh).filename().string();
+}
+
+Choices mesh_choices(const std::string& mesh) {
+    Choices choices;
+    for (const Shape& shape : shapes()) {
+        if (mesh == shape.name) choices.chosen = static_cast<int>(choices.labels.size());
+        choices.labels.push_back(capitalised(std::string(shape.name)));
+        choices.targets.push_back("mesh:" + std::string(shape.name));
+    }
+    return choices;
+}
+
+int choose(State& state, const char* id, const std::string& target, const std::string& shown,
+           const Choices& choices, float width) {
+    int picked = -1;
+    if (!begin_choice(state, id, target, shown, width)) return picked;
+    for (size_t i = 0; i < choices.labels.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Selectable(choices.labels[i].c_str(), choices.chosen == static_cast<int>(i)))
+            picked = static_cast<int>(i);
+        ImGui::PopID();
+        name_item(state, choices.targets[i]);
+    }
+    ImGui::EndCombo();
+    return picked;
+}
+
+void draw_preview_head(State& state) {
+    const ImVec2 at = ImGui::GetWindowPos();
+    const float width = ImGui::GetWindowWidth();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_text(list, state.fonts.bold(18), 18, at + ImVec2(12, 8), theme::text, "Preview");
+    constexpr float icons = 4 * 28 + 8;
+    const float controls = std::min(icons + 208, width - 84);
+    ImFont* small = state.fonts.regular(14);
+    const float free = width - controls - 106;
+    if (free >= 60)
+        draw_text(list, small, 14, at + ImVec2(90, 10), theme::text_dim,
+                  fitting(small, 14, what_is_shown(state), free));
+    PreviewView& view = state.view.preview_view;
+    const float room = std::floor((controls - icons - 16) / 2);
+    ImGui::SetCursorPos({width - controls, 5});
+    const int mesh = choose(state, "##mesh", "preview:mesh", mesh_label(view.mesh),
+                            mesh_choices(view.mesh), room);
+    if (mesh >= 0) view.mesh = std::string(shapes()[static_cast<size_t>(mesh)].name);
+    ImGui::SameLine(0, 6);
+    const Choices all = lights(view);
+    const int light = choose(state, "##light", "preview:light",
+                             all.labels[static_cast<size_t>(all.chosen)], all, room);
+    if (light >= 0) choose_light(view, light);
+    ImGui::SameLine(0, 8);
+    draw_head_icons(state);
+}
+
+void draw_preview_strip(State& state) {
+    constexpr gpu::View views[] = {gpu::View::shaded, gpu::View::normal, gpu::View::gradient,
+                                   gpu::View::height, gpu::View::uv,     gpu::View::wireframe};
+    PreviewView& view = state.view.preview_view;
+    const float width = ImGui::GetWindowWidth() - 24;
+    std::vector<Segment> all;
+    int chosen = -1;
+    for (const gpu::View each : views) {
+        const std::string name(gpu::view_names()[static_cast<size_t>(each)]);
+        const std::string label = each == gpu::View::uv ? "UV" : capitalised(name);
+        if (each == view.view) chosen = static_cast<int>(all.size());
+        const std::string key = std::to_string(all.size() + 1);
+        all.push_back({label, "view:" + name, label + "  " + key});
+    }
+    ImGui::SetCursorPos({12, preview_head + 2});
+    int picked = -1;
+    if (width >= 496) {
+        picked = segments(state, all, chosen, width);
+    } else {  // too narrow for one row of segments
+        Choices choices{{}, {}, chosen};
+        for (const Segment& each : all) {
+            choices.labels.push_back(each.label);
+            choices.targets.push_back(each.target);
+        }
+        const std::string shown =
+            chosen < 0 ? "Difference" : all[static_cast<size_t>(chosen)].label;
+        picked = choose(state, "##view", "preview:view", shown, choices, width);
+    }
+    if (picked >= 0) view.view = views[picked];
+}
+
+void draw_preview(State& state) {
+    take_dropped(state);
+    const ImVec2 corner = ImGui::GetWindowPos(), whole = ImGui::GetWindowSize();
+    draw_preview_head(state);
+    draw_preview_strip(state);
+    const float compare = compare_height(whole.x);
+    const ImVec2 at = corner + ImVec2(0, preview_head + strip_height);
+    const ImVec2 size(whole.x, whole.y - preview_head - strip_height - compare);
+    if (size.x >= 1 && size.y >= 1) draw_preview_picture(state, at, size);
+    draw_compare(state, corner + ImVec2(0, whole.y - compare), whole.x);
+}
+
+}  // namespace wrinkle::editor

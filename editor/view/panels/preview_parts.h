@@ -1,0 +1,35 @@
+// Parts of the preview panel.
+#pragma once
+
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+void draw_preview_head(State& state);
+void draw_preview_strip(State& state);
+void draw_preview_picture(State& state, ImVec2 at, ImVec2 size);
+float compare_height(float width);
+void draw_compare(State& state, ImVec2 at, float width);
+
+// Returns the label of the method or value on side B of the comparison: "UDN blend".
+std::string against_label(const PreviewRequest& request);
+
+// Items of a combo box: labels and script targets by index; `chosen` is the current one, or -1.
+struct Choices {
+    std::vector<std::string> labels, targets;
+    int chosen = -1;
+};
+// Draws the combo box; returns the index that was picked, or -1.
+int choose(State& state, const char* id, const std::string& target, const std::string& shown,
+           const Choices& choices, float width);
+
+// Returns the shapes of the preview. `mesh`, the current one: a shape's name or a file's path.
+Choices mesh_choices(const std::string& mesh);
+std::string mesh_label(const std::string& mesh);  // "Sphere", "teapot.glb"
+
+// Draws small text on a background that is readable over any image. `at` is the upper left corner,
+// the upper right one if `right_aligned`; color 0 is theme::text. Returns the width in pixels.
+float draw_chip(const State& state, ImVec2 at, const std::string& text, bool right_aligned = false,
+                ImU32 color = 0);
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,260 @@
+// Preview image: pointer input, the two sides, the scale of angles, notice of a stale image.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "editor/view/input/input_queue.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/look/heat.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/panels/panels.h"
+#include "editor/view/panels/preview_parts.h"
+#include "editor/view/preview/feed.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float pi = 3.14159265F;
+
+struct Area {
+    ImVec2 at, size;
+    ImVec2 end() const { return at + size; }
+};
+
+void turn_light(PreviewView& view, ImVec2 delta) {
+    view.light_yaw += delta.x * 0.01F;
+    view.light_pitch = std::clamp(view.light_pitch - delta.y * 0.01F, -pi / 2, pi / 2);
+}
+
+// Left drag: orbit; with Shift: pan; with L: turn the light. Middle drag: pan. Right drag: turn the
+// light; with Shift: turn the environment. Wheel: camera distance.
+void handle(State& state, const Area& area) {
+    PreviewView& view = state.view.preview_view;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemActive()) {
+        const ImVec2 d = io.MouseDelta;
+        const bool left = io.MouseDown[0], right = io.MouseDown[1];
+        if (io.MouseDown[2] || (left && io.KeyShift)) {
+            const float scale = 0.5F * view.distance / std::min(area.size.x, area.size.y);
+            view.pan_x -= d.x * scale;
+            view.pan_y += d.y * scale;
+        } else if (right && io.KeyShift) {
+            view.turn += d.x * 0.01F;
+        } else if (right || (left && io.KeysDown[key_named("L")])) {
+            turn_light(view, d);
+        } else if (left) {
+            view.yaw -= d.x * 0.01F;
+            view.pitch = std::clamp(view.pitch + d.y * 0.01F, -1.5F, 1.5F);
+        }
+    }
+    if (ImGui::IsItemHovered() && io.MouseWheel != 0)
+        view.distance = std::clamp(view.distance * std::pow(1.1F, -io.MouseWheel), 0.05F, 20.0F);
+}
+
+bool splits(const State& state, const PreviewPicture& picture) {
+    return state.view.compare.mode == CompareView::Mode::split && picture.other != 0;
+}
+
+// Returns true while the line between the sides is hovered or dragged.
+bool drag_split(State& state, const Area& area) {
+    float& split = state.view.compare.split;
+    const float x = area.at.x + area.size.x * split;
+    ImGui::SetCursorScreenPos({x - 7, area.at.y});
+    ImGui::InvisibleButton("split", {14, area.size.y});
+    name_item(state, "compare:line");
+    if (ImGui::IsItemActive())
+        split = std::clamp(split + ImGui::GetIO().MouseDelta.x / area.size.x, 0.02F, 0.98F);
+    return ImGui::IsItemActive() || ImGui::IsItemHovered();
+}
+
+// Background gradient: #282A2D in the middle, #1A1C1E in the corners.
+void draw_ground(ImDrawList& list, const Area& area) {
+    const ImU32 middle = theme::rgb(0x282A2D), corner = theme::rgb(0x1A1C1E);
+    const ImVec2 center = area.at + area.size * 0.5F;
+    const ImVec2 a = area.at, b = area.end();
+    const ImU32 edge = theme::rgb(0x212326);
+    list.AddRectFilledMultiColor(a, center, corner, edge, middle, edge);
+    list.AddRectFilledMultiColor({center.x, a.y}, {b.x, center.y}, edge, corner, edge, middle);
+    list.AddRectFilledMultiColor({a.x, center.y}, {center.x, b.y}, edge, middle, edge, corner);
+    list.AddRectFilledMultiColor(center, b, middle, edge, corner, edge);
+}
+
+void draw_image(ImDrawList& list, const Area& area, uint32_t texture, float from, float to) {
+    if (!texture || from >= to) return;
+    const auto id = reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture));
+    list.AddImage(id, {area.at.x + area.size.x * from, area.at.y},
+                  {area.at.x + area.size.x * to, area.end().y}, {from, 1}, {to, 0});
+}
+
+void draw_line(ImDrawList& list, const Area& area, float split) {
+    const float x = std::round(area.at.x + area.size.x * split);
+    const float y = area.at.y + area.size.y / 2;
+    list.AddRectFilled({x - 1, area.at.y}, {x + 1, area.end().y}, theme::text);
+    list.AddRectFilled({x - 7, y - 16}, {x + 7, y + 16}, theme::text, 4);
+    for (const float dx : {-2.5F, 1.0F})
+        list.AddRectFilled({x + dx, y - 6}, {x + dx + 1.5F, y + 6}, theme::canvas);
+}
+
+void draw_sides(State& state, const Area& area, const PreviewPicture& picture) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const CompareView& compare = state.view.compare;
+    const bool other = compare.mode == CompareView::Mode::flip && compare.flipped && picture.other;
+    const float split = splits(state, picture) ? compare.split : 1;
+    draw_image(list, area, other ? picture.other : picture.texture, 0, split);
+    draw_image(list, area, picture.other, split, 1);
+    if (splits(state, picture)) draw_line(list, area, split);
+    if (!picture.other) return;
+    const std::string b = (compare.difference ? "B  Difference to " : "B  ") +
+                          against_label(state.view.preview_request);
+    if (splits(state, picture) || !other)
+        draw_chip(state, area.at + ImVec2(12, 12), "A  Surface gradient");
+    if (splits(state, picture) || other)
+        draw_chip(state, {area.end().x - 12, area.at.y + 12}, b, true);
+}
+
+std::string degrees(float value, const char* before = "") {
+    char text[48];
+    std::snprintf(text, sizeof text, "%s%.1f°", before, static_cast<double>(value));
+    return text;
+}
+
+void draw_scale(ImDrawList& list, ImVec2 at, float width) {
+    constexpr size_t steps = heat_stops.size() - 1;
+    const float step = width / steps;
+    for (size_t i = 0; i < steps; ++i) {
+        const ImU32 a = theme::rgb(heat_stops[i]), b = theme::rgb(heat_stops[i + 1]);
+        const ImVec2 low = at + ImVec2(step * static_cast<float>(i), 0);
+        list.AddRectFilledMultiColor(low, low + ImVec2(step + 0.5F, 10), a, b, b, a);
+    }
+}
+
+void draw_legend(State& state, const Area& area, const AngleFigures& angles) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 size(196, 66), at = area.end() - size - ImVec2(12, 12);
+    list.AddRectFilled(at, at + size, theme::with_alpha(theme::canvas, 0.88F), 4);
+    ImFont* bold = state.fonts.bold(14);
+    draw_text(list, bold, 14, at + ImVec2(10, 6), theme::text, degrees(angles.mean, "Mean "));
+    draw_text(list, bold, 14, at + ImVec2(size.x - 10, 6), theme::text, degrees(angles.max, "Max "),
+              true);
+    const float width = size.x - 20;
+    draw_scale(list, at + ImVec2(10, 32), width);
+    const float x = at.x + 10 + width * std::clamp(angles.mean / angles.end, 0.0F, 1.0F);
+    list.AddTriangleFilled({x - 5, at.y + 25}, {x + 5, at.y + 25}, {x, at.y + 31}, theme::text);
+    ImFont* small = state.fonts.regular(14);
+    for (int i = 0; i < 4; ++i) {
+        char text[24];
+        std::snprintf(text, sizeof text, i == 3 && angles.max > angles.end ? "≥ %.0f°" : "%.0f°",
+                      static_cast<double>(angles.end * static_cast<float>(i) / 3));
+        const float w = text_width(small, 14, text);
+        const float left = 10 + width * static_cast<float>(i) / 3 -
+                           (i == 0   ? 0
+                            : i == 3 ? w
+                                     : w / 2);
+        draw_text(list, small, 14, at + ImVec2(left, 46), theme::text_dim, text);
+    }
+}
+
+// Draws the angle at the pointer if side B shows angles.
+void draw_angle_here(State& state, const Area& area, const PreviewPicture& picture) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos - area.at;
+    const auto& list = picture.angles.degrees;
+    if (!list || picture.width < 1 || mouse.x < 0 || mouse.y < 0 || mouse.x >= area.size.x ||
+        mouse.y >= area.size.y)
+        return;
+    const bool side_b = splits(state, picture) ? mouse.x > area.size.x * state.view.compare.split
+                                               : state.view.compare.flipped;
+    if (!side_b) return;
+    const auto x = static_cast<int>(mouse.x / area.size.x * static_cast<float>(picture.width));
+    const auto y =
+        static_cast<int>((1 - mouse.y / area.size.y) * static_cast<float>(picture.height));
+    const int row = std::clamp(y, 0, picture.height - 1);
+    const float value = (*list)[static_cast<size_t>(row * picture.width + x)];
+    if (value >= 0) draw_chip(state, ImGui::GetIO().MousePos + ImVec2(14, 10), degrees(value));
+}
+
+std::string first_reason(const State& state) {
+    for (const Diagnostics* list :
+         {&state.built.live, &state.built.problems, &state.preview_problems})
+        for (const Diagnostic& problem : list->list())
+            if (problem.severity == Severity::error)
+                return sentence((problem.node.empty() ? "" : problem.node + ": ") +
+                                problem.message);
+    return state.document().outputs.empty() ? "The graph has no outputs." : "";
+}
+
+void draw_stale(const State& state, const Area& area, const std::string& text) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 end = area.at + ImVec2(area.size.x, 28);
+    list.AddRectFilled(area.at, end, theme::with_alpha(theme::canvas, 0.88F));
+    list.AddRectFilled(area.at, area.at + ImVec2(4, 28), theme::warn);
+    ImFont* font = state.fonts.regular(14);
+    draw_text(list, font, 14, area.at + ImVec2(12, 7), theme::text,
+              fitting(font, 14, text, area.size.x - 20));
+}
+
+void draw_notes(const State& state, const Area& area, const PreviewPicture& picture) {
+    const PreviewView& view = state.view.preview_view;
+    const std::string mesh = std::filesystem::path(view.mesh).stem().string();
+    char text[96];
+    std::snprintf(text, sizeof text, "%.40s %.2f m", mesh.c_str(), static_cast<double>(view.scale));
+    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    const std::string time = picture.first ? "" : ", frame " + milliseconds(picture.milliseconds);
+    if (picture.texture) draw_chip(state, {area.at.x + 12, area.end().y - 38}, text + time);
+    const std::string reason = first_reason(state);
+    if (!picture.texture && holds_nothing(state.document())) return;
+    if (state.preview_stale)
+        draw_stale(
+            state, area,
+            (picture.texture ? "Showing the last good picture. " : "No picture yet. ") + reason);
+    else if (state.preview_problems.has_errors())
+        draw_stale(state, area, first_reason(state));
+    else if (!state.built.why_not_shown.empty())
+        draw_stale(state, area, state.built.why_not_shown);
+}
+
+}  // namespace
+
+float draw_chip(const State& state, ImVec2 at, const std::string& text, bool right_aligned,
+                ImU32 color) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImFont* font = state.fonts.regular(14);
+    const float width = text_width(font, 14, text) + 16;
+    if (right_aligned) at.x -= width;
+    list.AddRectFilled(at, at + ImVec2(width, 26), theme::with_alpha(theme::canvas, 0.88F), 4);
+    draw_text(list, font, 14, at + ImVec2(8, 6), color ? color : theme::text, text);
+    return width;
+}
+
+void draw_preview_picture(State& state, ImVec2 at, ImVec2 size) {
+    const Area area{at, size};
+    static const PreviewPicture none;
+    const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
+    if (state.preview)
+        state.preview->show(state.view.preview_view, other_normal(state), state.view.compare,
+                            static_cast<int>(size.x * pixels.x),
+                            static_cast<int>(size.y * pixels.y));
+    const PreviewPicture& picture = state.preview ? state.preview->shown() : none;
+    const bool on_line = splits(state, picture) && drag_split(state, area);
+    ImGui::SetCursorScreenPos(at);
+    if (!on_line) {
+        ImGui::InvisibleButton("picture", size,
+                               ImGuiButtonFlags_MouseButtonLeft |
+                                   ImGuiButtonFlags_MouseButtonRight |
+                                   ImGuiButtonFlags_MouseButtonMiddle);
+        handle(state, area);
+    }
+    state.targets.add("preview", {at.x, at.y, area.end().x, area.end().y});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(at, area.end(), true);
+    draw_ground(list, area);
+    draw_sides(state, area, picture);
+    draw_notes(state, area, picture);
+    if (picture.angles.degrees) {
+        draw_legend(state, area, picture.angles);
+        draw_angle_here(state, area, picture);
+    }
+    list.PopClipRect();
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,212 @@
+#include "editor/view/panels/questions.h"
+
+#include <imgui.h>
+
+#include <ctime>
+#include <vector>
+
+#include "base/file.h"
+#include "editor/model/document/files.h"
+#include "editor/model/document/levels.h"
+#include "editor/model/document/words.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/look/tooltip.h"
+#include "editor/view/panels/panels.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float dialog_width = 520, dialog_padding = 24;
+
+struct Answer {
+    const char* label;
+    const char* target;
+    void (*take)(State&);
+};
+
+struct Sheet {
+    std::string sentence, detail;
+    std::vector<Answer> answers;  // the first one on Enter, the last one on Escape
+};
+
+void cancel(State& state) {
+    state.question = {};
+}
+
+void discard(State& state) {
+    const PendingAction then = state.question.then;
+    state.question = {};
+    carry_out(state, then);
+}
+
+void take_theirs(State& state) {
+    const PendingAction then = state.question.then;
+    state.question = {};
+    reload_from_disk(state);
+    save_and_carry_out(state, then);
+}
+
+// If the question blocked a save, saves now.
+void take_mine(State& state) {
+    keep_local_version(state);
+    if (state.question.saving) return answer_save(state);
+    state.question = {};
+}
+
+constexpr Answer cancelled{"Cancel", "answer:cancel", cancel};
+
+// Prompt for the unsaved edits of an editor that ended unexpectedly.
+Sheet recovery_sheet(const State& state) {
+    Sheet sheet;
+    for (const Recoverable& found : state.keeping.recoverable) {
+        if (found.journal != state.question.file) continue;
+        const std::string file =
+            found.graph.empty() ? "a graph without a file" : found.graph.filename().string();
+        char when[64] = "";
+        const time_t seconds = found.when;
+        if (const tm* local = std::localtime(&seconds))
+            std::strftime(when, sizeof when, "%H:%M on %d %B", local);
+        sheet.sentence = "Recover unsaved edits of " + file + "?";
+        sheet.detail = "The editor ended before they were saved. The last one was made at " +
+                       std::string(when) + ".";
+    }
+    sheet.answers = {{"Recover", "answer:recover", answer_recover},
+                     {"Discard", "answer:forget", answer_forget},
+                     {"Later", "answer:later", cancel}};
+    return sheet;
+}
+
+Sheet running_sheet(const State& state) {
+    const Task* task = state.tasks.running.get();
+    return {task ? task->order().name + " is not done yet." : "All is done.",
+            task ? "To quit stops it. Nothing of it is written." : "",
+            {{"Quit", "answer:stop", answer_stop}, {"Go on", "answer:cancel", cancel}}};
+}
+
+// Prompt for a graph that is saved to a folder that its files are not below.
+Sheet outside_sheet(const State& state) {
+    const std::filesystem::path& file = state.question.file;
+    const std::vector<std::string> names = files_outside(state, file);
+    const std::string folder = real_path(file.parent_path()).string();
+    return {"Copy " + (names.size() < 4 ? listed(names) : counted(names.size(), "file")) + " too?",
+            "A graph reads files below its own folder only, and these are not below " + folder +
+                ". Without a copy there, " + file.filename().string() + " does not find them.",
+            {{"Copy and save", "answer:copy", answer_copy},
+             {"Save without", "answer:refer", answer_refer},
+             cancelled}};
+}
+
+Sheet sheet_of(const State& state) {
+    const Question& question = state.question;
+    switch (question.kind) {
+        case Question::Kind::unsaved:
+            return {"Save changes to " + listed(unsaved(state, question.then)) + "?",
+                    question.then.kind == PendingAction::Kind::leave
+                        ? "The graph around it shows what is saved."
+                        : "",
+                    {{"Save", "answer:save", answer_save},
+                     {"Discard", "answer:discard", discard},
+                     cancelled}};
+        case Question::Kind::changed:
+            return {state.file_name() + " was changed by another program.",
+                    "Mine keeps what is shown here. Theirs loads the file; undo brings yours back.",
+                    {{"Keep mine", "answer:mine", take_mine},
+                     {"Load theirs", "answer:theirs", take_theirs},
+                     cancelled}};
+        case Question::Kind::replace:
+            return {question.file.filename().string() + " is there already.",
+                    "Its present contents would be lost.",
+                    {{"Replace", "answer:replace", answer_replace}, cancelled}};
+        case Question::Kind::outside:
+            return outside_sheet(state);
+        case Question::Kind::recover:
+            return recovery_sheet(state);
+        case Question::Kind::running:
+            return running_sheet(state);
+        case Question::Kind::failed:
+            return {state.file_name() + " could not be saved.",
+                    "",
+                    {{"Save as...", "answer:save-as", answer_save_as},
+                     {"Try again", "answer:save", answer_save},
+                     cancelled}};
+        case Question::Kind::none:
+        case Question::Kind::open:
+        case Question::Kind::save_as:
+            break;  // the file browser handles the last two
+    }
+    return {};
+}
+
+void draw_words(const State& state, const Sheet& sheet) {
+    ImGui::PushTextWrapPos(dialog_width - dialog_padding);
+    ImGui::PushFont(state.fonts.bold(18));
+    ImGui::TextUnformatted(sheet.sentence.c_str());
+    ImGui::PopFont();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::text_dim);
+    if (!sheet.detail.empty()) ImGui::TextUnformatted(sheet.detail.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PushStyleColor(ImGuiCol_Text, theme::error);
+    const std::string& trouble = state.question.trouble;
+    if (!trouble.empty()) ImGui::TextUnformatted(trouble.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+}
+
+const Answer* draw_answers(State& state, const Sheet& sheet) {
+    const Answer* taken = nullptr;
+    ImGui::Dummy({0, 8});
+    for (const Answer& answer : sheet.answers) {
+        const bool first = &answer == &sheet.answers.front();
+        if (!first) ImGui::SameLine();
+        if (first) ImGui::PushStyleColor(ImGuiCol_Button, theme::accent_fill);
+        if (button(state, answer.label, answer.target, false, {104, 28})) taken = &answer;
+        if (first) ImGui::PopStyleColor();
+    }
+    const auto pressed = [](ImGuiKey key) {
+        return ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[key]);
+    };
+    if (pressed(ImGuiKey_Escape)) return &sheet.answers.back();
+    const bool enter = pressed(ImGuiKey_Enter) && !state.question.opening;
+    return enter ? &sheet.answers.front() : taken;
+}
+
+}  // namespace
+
+void draw_question(State& state) {
+    if (!state.question.open() || state.question.wants_path()) return;
+    const Sheet sheet = sheet_of(state);
+    if (!ImGui::IsPopupOpen("##question")) ImGui::OpenPopup("##question");
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({size.x / 2, size.y * 0.4F}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({dialog_width, 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(dialog_padding, dialog_padding));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 8));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
+    if (ImGui::BeginPopupModal("##question", nullptr,
+                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
+        draw_words(state, sheet);
+        const Answer* taken = draw_answers(state, sheet);
+        state.question.opening = false;
+        if (taken) taken->take(state);
+        if (!state.question.open() || state.question.wants_path()) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    }
+    ImGui::PopStyleVar(3);
+}
+
+void draw_recent_files(State& state) {
+    const auto recent = state.keeping.settings.recent;
+    if (recent.empty()) return;
+    ImGui::Separator();
+    for (size_t i = 0; i < recent.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const bool chosen = ImGui::MenuItem(recent[i].filename().string().c_str());
+        if (ImGui::IsItemHovered()) show_tooltip(beside_window(), recent[i].string());
+        name_item(state, "recent:" + std::to_string(i + 1));
+        ImGui::PopID();
+        if (chosen) request_action(state, {PendingAction::Kind::open, recent[i]});
+    }
+}
+
+}  // namespace wrinkle::editor

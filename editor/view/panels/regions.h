@@ -1,0 +1,38 @@
+// Layout of the window in logical pixels: menu bar, toolbar, work area, task strip, status bar. In
+// the work area: the canvas above the problems; in the side column, the preview above the code.
+//
+//   side column   30 % of the width, a multiple of 8, 400 to 768; hidden if the window is below 960
+//   preview       its bars and an image of 18:13, at most 56 % of the height of the work area
+//   problems      height of its rows, at most 20 %; only its header in windows lower than 800
+#pragma once
+
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+struct Rect {
+    ImVec2 at{0, 0}, size{0, 0};
+    bool contains(ImVec2 point) const {
+        return point.x >= at.x && point.y >= at.y && point.x < at.x + size.x &&
+               point.y < at.y + size.y;
+    }
+};
+
+struct Regions {
+    Rect menu, tools, work, task, status;
+    Rect canvas, problems, preview, code;  // size 0: not shown
+    const Rect& of(Pane pane) const;
+    Pane at(ImVec2 point) const;
+};
+
+inline constexpr float task_height = 40;
+
+// `problems`: height of the problems panel with all rows; `task`: height of the task strip.
+Regions find_regions(const Panes& panes, ImVec2 window, float problems, float task = 0);
+// Returns the regions of the current frame.
+Regions regions_of(const State& state);
+
+// Draws the splitters between the panes; a double click restores the default rule.
+void draw_splitters(Panes& panes, const Regions& regions);
+
+}  // namespace wrinkle::editor

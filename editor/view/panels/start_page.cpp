@@ -1,0 +1,193 @@
+#include "editor/view/panels/start_page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "editor/view/commands/commands.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/look/tooltip.h"
+#include "editor/view/panels/file_actions.h"
+#include "editor/view/panels/panels.h"
+#include "editor/view/panels/samples.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float drop_tall = 160, recent_tall = 24;
+constexpr float card_width = 168, card_tall = 140, gap = 16, picture_tall = 72;
+constexpr int most_columns = 4;
+constexpr size_t recent_shown = 5, name_lines = 4;
+constexpr ImU32 picture_ground = theme::rgb(0x282A2D), on_picture = theme::rgb(0xB0B8C4);
+
+void dash(ImDrawList& list, ImVec2 from, ImVec2 to) {
+    const ImVec2 whole = to - from;
+    const float length = std::max(std::abs(whole.x), std::abs(whole.y));
+    for (float at = 0; at < length; at += 12)
+        list.AddLine(from + whole * (at / length),
+                     from + whole * (std::min(at + 7, length) / length), theme::control, 1.5F);
+}
+
+// Draws wrapped, centered lines of text; returns the y position below them.
+float draw_centered(ImDrawList& list, const Fonts& fonts, bool bold, float size, ImVec2 at,
+                    float width, ImU32 color, std::string_view words) {
+    ImFont* font = bold ? fonts.bold(size) : fonts.regular(size);
+    for (const std::string& line : wrapped(font, size, words, width - 32, 3)) {
+        const float x = (width - text_width(font, size, line)) / 2;
+        draw_text(list, font, size, at + ImVec2(x, 0), color, line);
+        at.y += size + 4;
+    }
+    return at.y;
+}
+
+void draw_drop_area(State& state, float width) {
+    const ImVec2 at = ImGui::GetCursorScreenPos(), end = at + ImVec2(width, drop_tall);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, end, theme::panel, 8);
+    dash(list, at, {end.x, at.y});
+    dash(list, {end.x, at.y}, end);
+    dash(list, {at.x, end.y}, end);
+    dash(list, at, {at.x, end.y});
+    const bool narrow = width < 400;
+    const float below = draw_centered(list, state.fonts, true, narrow ? 18.0F : 24.0F,
+                                      at + ImVec2(0, narrow ? 24 : 54), width, theme::text,
+                                      "Drop two images here to layer them");
+    draw_centered(list, state.fonts, false, 16, {at.x, below + 8}, width, theme::text_dim,
+                  "Normal maps, heights, slopes: their pixels say which. I chooses one by name.");
+    state.targets.add("start:drop", {at.x, at.y, end.x, end.y});
+    ImGui::Dummy({width, drop_tall});
+}
+
+void draw_buttons(State& state) {
+    if (button(state, "New graph", "start:new", true, {132, 28})) state.start.left = true;
+    const size_t left = state.keeping.recoverable.size();
+    const std::string recover = "Recover " + counted(left, "unsaved graph");
+    const std::pair<const char*, const char*> others[] = {{"open", "Open..."},
+                                                          {"recover", recover.c_str()}};
+    for (const auto& [id, title] : others) {
+        const Command* command = find_command(id);
+        if (!command || !command->enabled(state)) continue;
+        ImGui::SameLine(0, 8);
+        if (button(state, title, std::string("start:") + id, false, {0, 28})) command->run(state);
+    }
+}
+
+void draw_heading(const State& state, const char* words) {
+    ImGui::PushFont(state.fonts.bold(18));
+    ImGui::TextUnformatted(words);
+    ImGui::PopFont();
+}
+
+// Draws the recent files; returns true if one was chosen, which changes the list.
+bool draw_recent(State& state, float width) {
+    const std::vector<std::filesystem::path>& recent = state.keeping.settings.recent;
+    if (recent.empty()) return false;
+    draw_heading(state, "Recent");
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 0));
+    std::filesystem::path taken;
+    for (size_t i = 0; i < std::min(recent.size(), recent_shown); ++i) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::InvisibleButton("recent", {width, recent_tall})) taken = recent[i];
+        ImGui::PopID();
+        name_item(state, "start:recent" + std::to_string(i + 1));
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        if (ImGui::IsItemHovered())
+            list.AddRectFilled(at, at + ImVec2(width, recent_tall), theme::accent_soft, 4);
+        ImFont *font = state.fonts.regular(16), *small = state.fonts.regular(14);
+        const std::string name = fitting(font, 16, recent[i].filename().string(), width / 2);
+        draw_text(list, font, 16, at + ImVec2(8, 4), theme::text, name);
+        const float x = 8 + text_width(font, 16, name) + 12;
+        draw_text(list, small, 14, at + ImVec2(x, 5), theme::text_dim,
+                  fitting(small, 14, recent[i].parent_path().string(), width - x - 8));
+    }
+    ImGui::PopStyleVar();
+    ImGui::Dummy({1, 0});
+    if (!taken.empty()) open_chosen(state, taken);
+    return !taken.empty();
+}
+
+// Draws the uncropped image of a sample on the background color of the preview.
+void draw_card_picture(State& state, ImDrawList& list, ImVec2 at, const Sample& sample) {
+    const ImVec2 low = at + ImVec2(1, 1), high = at + ImVec2(card_width - 1, picture_tall);
+    list.AddRectFilled(low, high, picture_ground, 6, ImDrawFlags_RoundCornersTop);
+    const uint32_t picture = ImGui::IsItemVisible() ? state.thumbnails.of(sample.picture) : 0;
+    if (!picture) return;
+    const float side = picture_tall - 1, left = 10;  // the node count is next to it
+    list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture)),
+                  at + ImVec2(left, 1), at + ImVec2(left + side, picture_tall), {0, 1}, {1, 0});
+}
+
+// Returns true if the card was clicked.
+bool draw_card(State& state, const Sample& sample) {
+    const ImVec2 at = ImGui::GetCursorScreenPos(), size(card_width, card_tall);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool clicked = ImGui::InvisibleButton("card", size);
+    state.targets.add("sample:" + sample.file.stem().string(),
+                      {at.x, at.y, at.x + size.x, at.y + size.y});
+    const bool hovered = ImGui::IsItemHovered();
+    list.AddRectFilled(at, at + size, theme::node, 6);
+    draw_card_picture(state, list, at, sample);
+    list.AddRect(at, at + size, hovered ? theme::accent : theme::border, 6, 0, hovered ? 2 : 1);
+    ImFont* bold = state.fonts.bold(14);
+    float y = picture_tall + 3;
+    for (const std::string& line : wrapped(bold, 14, sample.name, card_width - 20, name_lines)) {
+        draw_text(list, bold, 14, at + ImVec2(10, y), theme::text, line);
+        y += 15;
+    }
+    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(card_width - 8, picture_tall - 17),
+              on_picture, counted(sample.nodes, "node"), true);
+    if (hovered) show_tooltip({at, at + size}, sample.name);
+    return clicked;
+}
+
+void draw_samples(State& state, int columns) {
+    if (!state.start.read) {
+        state.start.samples = list_samples(samples_folder());
+        state.start.read = true;
+    }
+    const std::vector<Sample>& samples = state.start.samples;
+    if (samples.empty()) return;
+    draw_heading(state, "Samples");
+    std::filesystem::path taken;
+    for (size_t i = 0; i < samples.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (static_cast<int>(i) % columns != 0) ImGui::SameLine(0, gap);
+        if (draw_card(state, samples[i])) taken = samples[i].file;
+        ImGui::PopID();
+    }
+    if (!taken.empty()) open_chosen(state, taken);
+}
+
+}  // namespace
+
+bool is_at_start(const State& state) {
+    return !state.start.left && state.path.empty() && state.document().nodes.empty() &&
+           !state.history.can_undo() && !state.history.can_redo();
+}
+
+void draw_start_page(State& state) {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    state.view.corner = ImGui::GetCursorScreenPos();
+    state.view.extent = room;
+    state.targets.add("canvas", {state.view.corner.x, state.view.corner.y,
+                                 state.view.corner.x + room.x, state.view.corner.y + room.y});
+    // The width is a multiple of the cards' width, so that all parts of the page are aligned.
+    const float scrollbar = ImGui::GetStyle().ScrollbarSize;
+    const int columns = std::clamp(
+        static_cast<int>((room.x - scrollbar - gap) / (card_width + gap)), 1, most_columns);
+    const float width = static_cast<float>(columns) * (card_width + gap) - gap;
+    ImGui::BeginChild("##start", room, false, ImGuiWindowFlags_NoNavInputs);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, gap));
+    ImGui::Indent(std::max(std::floor((room.x - scrollbar - width) / 2), 1.0F));
+    ImGui::Dummy({1, std::max(std::floor((room.y - 720) / 2), 16.0F)});
+    draw_drop_area(state, width);
+    draw_buttons(state);
+    if (!draw_recent(state, width)) draw_samples(state, columns);
+    ImGui::Dummy({1, 16});
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+}
+
+}  // namespace wrinkle::editor

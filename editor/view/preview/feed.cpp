@@ -1,0 +1,157 @@
+#include "editor/view/preview/feed.h"
+
+#include <algorithm>
+
+#include "editor/model/document/field.h"
+#include "glsl/log.h"
+#include "gpu/material.h"
+
+namespace wrinkle::editor {
+namespace {
+
+// Returns the uniforms of the running program for a port of the document, which may have been
+// renamed since: one, or several if nodes were copied for a comparison.
+std::vector<const UniformInfo*> uniforms_at(const CompileState& follow,
+                                            const Change::Place& place) {
+    std::vector<const UniformInfo*> found;
+    if (!follow.running || place.index >= follow.running_of.nodes.size()) return found;
+    const std::string& node = follow.running_of.nodes[place.index]->id;
+    for (const UniformInfo& uniform : follow.running->reflection.uniforms) {
+        if (uniform.graph_input || uniform.port != place.port) continue;
+        const auto copy = follow.copied.find(uniform.node);
+        if (uniform.node == node || (copy != follow.copied.end() && copy->second == node))
+            found.push_back(&uniform);
+    }
+    return found;
+}
+
+// The running program may have no uniform for a port because it does not read it; compilation
+// determines whether that is so.
+bool all_are_uniforms(const CompileState& follow, const Change& difference) {
+    if (difference.kind == Change::Kind::structure) return false;
+    return std::all_of(
+        difference.values.begin(), difference.values.end(),
+        [&](const Change::Place& place) { return !uniforms_at(follow, place).empty(); });
+}
+
+void send(State& state, const Change::Place& place) {
+    const Node* node = state.document().find(place.node);
+    const NodeType* type = state.type_of(place.node);
+    const uint32_t port = node && type ? type->find_input(place.port) : NodeType::none;
+    if (port == NodeType::none) return;
+    const auto numbers = numbers_at(*node, type->ports[port]);
+    const auto lanes = static_cast<size_t>(lanes_of(type->ports[port].type));
+    float values[4];
+    for (size_t i = 0; i < lanes; ++i)
+        values[i] = static_cast<float>(numbers[i]);
+    ++state.counters.uniforms;
+    if (!state.preview) return;
+    for (const UniformInfo* uniform : uniforms_at(state.follow, place))
+        state.preview->set_uniform(uniform->name, {values, lanes});
+    if (state.timings) state.timings->values(state.preview->asked() + 1);
+}
+
+}  // namespace
+
+PreviewRequest wanted_request(const State& state) {
+    PreviewRequest request = state.view.preview_request;
+    request.displaced = state.view.preview_view.displaced;
+    if (state.preview) request.double_sided = state.preview->picture().double_sided;
+    if (state.view.compare.mode == CompareView::Mode::off) {
+        request.against = Against::nothing;
+        request.name.clear();
+    }
+    if (!request.node.empty() && !state.document().find(request.node)) request.node.clear();
+    return request;
+}
+
+void forget_images(State& state) {
+    if (state.preview) state.preview->forget_images();
+    ++state.node_feed.images;
+}
+
+bool send_values(State& state) {
+    CompileState& follow = state.follow;
+    const Change difference = change(follow.sent, state.document());
+    if (!all_are_uniforms(follow, difference)) return false;
+    for (const Change::Place& place : difference.values)
+        send(state, place);
+    follow.sent = state.document();
+    return true;
+}
+
+void apply_latest_build(State& state) {
+    CompileState& follow = state.follow;
+    const Build& built = state.built;
+    state.preview_stale = !built.running();
+    if (!built.running()) return;
+    const bool same_kind = follow.running && follow.running_for == built.request &&
+                           !follow.displacement && !built.displacement;
+    if (same_kind && all_are_uniforms(follow, change(follow.running_of, follow.built_of))) {
+        send_values(state);
+        return;
+    }
+    follow.running = built.running();
+    follow.running_of = follow.sent = follow.built_of;
+    follow.running_for = built.request;
+    follow.copied = built.copied;
+    follow.displacement = built.displacement;
+    if (!state.preview) return;
+    state.preview->set_material(
+        std::make_shared<const gpu::Material>(gpu::material_from(*follow.running)),
+        follow.displacement);
+    if (state.timings) state.timings->compiled(follow.came, state.preview->asked() + 1);
+    send_values(state);
+}
+
+void rename_in_request(State& state, const Document& before) {
+    PreviewRequest& request = state.view.preview_request;
+    for (std::string* id : {&request.node, &request.name}) {
+        if (id == &request.name && request.against != Against::node) continue;
+        const size_t index = before.nodes.index_of(*id);
+        if (index < state.document().nodes.size()) *id = state.document().nodes[index]->id;
+    }
+}
+
+Diagnostic at_node(const Diagnostic& refusal, const Reflection& reflection,
+                   const std::map<std::string, std::string>& copied) {
+    const size_t line = line_in(refusal.message);
+    if (line == 0 || line > reflection.lines.size()) return refusal;
+    const uint32_t index = node_of_line(reflection, line);
+    Diagnostic result;
+    if (index < reflection.node_paths.size()) {
+        const std::string& path = reflection.node_paths[index];
+        result.node = path.substr(0, path.find('/'));
+        const auto copy = copied.find(result.node);
+        if (copy != copied.end()) result.node = copy->second;
+    }
+    result.message = "The graphics driver refused the shader at line " + std::to_string(line) +
+                     (result.node.empty() ? "" : " (" + result.node + ")") +
+                     ". The last good picture is shown.";
+    result.expected = refusal.message;
+    return result;
+}
+
+void poll_preview_diagnostics(State& state) {
+    if (!state.preview) return;
+    const PreviewPicture& picture = state.preview->picture();
+    if (picture.version == state.follow.heard) return;
+    state.follow.heard = picture.version;
+    state.counters.programs = picture.programs;
+    state.preview_problems = Diagnostics();
+    for (const Diagnostic& problem : picture.problems.list())
+        state.preview_problems.add(
+            state.follow.running
+                ? at_node(problem, state.follow.running->reflection, state.follow.copied)
+                : problem);
+    state.preview_stale = !state.built.running() || picture.refused;
+}
+
+std::string other_normal(const State& state) {
+    if (state.view.compare.mode == CompareView::Mode::off || !state.follow.running) return {};
+    for (const FunctionInfo& function : state.follow.running->reflection.functions)
+        if (function.output == against_output) return against_output;
+    return {};
+}
+
+}  // namespace wrinkle::editor

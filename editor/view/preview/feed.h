@@ -1,0 +1,34 @@
+// Connects document and preview: sends programs and values, and collects the preview's problems.
+#pragma once
+
+#include "editor/model/document/change.h"
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+// Returns the preview request for the current document.
+PreviewRequest wanted_request(const State& state);
+
+// Image files are read again, for the preview and for node previews.
+void forget_images(State& state);
+
+// Called after a build: replaces the program only if more than names and values differ.
+void apply_latest_build(State& state);
+// Sends the values that differ from those in the preview; returns false if one is not a uniform.
+bool send_values(State& state);
+// Updates the node ids in the request after a renaming.
+void rename_in_request(State& state, const Document& before);
+
+// Collects the problems of the newest preview; maps a driver's errors to nodes by their source
+// lines.
+void poll_preview_diagnostics(State& state);
+
+// Returns the output with the other normal of the running program; "" if nothing is compared.
+std::string other_normal(const State& state);
+
+// Maps a driver's error to a node: the first line number in its message is looked up in the
+// reflection; without a line number the error is returned unchanged.
+Diagnostic at_node(const Diagnostic& refusal, const Reflection& reflection,
+                   const std::map<std::string, std::string>& copied);
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,41 @@
+// Connects document and node previews: requests them and stores the newest.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "editor/view/look/picture_atlas.h"
+#include "editor/view/preview/node_previews.h"
+
+namespace wrinkle::editor {
+
+struct State;
+
+struct NodeFeed {
+    NodePictureMaker* maker = nullptr;  // nullptr: no node previews
+    PictureAtlas atlas;
+    NodePreviews pictures;  // the newest; its texels are in the atlas
+    uint64_t asked = 0;     // version of the newest job
+    uint64_t first = 1;     // first version of the open graph; older previews are another graph's
+    uint64_t images = 0;    // when it changes, image files are read again
+    // Inputs of that job.
+    Document asked_of;
+    std::set<std::string> asked_nodes;
+    const Registry* asked_registry = nullptr;
+    uint64_t asked_images = 0;
+
+    bool has_asked() const { return asked >= first; }
+    // Called when another graph is opened or the textures are lost.
+    void forget() {
+        pictures = {};
+        first = asked + 1;
+    }
+    bool idle() const { return !maker || maker->idle(); }
+};
+
+// Takes a finished job; posts a new one if no other work is pending, so that the main preview is
+// drawn first.
+void feed_node_previews(State& state);
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,76 @@
+// Node previews: the shown output (request.h) of each node on a flat patch of surface, two units
+// wide and one high, seen from the front, with uvs and positions in units.
+//
+// Values are computed by the CPU evaluator, for all nodes at once: no shader is built, and they are
+// equal to those of `wrinkle eval`. Colors are shown by the sRGB curve, vectors unchanged; a
+// gradient, a derivative and a normal as the unit normal, 0.5 + 0.5 n; a height and a float as gray
+// over the visible range; a vec2 as its fractional part. Values that are not finite are magenta.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cpu/texture_store.h"
+#include "editor/model/document/model.h"
+#include "editor/model/worker.h"
+#include "ir/side_tables.h"
+
+namespace wrinkle::editor {
+
+struct NodePictureJob {
+    uint64_t version = 0;  // increases with every job
+    const Registry* registry = nullptr;
+    Model model;
+    Document document;
+    std::set<std::string> nodes;  // nodes to draw
+    uint64_t images = 0;          // when it changes, image files are read again
+};
+
+struct NodePreviews {
+    static constexpr uint32_t width = 128, height = 64;  // texels of one preview
+
+    uint64_t version = 0;
+    std::map<std::string, uint32_t, std::less<>> places;  // preview index in `texels`, by node
+    std::vector<uint8_t> texels;  // RGBA, bottom row first, one preview after the other
+};
+
+// Caches the images that it has read.
+class NodePainter {
+public:
+    // Draws no preview of a node that does not compile. Errors of other nodes or of the graph's
+    // outputs have no effect.
+    NodePreviews draw(const NodePictureJob& job);
+
+private:
+    // Returns false, and draws nothing, if the nodes do not compile together.
+    bool draw_group(const NodePictureJob& job, const std::vector<std::string>& nodes,
+                    NodePreviews& pictures);
+
+    uint64_t images_ = 0;
+    TextureStore textures_;
+};
+
+// Runs a NodePainter on a worker thread; the newest job wins.
+class NodePictureMaker {
+public:
+    // `wake` is called on the worker thread.
+    explicit NodePictureMaker(std::function<void()> wake = {})
+        : worker_(
+              [painter = NodePainter()](NodePictureJob&& job) mutable { return painter.draw(job); },
+              std::move(wake)) {}
+
+    void ask(NodePictureJob job) { worker_.post(std::move(job)); }
+    std::optional<NodePreviews> take() { return worker_.take(); }
+    bool idle() const { return worker_.idle(); }
+    void settle() { worker_.settle(); }
+
+private:
+    Worker<NodePictureJob, NodePreviews> worker_;
+};
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,269 @@
+#include "editor/view/preview/painter.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <tuple>
+#include <utility>
+
+#include "gpu/context.h"
+#include "image/load.h"
+#include "mesh/load.h"
+#include "mesh/shapes.h"
+
+namespace wrinkle::editor {
+namespace {
+
+// Frames of the interface may wait in the same driver: a rendering that takes longer than this is
+// drawn in strips, with frames between them.
+constexpr double slow_milliseconds = 20, strip_milliseconds = 8;
+
+std::optional<Mesh> open_mesh(const std::string& name, bool& double_sided, Diagnostics& problems) {
+    if (auto shape = make_shape(name)) return shape;
+    MeshFileOptions options;
+    options.double_sided = &double_sided;
+    return load_mesh(name, options, problems);
+}
+
+void resize(Mesh& mesh, float factor) {
+    for (auto* list : {&mesh.positions, &mesh.displaced})
+        for (glm::vec3& position : *list)
+            position *= factor;
+}
+
+bool fit(std::optional<gpu::Target>& target, const gpu::TargetOptions& options,
+         Diagnostics& problems) {
+    if (target && target->width() == options.width && target->height() == options.height)
+        return true;
+    target = gpu::Target::make(options, problems);
+    return target.has_value();
+}
+
+// Returns the smallest end of the scale that covers 99 % of the angles.
+float end_of_scale(std::vector<float> angles) {
+    if (angles.empty()) return 3;
+    const size_t at = (angles.size() - 1) * 99 / 100;
+    std::nth_element(angles.begin(), angles.begin() + static_cast<std::ptrdiff_t>(at),
+                     angles.end());
+    for (const float end : {3.0F, 12.0F, 45.0F})
+        if (angles[at] <= end) return end;
+    return 180;
+}
+
+AngleFigures figures_of(const std::vector<float>& pixels, float end) {
+    AngleFigures figures;
+    std::vector<float> degrees(pixels.size() / 4, -1), seen;
+    double sum = 0;
+    for (size_t i = 0; i < degrees.size(); ++i) {
+        if (pixels[4 * i + 3] == 0 || !std::isfinite(pixels[4 * i])) continue;
+        degrees[i] = pixels[4 * i];
+        seen.push_back(degrees[i]);
+        sum += static_cast<double>(degrees[i]);
+        figures.max = std::max(figures.max, degrees[i]);
+    }
+    if (!seen.empty()) figures.mean = static_cast<float>(sum / static_cast<double>(seen.size()));
+    figures.end = end > 0 ? end : end_of_scale(std::move(seen));
+    figures.degrees = std::make_shared<const std::vector<float>>(std::move(degrees));
+    return figures;
+}
+
+}  // namespace
+
+bool PreviewPainter::use_mesh(const PreviewJob& job, Diagnostics& problems) {
+    const auto wanted = job.view.displaced ? job.displacement : nullptr;
+    const uint64_t images = wanted ? job.images : 0;
+    if (images != mesh_images_) textures_.forget();
+    if (job.view.mesh == mesh_ && job.view.scale == scale_ && wanted == displacement_ &&
+        job.meshes == mesh_read_ && images == mesh_images_)
+        return true;
+    bool double_sided = false;
+    auto mesh = open_mesh(job.view.mesh, double_sided, problems);
+    if (!mesh || !(job.view.scale > 0)) return !mesh_.empty();
+    resize(*mesh, job.view.scale);
+    framing_ = gpu::default_camera(*mesh, job.view.mesh);
+    if (wanted) {
+        auto moved = displaced(*mesh, *wanted, textures_, problems);
+        if (moved) mesh = std::move(moved);
+    }
+    renderer_.set_mesh(*mesh);
+    mesh_ = job.view.mesh;
+    double_sided_ = double_sided;
+    scale_ = job.view.scale;
+    displacement_ = wanted;
+    mesh_read_ = job.meshes;
+    mesh_images_ = images;
+    return true;
+}
+
+void PreviewPainter::use_light(const PreviewJob& job) {
+    const PreviewView& view = job.view;
+    const bool reread = std::exchange(light_read_, job.lights) != job.lights;
+    if (view.environment != environment_ || (reread && !environment_.empty())) {
+        environment_ = view.environment;
+        relit_ = true;
+        renderer_.forget_environment();
+        dark_ = Diagnostics();
+        if (!environment_.empty())
+            if (const auto picture = load_image(environment_, dark_))
+                renderer_.set_environment(*picture);
+    }
+    if (view.lighting != lighting_) {
+        lighting_ = view.lighting;
+        relit_ = true;
+        renderer_.set_lighting(lighting_);
+    }
+}
+
+void PreviewPainter::begin_graph(uint64_t graph) {
+    if (std::exchange(graph_, graph) == graph) return;
+    const int slot = last_.slot;
+    last_ = PreviewPicture();
+    last_.slot = slot;
+    has_material_ = false;
+    tried_ = nullptr;
+    refusal_ = Diagnostics();
+}
+
+// A rejected material is not tried again until it, the images or the light change.
+bool PreviewPainter::use_material(const PreviewJob& job) {
+    const bool reread = std::exchange(images_, job.images) != job.images;
+    if (reread) renderer_.forget_images();
+    if (job.material && (job.material != tried_ || reread || relit_)) {
+        tried_ = job.material;
+        slow_ = true;  // its duration is not known yet
+        relit_ = false;
+        refusal_ = Diagnostics();
+        if (renderer_.set_material(*job.material, refusal_)) has_material_ = true;
+    }
+    if (!has_material_) return false;
+    if (!refusal_.has_errors())
+        for (const auto& [name, value] : job.values)
+            renderer_.set_uniform(name, value);
+    return true;
+}
+
+gpu::Scene PreviewPainter::scene_of(const PreviewView& view) const {
+    gpu::Scene scene;
+    scene.camera = framing_;
+    scene.camera.yaw = view.yaw;
+    scene.camera.pitch = view.pitch;
+    scene.camera.distance = framing_.distance * view.distance;
+    const glm::mat3 to_world(glm::transpose(glm::mat3(gpu::view_matrix(scene.camera))));
+    scene.camera.target += to_world * glm::vec3(view.pan_x, view.pan_y, 0) * framing_.distance;
+    const float flat = std::cos(view.light_pitch);
+    scene.to_light = {flat * std::sin(view.light_yaw), std::sin(view.light_pitch),
+                      flat * std::cos(view.light_yaw)};
+    scene.environment_turn = view.turn;
+    scene.surroundings = !view.environment.empty();
+    scene.background = {0.157F, 0.165F, 0.176F, 0};
+    return scene;
+}
+
+// View options with strips if the rendering is slow.
+gpu::ViewOptions PreviewPainter::patient() const {
+    gpu::ViewOptions options;
+    options.strip_milliseconds = slow_ ? strip_milliseconds : 0;
+    options.before_strip = before_strip_;
+    return options;
+}
+
+bool PreviewPainter::measure(const PreviewJob& job, const gpu::Scene& scene,
+                             PreviewPicture& picture) {
+    gpu::TargetOptions options;
+    options.width = job.width;
+    options.height = job.height;
+    options.format = gpu::PixelFormat::rgba32f;
+    if (!fit(numbers_, options, picture.problems)) return false;
+    gpu::ViewOptions raw = patient();
+    raw.view = gpu::View::difference;
+    raw.against = job.against;
+    raw.raw = true;
+    if (!renderer_.draw(scene, raw, *numbers_, picture.problems)) return false;
+    picture.angles = figures_of(numbers_->read(), job.degrees);
+    return true;
+}
+
+bool PreviewPainter::draw_sides(const PreviewJob& job, PreviewPicture& picture) {
+    Slot& slot = slots_[static_cast<size_t>(picture.slot)];
+    gpu::TargetOptions options;
+    options.width = job.width;
+    options.height = job.height;
+    options.samples = 4;
+    if (!fit(slot.a, options, picture.problems)) return false;
+    const gpu::Scene scene = scene_of(job.view);
+    gpu::ViewOptions view = patient();
+    view.view = job.view.view;
+    if (!renderer_.draw(scene, view, *slot.a, picture.problems)) return false;
+    picture.texture = slot.a->texture();
+    picture.other = 0;
+    picture.angles = {};
+    if (job.against.empty()) return true;
+    if (!fit(slot.b, options, picture.problems)) return false;
+    if (job.difference) {
+        if (!measure(job, scene, picture)) return false;
+        view.view = gpu::View::difference;
+        view.against = job.against;
+        view.heat_degrees = picture.angles.end;
+    } else {
+        view.normal = job.against;
+    }
+    if (!renderer_.draw(scene, view, *slot.b, picture.problems)) return false;
+    picture.other = slot.b->texture();
+    return true;
+}
+
+PreviewPicture PreviewPainter::draw(const PreviewJob& job, int held) {
+    const auto start = std::chrono::steady_clock::now();
+    begin_graph(job.graph);
+    PreviewPicture picture = last_;
+    picture.version = job.version;
+    picture.graph = job.graph;
+    picture.problems = Diagnostics();
+    const auto before = std::tuple(renderer_.programs_linked(), images_, mesh_, scale_);
+    use_light(job);
+    if (use_material(job) && use_mesh(job, picture.problems) && job.width > 0 && job.height > 0) {
+        PreviewPicture next = picture;
+        next.slot = 0;
+        while (next.slot == held || next.slot == last_.slot)
+            ++next.slot;
+        next.width = job.width;
+        next.height = job.height;
+        if (draw_sides(job, next))
+            picture = std::move(next);
+        else
+            picture.problems = std::move(next.problems);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    gpu::Context::finish();
+    picture.refused = refusal_.has_errors();
+    picture.lost = gpu::Context::was_lost();
+    picture.double_sided = double_sided_ ? mesh_ : "";
+    Diagnostics problems = refusal_;
+    problems.append(dark_);
+    problems.append(picture.problems);
+    picture.problems = std::move(problems);
+    picture.programs = renderer_.programs_linked();
+    picture.first = before != std::tuple(renderer_.programs_linked(), images_, mesh_, scale_);
+    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+    picture.milliseconds = time.count();
+    slow_ = (slow_ ? renderer_.strips_took() : time.count()) > slow_milliseconds;
+    last_ = picture;
+    if (job.still && !job.still->answered()) draw_still(job);
+    return picture;
+}
+
+// Uses the state of the last rendering, with an opaque background.
+void PreviewPainter::draw_still(const PreviewJob& job) {
+    ImageRequest& still = *job.still;
+    Diagnostics problems = last_.problems;
+    std::optional<Image> image;
+    if (!still.cancelled && last_.texture && !last_.refused)
+        image = still_picture(renderer_, scene_of(job.view), job, last_.angles.end, problems);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    still.answer(std::move(image), std::move(problems));
+}
+
+}  // namespace wrinkle::editor

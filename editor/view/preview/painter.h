@@ -1,0 +1,113 @@
+// Draws a preview job into textures. Its GL context must be current on every call, including the
+// destructor; the thread of preview.h owns one.
+//
+// The last good rendering is retained: if the driver rejects a material, an image or a mesh cannot
+// be read, or the graph has no such view, the textures do not change and the result has the reason.
+// It is discarded when another graph is opened.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editor/model/document/displacement.h"
+#include "editor/view/preview/image_request.h"
+#include "editor/view/preview/view.h"
+#include "gpu/renderer.h"
+
+namespace wrinkle::editor {
+
+struct PreviewJob {
+    uint64_t version = 0;
+    uint64_t graph = 0;                                // a change discards the last rendering
+    std::shared_ptr<const gpu::Material> material;     // nullptr: none yet
+    std::map<std::string, std::vector<float>> values;  // uniform values changed since `material`
+    std::shared_ptr<const Displacement> displacement;  // nullptr: none
+    PreviewView view;
+    std::string against;  // output with the other normal; "" compares nothing
+    bool difference = false;
+    float degrees = 0;  // end of the heat map's scale; 0: automatic
+    int width = 0, height = 0;
+    // If one of them changes, its files are read again.
+    uint64_t images = 0, meshes = 0, lights = 0;
+    std::shared_ptr<ImageRequest> still;  // answered once, after the preview
+};
+
+// Angles between the two normals, over the pixels of the mesh.
+struct AngleFigures {
+    float mean = 0, max = 0;
+    float end = 0;  // end of the heat map's scale: 3, 12, 45 or 180, or as requested
+    std::shared_ptr<const std::vector<float>> degrees;  // by pixel, bottom row first; < 0 outside
+};
+
+struct PreviewPicture {
+    uint64_t version = 0;             // version of the drawn job
+    uint64_t graph = 0;               // graph of that job
+    uint32_t texture = 0, other = 0;  // sides A and B, bottom row first; 0: absent
+    int slot = -1;                    // index of the textures
+    int width = 0, height = 0;
+    bool refused = false;      // the driver rejected the material; an earlier one is shown
+    bool lost = false;         // the driver lost the context: recreate all GL objects
+    std::string double_sided;  // the mesh if one of its materials is double-sided
+    Diagnostics problems;
+    AngleFigures angles;
+    double milliseconds = 0;  // drawing time, including GPU work
+    bool first = false;       // first use of a program or a mesh: includes its setup time
+    uint64_t programs = 0;    // linked so far
+};
+
+// Draws the image requested by `job.still` from the renderer's state; std::nullopt with the reason
+// in `problems` on failure.
+std::optional<Image> still_picture(gpu::Renderer& renderer, gpu::Scene scene, const PreviewJob& job,
+                                   float heat_degrees, Diagnostics& problems);
+
+class PreviewPainter {
+public:
+    // before_strip is called between the strips of a slow rendering; it may wait.
+    explicit PreviewPainter(std::function<void()> before_strip = {})
+        : before_strip_(std::move(before_strip)) {}
+
+    // Does not write the textures of slot `held`, which are on screen.
+    PreviewPicture draw(const PreviewJob& job, int held);
+
+private:
+    struct Slot {
+        std::optional<gpu::Target> a, b;
+    };
+    void begin_graph(uint64_t graph);
+    bool use_material(const PreviewJob& job);
+    bool use_mesh(const PreviewJob& job, Diagnostics& problems);
+    void use_light(const PreviewJob& job);
+    bool draw_sides(const PreviewJob& job, PreviewPicture& picture);
+    void draw_still(const PreviewJob& job);
+    bool measure(const PreviewJob& job, const gpu::Scene& scene, PreviewPicture& picture);
+    gpu::Scene scene_of(const PreviewView& view) const;
+    gpu::ViewOptions patient() const;
+
+    std::function<void()> before_strip_;
+    gpu::Renderer renderer_;
+    std::array<Slot, 3> slots_;
+    std::optional<gpu::Target> numbers_;
+    gpu::OrbitCamera framing_;
+    PreviewPicture last_;
+    std::shared_ptr<const gpu::Material> tried_;
+    Diagnostics refusal_;  // errors of `tried_`
+    Diagnostics dark_;     // problems of the environment
+    bool has_material_ = false, relit_ = false;
+    bool slow_ = true;  // the next rendering may take long
+    uint64_t images_ = 0, graph_ = 0;
+    // State of the renderer, as read from jobs.
+    uint64_t mesh_read_ = 0, mesh_images_ = 0, light_read_ = 0;
+    std::string mesh_, environment_;
+    bool double_sided_ = false;  // one of the materials of mesh_ is double-sided
+    float scale_ = 0;
+    std::shared_ptr<const Displacement> displacement_;
+    TextureStore textures_;  // textures of the displacement
+    gpu::Lighting lighting_ = gpu::Lighting::ggx;
+};
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,65 @@
+#include "editor/view/preview/picture_export.h"
+
+#include <algorithm>
+
+#include "editor/model/words.h"
+#include "editor/view/preview/image_request.h"
+#include "image/load.h"
+
+namespace wrinkle::editor {
+namespace fs = std::filesystem;
+namespace {
+
+float shown_split(const State& state) {
+    const CompareView& compare = state.view.compare;
+    if (!state.preview || state.preview->shown().other == 0) return 1;
+    if (compare.mode == CompareView::Mode::split) return compare.split;
+    return compare.mode == CompareView::Mode::flip && compare.flipped ? 0.0F : 1.0F;
+}
+
+TaskOutcome draw_and_write(ImageRequest& still, const fs::path& file, TaskProgress& progress) {
+    const std::string name = file.filename().string();
+    progress.total = 2;
+    Diagnostics problems;
+    const auto image = still.wait(progress.cancelled, problems);
+    if (progress.cancelled) return {};
+    if (!image) return {false, name + " was not drawn: " + sentence(first_error(problems))};
+    progress.done = 1;
+    Diagnostics written;
+    if (!save_image(*image, file, {}, written))
+        return {false, name + " was not written: " + disk_words(first_error(written)) + "."};
+    progress.done = 2;
+    return {true, "Wrote " + name + ", " + std::to_string(image->width) + " \u00D7 " +
+                      std::to_string(image->height) + " px."};
+}
+
+}  // namespace
+
+std::vector<PictureSize> picture_sizes(const State& state) {
+    std::vector<PictureSize> sizes{{1024, 1024}, {2048, 2048}, {4096, 4096}};
+    if (!state.preview) return sizes;
+    const PreviewPicture& shown = state.preview->shown();
+    sizes.insert(sizes.begin(), {std::max(shown.width, 1), std::max(shown.height, 1)});
+    return sizes;
+}
+
+void start_picture_export(State& state, const fs::path& file, PictureSize size) {
+    if (!state.preview) return;
+    const auto still = std::make_shared<ImageRequest>(size.width, size.height, shown_split(state));
+    const auto work = [still, file](TaskProgress& progress) {
+        return draw_and_write(*still, file, progress);
+    };
+    if (start_task(state, {"Drawing " + file.filename().string(), work,
+                           [file, size](State& s) { start_picture_export(s, file, size); }}))
+        state.preview->draw_still(still);
+}
+
+fs::path usual_picture(const State& state) {
+    return state.folder() / (fs::path(state.file_name()).stem().string() + ".png");
+}
+
+std::string_view no_picture(const State& state) {
+    return state.preview && state.preview->shown().texture ? "" : "There is no picture yet.";
+}
+
+}  // namespace wrinkle::editor

@@ -1,0 +1,130 @@
+#include "editor/view/preview/preview.h"
+
+#include "editor/view/preview/painter.h"
+
+namespace wrinkle::editor {
+
+Preview::Preview(std::function<void()> wake) : wake_(std::move(wake)) {
+    begin();
+}
+
+void Preview::begin() {
+    Diagnostics why;  // ignored: the fallback gives the same result
+    context_ = gpu::Context::sharing_current(why);
+    if (!context_) return;
+    const auto work = [this](PreviewJob&& job) {
+        if (!painter_) {
+            context_->make_current();
+            painter_ = std::make_unique<PreviewPainter>([this] { turns_.wait_for_frame(); });
+        }
+        return painter_->draw(job, held_);
+    };
+    const auto finish = [this] {
+        painter_.reset();
+        context_->release_current();
+    };
+    worker_ = std::make_unique<Worker<PreviewJob, PreviewPicture>>(work, wake_, finish);
+}
+
+Preview::~Preview() {
+    worker_.reset();
+    if (job_.still) job_.still->answer(std::nullopt, Diagnostics());
+}
+
+void Preview::leave_context() {
+    worker_.reset();
+    painter_.reset();
+    context_.reset();
+    held_ = -1;
+    picture_ = PreviewPicture();
+}
+
+void Preview::recreate_context() {
+    begin();
+    changed_ = true;
+}
+
+void Preview::set_material(std::shared_ptr<const gpu::Material> material,
+                           std::shared_ptr<const Displacement> displacement) {
+    job_.material = std::move(material);
+    job_.displacement = std::move(displacement);
+    job_.values.clear();
+    changed_ = true;
+}
+
+void Preview::forget_material() {
+    ++job_.graph;
+    set_material(nullptr, nullptr);
+    picture_ = PreviewPicture();
+}
+
+void Preview::set_uniform(const std::string& name, std::span<const float> value) {
+    job_.values[name].assign(value.begin(), value.end());
+    changed_ = true;
+}
+
+void Preview::forget_images() {
+    ++job_.images;
+    changed_ = true;
+}
+
+void Preview::forget_mesh() {
+    ++job_.meshes;
+    changed_ = true;
+}
+
+void Preview::forget_light() {
+    ++job_.lights;
+    changed_ = true;
+}
+
+void Preview::draw_still(std::shared_ptr<ImageRequest> still) {
+    // Cancels the previous request.
+    if (job_.still) job_.still->answer(std::nullopt, Diagnostics());
+    job_.still = std::move(still);
+    ask();
+}
+
+void Preview::show(const PreviewView& view, const std::string& against, const CompareView& compare,
+                   int width, int height) {
+    const bool difference = !against.empty() && compare.difference;
+    const float degrees = difference ? compare.degrees : 0;
+    if (!changed_ && view == job_.view && against == job_.against &&
+        difference == job_.difference && degrees == job_.degrees && width == job_.width &&
+        height == job_.height)
+        return;
+    job_.view = view;
+    job_.against = against;
+    job_.difference = difference;
+    job_.degrees = degrees;
+    job_.width = width;
+    job_.height = height;
+    changed_ = false;
+    ask();
+}
+
+void Preview::ask() {
+    ++job_.version;
+    if (worker_) return worker_->post(job_);
+    if (!painter_) painter_ = std::make_unique<PreviewPainter>();
+    picture_ = painter_->draw(job_, -1);
+}
+
+const PreviewPicture& Preview::picture() {
+    if (worker_)
+        if (auto newer = worker_->take(); newer && newer->graph == job_.graph) {
+            held_ = newer->slot;
+            picture_ = std::move(*newer);
+        }
+    return picture_;
+}
+
+bool Preview::idle() const {
+    return !worker_ || worker_->idle();
+}
+
+void Preview::settle() {
+    if (worker_) worker_->settle();
+}
+
+}  // namespace wrinkle::editor

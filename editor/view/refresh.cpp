@@ -1,0 +1,135 @@
+#include "editor/view/refresh.h"
+
+#include "editor/model/document/change.h"
+#include "editor/view/canvas/boxes.h"
+#include "editor/view/canvas/layout.h"
+#include "editor/view/edit/edits.h"
+#include "editor/view/preview/feed.h"
+
+namespace wrinkle::editor {
+namespace {
+
+// Requests a count only if the source differs; a changed value does not change it.
+void ask_costs(State& state) {
+    CompileState& follow = state.follow;
+    if (!follow.counter || !state.built.uniform) return;
+    const std::string& text = state.built.uniform->source;
+    if (follow.counting_of >= follow.first && follow.counting == text) return;
+    follow.counting = text;
+    follow.counting_of = follow.came;
+    follow.counter->post({follow.came, state.built.module, follow.built_of});
+}
+
+void poll_costs(CompileState& follow) {
+    if (!follow.counter) return;
+    if (auto counted = follow.counter->take()) follow.counted = std::move(*counted);
+}
+
+void take(State& state, Compilation compilation) {
+    CompileState& follow = state.follow;
+    if (compilation.version < follow.first || compilation.version <= follow.came) return;
+    follow.came = compilation.version;
+    ++state.counters.builds;
+    state.built = std::move(compilation.build);
+    follow.built_of = std::move(compilation.document);
+    ask_costs(state);
+    apply_latest_build(state);
+}
+
+void ask(State& state) {
+    CompileState& follow = state.follow;
+    follow.asked_of = state.document();
+    follow.asked_for = wanted_request(state);
+    CompileJob job{++follow.asked, state.model, state.document(), material_name(state.path),
+                   follow.asked_for};
+    if (follow.compiler)
+        follow.compiler->ask(std::move(job));
+    else
+        take(state, compile(std::move(job), *state.registry));
+}
+
+void rebuild_model(State& state) {
+    state.model = make_model(state.document(), state.folder(), *state.registry, state.root());
+}
+
+void begin(State& state) {
+    state.fresh = true;
+    state.layout_stale = true;
+    state.follow.first = state.follow.asked + 1;
+    state.follow.running.reset();
+    rebuild_model(state);
+    ask(state);
+}
+
+void follow_document(State& state) {
+    CompileState& follow = state.follow;
+    const Change difference = change(follow.asked_of, state.document());
+    if (difference.renamed) rename_in_request(state, follow.asked_of);
+    if (difference.renamed || difference.kind == Change::Kind::structure) rebuild_model(state);
+    switch (difference.kind) {
+        case Change::Kind::none:
+        case Change::Kind::cosmetic:
+            follow.asked_of = state.document();
+            break;
+        case Change::Kind::names:
+            follow.asked_of = state.document();
+            follow.asked_for = wanted_request(state);
+            if (!state.built.problems.list().empty()) ask(state);  // problems name nodes
+            break;
+        case Change::Kind::values: {
+            const bool sent = send_values(state);
+            // While a value is dragged only the uniform changes; the build follows at the end of
+            // the drag.
+            if (!sent || state.gesture.kind != Gesture::Kind::value) ask(state);
+            break;
+        }
+        case Change::Kind::structure:
+            ask(state);
+            if (state.timings) state.timings->structure(follow.asked);
+            break;
+    }
+}
+
+// Deselects nodes, boxes and wires that no longer exist after undo, a reload or a cancelled
+// gesture.
+void forget_what_is_gone(State& state) {
+    const Document& now = state.document();
+    View& view = state.view;
+    std::erase_if(view.selected, [&](const std::string& id) {
+        return !now.find(id) && id != Link::surface && id != Link::input && id != Card::outputs_id;
+    });
+    std::erase_if(view.boxes, [&](const BoxId& id) { return !find_box(now, id); });
+    if (!view.selected_wire) return;
+    const auto& [node, port] = *view.selected_wire;
+    if (!link_at(now, node, port)) view.selected_wire.reset();
+}
+
+}  // namespace
+
+void refresh(State& state) {
+    CompileState& follow = state.follow;
+    forget_what_is_gone(state);
+    if (!state.fresh)
+        begin(state);
+    else if (!same_document(follow.asked_of, state.document()))
+        follow_document(state);
+    if (follow.asked_for != wanted_request(state)) {
+        ask(state);
+        if (state.timings) state.timings->structure(follow.asked);
+    }
+    if (follow.compiler)
+        if (auto result = follow.compiler->take()) take(state, std::move(*result));
+    poll_costs(follow);
+    poll_preview_diagnostics(state);
+    update_layout(state);
+    feed_node_previews(state);
+}
+
+bool is_settled(const State& state) {
+    const bool held = state.gesture.kind == Gesture::Kind::value;
+    return state.fresh && state.dropped.waiting.empty() && !state.follow.building() &&
+           (!state.preview || state.preview->idle()) &&
+           (held || same_document(state.follow.asked_of, state.document()));
+}
+
+}  // namespace wrinkle::editor
