@@ -13,6 +13,7 @@
 #include "editor/app/window.h"
 #include "editor/model/document/files.h"
 #include "editor/model/document/recovery.h"
+#include "editor/view/lifecycle.h"
 #include "gpu/context.h"
 #include "registry/plugin_loader.h"
 

@@ -11,8 +11,8 @@
 #include <cctype>
 #include <utility>
 
-#include "editor/model/document/files.h"
 #include "editor/view/commands/commands.h"
+#include "editor/view/lifecycle.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/panels/fields.h"
 #include "editor/view/panels/ui.h"

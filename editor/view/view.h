@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/model/document/box_id.h"
+#include "editor/model/document/boxes.h"
 #include "editor/model/document/request.h"
 #include "editor/view/preview/preview.h"
 #include "graph/document.h"

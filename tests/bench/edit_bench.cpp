@@ -119,7 +119,7 @@ void measure_all(const Registry& registry, const Fonts& fonts, int count, int ti
     std::printf("%d nodes, compiled in %.1f: processor, wall\n", count, state.built.milliseconds);
     for (const Edit& edit : edits)
         measure(state, compiler, edit, times);
-    state.keeping.journal.drop();
+    state.journal.drop();
     std::filesystem::remove_all(folder);
 }
 

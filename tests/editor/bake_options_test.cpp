@@ -134,7 +134,7 @@ TEST_F(BakeOptionRows, MapsNeedNotBeSquare) {
     program_output("bake " + file.string() + " --mesh sphere --size 256x64 -o " +
                    (folder.path() / "theirs.png").string());
     expect_same("maps/normal.png", "theirs.png");
-    EXPECT_EQ(usual_bake(state).height(), 64U);
+    EXPECT_EQ(usual_bake(state, state.view.preview_view.mesh).height(), 64U);
     BakeChoices chosen = choices({"normal"});
     chosen.square_or_height = 128;
     expect_the_command_bakes_it(chosen, "maps");
@@ -188,8 +188,8 @@ TEST_F(BakeOptionRows, WhatIsAskedForInTheDialogIsBakedAndRemembered) {
     EXPECT_EQ(kept.tuning, (BakeTuning{2, 64, 5, "none", 64}));
     EXPECT_EQ(kept.packs, "rn: r=roughness g=normal.r");
     state.keeping.settings.bake = kept;
-    EXPECT_EQ(usual_bake(state).tuning, kept.tuning);
-    EXPECT_EQ(usual_bake(state).packs, kept.packs);
+    EXPECT_EQ(usual_bake(state, state.view.preview_view.mesh).tuning, kept.tuning);
+    EXPECT_EQ(usual_bake(state, state.view.preview_view.mesh).packs, kept.packs);
 }
 
 TEST_F(BakeOptionRows, WhatCannotBeIsSaidBeforeItIsTried) {
@@ -220,7 +220,7 @@ TEST_F(BakeOptionRows, SettingsThatFitNoOptionAreLeft) {
     odd.tuning.samples = 5;
     odd.tuning.tile = 100;
     state.keeping.settings.bake = odd;
-    EXPECT_EQ(usual_bake(state).tuning, BakeTuning());
+    EXPECT_EQ(usual_bake(state, state.view.preview_view.mesh).tuning, BakeTuning());
 }
 
 TEST_F(BakeOptionRows, ATildeLeadsHome) {

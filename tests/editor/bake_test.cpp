@@ -223,14 +223,15 @@ TEST_F(EditorBake, TheLastChoicesComeBack) {
         "key Ctrl+B\nclick bake:map:height\nclick bake:map:normal\nclick bake:dx\n"
         "click bake:object\nclick bake:size\nclick bake:size:512\nclick bake:stored\n"
         "click bake:stored:tif-u16\nkey Escape\nkey Ctrl+B");
-    EXPECT_EQ(state.bake_dialog.choices, usual_bake(state)) << "nothing was baked with them";
+    EXPECT_EQ(state.bake_dialog.choices, usual_bake(state, state.view.preview_view.mesh))
+        << "nothing was baked with them";
     EXPECT_EQ(state.bake_dialog.choices.maps, Names{"normal"});
     play(
         "click bake:map:height\nclick bake:map:normal\nclick bake:dx\nclick bake:object\n"
         "click bake:size\nclick bake:size:512\nclick bake:stored\nclick bake:stored:tif-u16\n"
         "click bake:start\nfinish");
     EXPECT_TRUE(exists("graph_maps/height.tif"));
-    const BakeChoices again = usual_bake(state);
+    const BakeChoices again = usual_bake(state, state.view.preview_view.mesh);
     EXPECT_EQ(again.maps, Names{"height"});
     EXPECT_EQ(again.width, 512U);
     EXPECT_TRUE(again.green_down && again.object_space);
@@ -243,9 +244,9 @@ TEST_F(EditorBake, TheLastChoicesComeBack) {
     odd.size = 77;
     odd.stored = "gif";
     state.keeping.settings.bake = odd;
-    EXPECT_EQ(usual_bake(state).maps, Names{"normal"});
-    EXPECT_EQ(usual_bake(state).width, 1024U);
-    EXPECT_EQ(usual_bake(state).stored->key, "png u8");
+    EXPECT_EQ(usual_bake(state, state.view.preview_view.mesh).maps, Names{"normal"});
+    EXPECT_EQ(usual_bake(state, state.view.preview_view.mesh).width, 1024U);
+    EXPECT_EQ(usual_bake(state, state.view.preview_view.mesh).stored->key, "png u8");
 }
 
 TEST_F(EditorBake, TheDialogSaysWhatIsWrittenAndReplaced) {

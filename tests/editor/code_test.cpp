@@ -226,9 +226,10 @@ TEST_F(Headless, ALineOfAUniformLeadsToItsNode) {
 TEST_F(Headless, ANodeWithoutALineSaysWhy) {
     open(small_graph);
     play("click canvas+0,330\nassert no-target code:why\nclick node:normal\nwait");
-    EXPECT_EQ(why_no_line(state), "");
+    EXPECT_EQ(why_no_line(state, state.view.selected), "");
     play("assert no-target code:why\nclick node:number\nassert target code:why");
-    EXPECT_EQ(why_no_line(state), "number has no line: no output of the graph reads it.");
+    EXPECT_EQ(why_no_line(state, state.view.selected),
+              "number has no line: no output of the graph reads it.");
     play("click canvas+0,330\nassert no-target code:why");
     size_t without = 0;
     for (const fs::path& graph : sample_graphs()) {
@@ -238,7 +239,7 @@ TEST_F(Headless, ANodeWithoutALineSaysWhy) {
         for (const NodePtr& node : state.document().nodes) {
             state.view.selected = {node->id};
             const bool has = std::find(nodes.begin(), nodes.end(), node->id) != nodes.end();
-            const std::string why = why_no_line(state);
+            const std::string why = why_no_line(state, state.view.selected);
             EXPECT_EQ(why.empty(), has) << graph << " " << node->id;
             EXPECT_TRUE(has || why.starts_with(node->id + " has no line")) << why;
             without += !has;

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "editor/model/document/files.h"
+#include "editor/view/lifecycle.h"
 #include "graph/edit.h"
 #include "graph/read.h"
 #include "graph/write.h"

@@ -1,5 +1,6 @@
 // Tests of sub-graphs made from selected nodes: group and ungroup.
 #include "editor/model/document/each_wire.h"
+#include "editor/model/document/group.h"
 #include "editor/view/edit/group.h"
 #include "graph/read.h"
 #include "graph/write.h"
@@ -36,7 +37,7 @@ TEST_F(Headless, AGroupKeepsAllWiresAndCanBeOpened) {
         assert nodes 3
         assert dirty
         assert errors 0)");
-    EXPECT_TRUE(state.outer.empty());
+    EXPECT_TRUE(state.parent_graphs.empty());
 }
 
 size_t wires_of(const Document& document) {

@@ -1,6 +1,7 @@
 // Tests of image lint: the nodes that dropped images become, remarks and their fixes; the interface
 // does not wait for it.
 #include "editor/model/images/images.h"
+#include "editor/view/lifecycle.h"
 
 #include <unistd.h>
 

@@ -8,6 +8,7 @@
 
 #include "editor/model/document/files.h"
 #include "editor/view/commands/commands.h"
+#include "editor/view/lifecycle.h"
 #include "graph/edit.h"
 #include "graph/write.h"
 #include "headless.h"
@@ -162,7 +163,7 @@ TEST_F(Headless, AVanishedFolderIsSaidAndTheEditsStay) {
 TEST_F(Headless, ADeviceThatIsFullIsSaid) {
     open(small_graph);
     state.path = "/dev/full";
-    state.keeping.disk = {};
+    state.disk = {};
     EXPECT_FALSE(save_file_as(state, "/dev/full"));
     EXPECT_NE(state.status.find("full was not saved: the disk is full."), std::string::npos)
         << state.status;

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "editor/model/document/files.h"
 #include "editor/model/document/recovery.h"
+#include "editor/view/lifecycle.h"
 #include "graph/read.h"
 #include "graph/write.h"
 #include "headless.h"

@@ -1,5 +1,6 @@
 // Tests of opening and closing sub-graphs: the parent graphs remain unchanged.
 #include "editor/model/document/levels.h"
+#include "editor/view/lifecycle.h"
 
 #include "editor/model/document/files.h"
 #include "editor/model/document/recovery.h"
@@ -58,7 +59,7 @@ TEST_F(Levels, GoingInLosesNothing) {
     play("click node:weave\nkey Tab\nassert node thread\nassert clean");
     EXPECT_EQ(open_files(state), (std::vector<std::string>{"graph.json", "weave.json"}));
     play("click node:thread\nkey Enter\nassert node softer\nassert nodes 2");
-    EXPECT_EQ(state.outer.size(), 2U);
+    EXPECT_EQ(state.parent_graphs.size(), 2U);
     play("key Shift+Tab\nassert node thread\nkey Shift+Tab\nassert node number\nassert dirty");
     EXPECT_EQ(state.view.pan.x, 123);
     EXPECT_EQ(state.view.pan.y, 45);
@@ -86,7 +87,7 @@ TEST_F(Levels, ADoubleClickGoesInAndOnTheNameRenames) {
         frame();
     frame();
     EXPECT_EQ(state.popup.kind, Popup::Kind::rename);
-    EXPECT_TRUE(state.outer.empty());
+    EXPECT_TRUE(state.parent_graphs.empty());
 }
 
 TEST_F(Levels, EachPartOfTheBreadcrumbGoesBack) {
@@ -177,7 +178,7 @@ TEST_F(Levels, ACleanInnerGraphDoesNotHideAnUnsavedOuterOne) {
     open_strap();
     play("click node:number\nkey M\ndouble node:weave+0,24\nassert clean\nkey Ctrl+N");
     play("assert target answer:save\nclick answer:discard\nassert nodes 0");
-    EXPECT_TRUE(state.outer.empty());
+    EXPECT_TRUE(state.parent_graphs.empty());
     EXPECT_EQ(disk("graph.json"), outer_graph);
     EXPECT_EQ(journals(), 0U);
 }
@@ -191,7 +192,7 @@ TEST_F(Levels, WhatCannotBeSavedStaysOpen) {
     EXPECT_FALSE(state.quit);
     EXPECT_TRUE(state.question.open());
     play("click answer:cancel\nassert node thread\nassert dirty");
-    EXPECT_EQ(state.outer.size(), 1U);
+    EXPECT_EQ(state.parent_graphs.size(), 1U);
 }
 
 TEST_F(Levels, EachLevelHasItsJournal) {
@@ -231,7 +232,7 @@ TEST_F(Levels, RecoveryHasAllLevels) {
     EXPECT_TRUE(state.document().find("number")->muted);
     play(
         "double node:weave+0,24\nassert target answer:recover\nclick answer:recover\nassert dirty");
-    EXPECT_EQ(state.outer.size(), 1U);
+    EXPECT_EQ(state.parent_graphs.size(), 1U);
     EXPECT_TRUE(state.document().find("noise")->muted);
     play("key Shift+Tab\nclick answer:save\nassert node number\nassert dirty");
     EXPECT_TRUE(state.document().find("number")->muted);
@@ -246,14 +247,14 @@ TEST_F(Levels, MissingFilesAndCirclesSayWhatIsWrong) {
         "layout": {"weave": [0, 0], "gone": [0, 240]}})");
     state.view.selected = {"gone"};
     play("key Tab\nassert status gone: parts/gone.json was not found");
-    EXPECT_TRUE(state.outer.empty());
+    EXPECT_TRUE(state.parent_graphs.empty());
     state.view.selected = {"weave"};
     play("key Tab\nassert node again");
     state.view.selected = {"again"};
     play("key Tab\nassert status graph.json holds itself: graph.json > weave.json > graph.json.");
     state.view.selected = {"itself"};
     play("key Tab\nassert status weave.json holds itself: weave.json > weave.json.");
-    EXPECT_EQ(state.outer.size(), 1U);
+    EXPECT_EQ(state.parent_graphs.size(), 1U);
 }
 
 // Names in a graph in a sub-folder are relative to that folder; they may lead up to the folder of

@@ -8,6 +8,7 @@
 
 #include "editor/model/document/files.h"
 #include "editor/model/document/recovery.h"
+#include "editor/view/lifecycle.h"
 #include "graph/edit.h"
 #include "graph/write.h"
 #include "headless.h"
@@ -133,7 +134,7 @@ TEST_F(ReadOnly, AStateFolderIsSaidOnceAndWorkGoesOn) {
             state.commit("Move", move_node(state.document(), "noise", i, 7));
             state.panes.side = 0.2F + 0.05F * static_cast<float>(i);
             state.keeping.looked = 0;
-            keep_edits(state);
+            keep_edits(state, false);
             all += state.status + "\n";
             tend(state);
             all += state.status + "\n";

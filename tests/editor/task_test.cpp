@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A task that ends when `go` is set or when it is cancelled.
-TaskSpec waiting_order(const std::shared_ptr<std::atomic<bool>>& go, bool good) {
+TaskSpec waiting_order(Session& session, const std::shared_ptr<std::atomic<bool>>& go, bool good) {
     const auto work = [go, good](TaskProgress& progress) -> TaskOutcome {
         progress.total = 4;
         progress.done = 1;
@@ -24,12 +24,12 @@ TaskSpec waiting_order(const std::shared_ptr<std::atomic<bool>>& go, bool good) 
             usleep(1000);
         return {good, good ? "Wrote it." : "It was not written: the disk is full."};
     };
-    const auto again = [](State& state) {
-        start_task(state, {"Once more",
-                           [](TaskProgress&) -> TaskOutcome {
-                               return {true, "Wrote it at last."};
-                           },
-                           {}});
+    const auto again = [&session] {
+        start_task(session, {"Once more",
+                             [](TaskProgress&) -> TaskOutcome {
+                                 return {true, "Wrote it at last."};
+                             },
+                             {}});
     };
     return {"Writing", work, again};
 }
@@ -38,8 +38,8 @@ TEST_F(Headless, ATaskHasAStripAndTheRestGoesOn) {
     open(small_graph);
     const float before = regions_of(state).work.size.y;
     const auto go = std::make_shared<std::atomic<bool>>(false);
-    ASSERT_TRUE(start_task(state, waiting_order(go, true)));
-    EXPECT_FALSE(start_task(state, waiting_order(go, true)));
+    ASSERT_TRUE(start_task(state, waiting_order(state, go, true)));
+    EXPECT_FALSE(start_task(state, waiting_order(state, go, true)));
     EXPECT_EQ(state.status, "Writing is not done yet.");
     play("wait\nassert target task:cancel\nclick node:number\nkey Delete\nassert nodes 3");
     EXPECT_EQ(regions_of(state).work.size.y, before - task_height);
@@ -51,7 +51,7 @@ TEST_F(Headless, ATaskHasAStripAndTheRestGoesOn) {
 TEST_F(Headless, ATaskIsCancelledByItsButton) {
     open(small_graph);
     ASSERT_TRUE(
-        start_task(state, waiting_order(std::make_shared<std::atomic<bool>>(false), false)));
+        start_task(state, waiting_order(state, std::make_shared<std::atomic<bool>>(false), false)));
     play("wait\nclick task:cancel\nfinish\nassert status Nothing was written.");
     EXPECT_FALSE(state.tasks.shown());
 }
@@ -59,11 +59,11 @@ TEST_F(Headless, ATaskIsCancelledByItsButton) {
 TEST_F(Headless, AFailedTaskSaysWhyAndIsTriedAgain) {
     open(small_graph);
     const auto go = std::make_shared<std::atomic<bool>>(true);
-    ASSERT_TRUE(start_task(state, waiting_order(go, false)));
+    ASSERT_TRUE(start_task(state, waiting_order(state, go, false)));
     play("finish\nassert status the disk is full\nassert target task:again");
     EXPECT_EQ(state.tasks.failed, "It was not written: the disk is full.");
     play("click task:again\nfinish\nassert status at last\nassert no-target task:again");
-    ASSERT_TRUE(start_task(state, waiting_order(go, false)));
+    ASSERT_TRUE(start_task(state, waiting_order(state, go, false)));
     play("finish\nclick task:close\nassert no-target task:close");
 }
 

@@ -67,6 +67,7 @@ size_t count_of(Check check, const std::string& path, const std::string& text) {
 TEST(Rules, FolderOfAPath) {
     EXPECT_EQ(folder_of("core/ir/module.h"), "core/ir");
     EXPECT_EQ(folder_of("core/image/oiio/guard.h"), "core/image");
+    EXPECT_EQ(folder_of("editor/model/document/history.h"), "editor/model");
     EXPECT_EQ(folder_of("nodes/uv.cpp"), "nodes");
 }
 
@@ -78,8 +79,24 @@ TEST(Rules, AnIncludeOfALaterFolderIsFound) {
               1u);
     EXPECT_EQ(count_of(include_violations, "nodes/a.cpp", "#include \"ir/module.h\"\n"), 1u);
     EXPECT_EQ(count_of(include_violations, "plugins/a/a.cpp", "#include \"base/text.h\"\n"), 1u);
-    EXPECT_EQ(count_of(include_violations, "editor/a.cpp", "#include \"nodes/noise.h\"\n"), 1u);
+    EXPECT_EQ(count_of(include_violations, "editor/view/a.cpp", "#include \"nodes/noise.h\"\n"),
+              1u);
     EXPECT_EQ(count_of(include_violations, "core/new/a.cpp", ""), 1u);
+}
+
+TEST(Rules, TheEditorsModelKnowsNoWindow) {
+    for (const char* include : {"<imgui.h>", "<epoxy/gl.h>", "\"gpu/context.h\"",
+                                "\"editor/view/state.h\"", "\"editor/app/window.h\""})
+        EXPECT_EQ(count_of(include_violations, "editor/model/document/a.h",
+                           "#include " + std::string(include) + "\n"),
+                  1u)
+            << include;
+    EXPECT_EQ(count_of(include_violations, "editor/model/code/a.h",
+                       "#include \"editor/model/document/model.h\"\n"),
+              0u);
+    EXPECT_EQ(count_of(include_violations, "editor/view/canvas/a.h",
+                       "#include \"editor/app/window.h\"\n"),
+              1u);
 }
 
 TEST(Rules, ALibraryOutsideItsFolderIsFound) {
@@ -104,8 +121,8 @@ TEST(Rules, WhatTheTableAllowsPasses) {
                        "#include \"glsl/emit.h\"\n#include <vector>\n#include <unistd.h>\n"
                        "#include \"ir/module.h\"\n#include <sys/stat.h>\n#include \"near.h\"\n"),
               0u);
-    EXPECT_EQ(count_of(include_violations, "editor/a.cpp",
-                       "#include \"nodes/all.h\"\n#include <imgui.h>\n#include \"cpu/x.h\"\n"),
+    EXPECT_EQ(count_of(include_violations, "editor/view/a.cpp",
+                       "#include \"glm/a.h\"\n#include <imgui.h>\n#include \"cpu/x.h\"\n"),
               0u);
     EXPECT_EQ(count_of(include_violations, "core/base/a.h", "// #include \"ir/module.h\"\n"), 0u);
 }

@@ -41,10 +41,15 @@ const std::map<std::string, Names, std::less<>> allowed = {
       "compile", "list of nodes", "cli11", "glm",   "tbb",      "contract"}},
     {"nodes", {"sdk"}},
     {"plugins", {"sdk"}},
-    {"editor",
-     {"base",     "json",          "ir",   "graph", "registry", "lower", "glsl", "spirv",
-      "cpu",      "image",         "mesh", "maps",  "gpu",      "bake",  "cost", "compile",
-      "contract", "list of nodes", "glm",  "gl",    "imgui",    "cli11"}},
+    {"editor/model",
+     {"base", "json", "ir", "graph", "registry", "lower", "glsl", "spirv", "cpu", "image", "mesh",
+      "maps", "bake", "cost", "compile", "glm", "contract", "list of nodes"}},
+    {"editor/view",
+     {"base", "json", "ir", "graph", "registry", "lower", "glsl", "cpu", "image", "mesh", "maps",
+      "gpu", "bake", "contract", "editor/model", "glm", "gl", "imgui"}},
+    {"editor/app",
+     {"base", "json", "graph", "registry", "image", "gpu", "editor/model", "editor/view", "gl",
+      "imgui", "cli11"}},
 };
 
 // Libraries by the spelling of their headers.
@@ -75,7 +80,7 @@ const Names system_headers = {"dlfcn.h",  "elf.h",     "errno.h",    "fcntl.h", 
                               "stddef.h", "unistd.h",  "spawn.h",    "termios.h", "stdio.h",
                               "stdlib.h", "string.h",  "immintrin.h"};
 
-constexpr std::string_view core_prefix = "core/";
+constexpr std::string_view core_prefix = "core/", editor_prefix = "editor/";
 
 template <class Visit>
 void for_each_line(std::string_view text, Visit visit) {
@@ -135,8 +140,10 @@ std::string wanted_by(const Include& include, std::string_view folder) {
         return allowed.at(std::string(folder)).contains("sdk") ? "sdk" : "contract";
     if (include.path == "wrinkle/wrinkle.h") return "library";
     if (first == "wrinkle") return "sdk";
-    if (first == folder || (folder.starts_with(core_prefix) && first == folder.substr(5)))
+    const std::string named = folder_of(include.path);
+    if (named == folder || (folder.starts_with(core_prefix) && first == folder.substr(5)))
         return {};
+    if (named.starts_with(editor_prefix)) return named;
     if (first == "nodes") return include.path == "nodes/all.h" ? "list of nodes" : "nodes";
     if (const auto library = library_of_folder.find(first); library != library_of_folder.end())
         return library->second;
@@ -195,7 +202,9 @@ private:
 }  // namespace
 
 std::string folder_of(std::string_view path) {
-    const size_t from = path.starts_with(core_prefix) ? core_prefix.size() : 0;
+    const size_t from = path.starts_with(core_prefix)     ? core_prefix.size()
+                        : path.starts_with(editor_prefix) ? editor_prefix.size()
+                                                          : 0;
     return std::string(path.substr(0, path.find('/', from)));
 }
 

@@ -22,7 +22,8 @@ struct Source {
     std::string text;
 };
 
-// "core/ir" of "core/ir/x/module.h", "nodes" of "nodes/uv.cpp".
+// "core/ir" of "core/ir/x/module.h", "editor/model" of "editor/model/words.h", "nodes" of
+// "nodes/uv.cpp".
 std::string folder_of(std::string_view path);
 
 // Checks core, nodes, plugins and editor. A folder that is not in the table is a violation.

@@ -250,21 +250,21 @@ TaskOutcome bake_maps(const BakeJob& job, const Registry& registry, TaskProgress
     }
 }
 
-void start_bake(State& state, const BakeChoices& choices) {
-    state.keeping.settings.bake = settings_of(choices);
-    BakeJob job{state.model, state.document(), state.path.string(), choices};
-    job.choices.into = place_of(state, choices);
-    const auto work = [job = std::move(job), registry = state.registry](TaskProgress& progress) {
+void start_bake(Session& session, const BakeChoices& choices) {
+    session.keeping.settings.bake = settings_of(choices);
+    BakeJob job{session.model, session.document(), session.path.string(), choices};
+    job.choices.into = place_of(session, choices);
+    const auto work = [job = std::move(job), registry = session.registry](TaskProgress& progress) {
         return bake_maps(job, *registry, progress);
     };
     std::string ignored;
     const size_t count = asked_maps(choices, ignored).size();
-    start_task(state, {"Baking " + counted(count, "map"), work,
-                       [choices](State& s) { start_bake(s, choices); }, "texels"});
+    start_task(session, {"Baking " + counted(count, "map"), work,
+                         [&session, choices] { start_bake(session, choices); }, "texels"});
 }
 
-fs::path place_of(const State& state, const BakeChoices& choices) {
-    return state.folder() / with_home(choices.into);
+fs::path place_of(const Session& session, const BakeChoices& choices) {
+    return session.folder() / with_home(choices.into);
 }
 
 std::vector<std::string> maps_of(const Document& document) {
@@ -274,22 +274,22 @@ std::vector<std::string> maps_of(const Document& document) {
     return map_names(std::move(outputs));
 }
 
-BakeChoices usual_bake(const State& state) {
-    BakeChoices choices = choices_of(state.keeping.settings.bake);
-    const std::vector<std::string> all = maps_of(state.document());
+BakeChoices usual_bake(const Session& session, const std::string& mesh) {
+    BakeChoices choices = choices_of(session.keeping.settings.bake);
+    const std::vector<std::string> all = maps_of(session.document());
     std::vector<std::string> maps;
     for (const std::string& map : all)
         if (std::find(choices.maps.begin(), choices.maps.end(), map) != choices.maps.end())
             maps.push_back(map);
     if (maps.empty() && choices.packs.empty() && !all.empty()) maps.push_back(all.front());
     choices.maps = std::move(maps);
-    choices.mesh = state.view.preview_view.mesh;
-    choices.into = fs::path(state.file_name()).stem().string() + "_maps";
+    choices.mesh = mesh;
+    choices.into = fs::path(session.file_name()).stem().string() + "_maps";
     return choices;
 }
 
-std::string_view no_maps(const State& state) {
-    return state.document().outputs.empty() ? "The graph has no output to bake." : "";
+std::string_view no_maps(const Session& session) {
+    return session.document().outputs.empty() ? "The graph has no output to bake." : "";
 }
 
 }  // namespace wrinkle::editor

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editor/model/bake/choices.h"
-#include "editor/view/state.h"
+#include "editor/model/session.h"
 
 namespace wrinkle::editor {
 
@@ -20,18 +20,18 @@ struct BakeJob {
 TaskOutcome bake_maps(const BakeJob& job, const Registry& registry, TaskProgress& progress);
 
 // Bakes the current document as a task; stores the choices in the settings.
-void start_bake(State& state, const BakeChoices& choices);
+void start_bake(Session& session, const BakeChoices& choices);
 
 // Returns the path on disk: relative paths start at the graph's folder, "~" at home.
-std::filesystem::path place_of(const State& state, const BakeChoices& choices);
+std::filesystem::path place_of(const Session& session, const BakeChoices& choices);
 
 // Returns the maps that the document's outputs provide.
 std::vector<std::string> maps_of(const Document& document);
-// Returns the initial choices of the dialog: the last ones, with the maps that exist, on the
-// preview's mesh, next to the graph.
-BakeChoices usual_bake(const State& state);
+// Returns the initial choices of the dialog: the last ones, with the maps that exist, on a mesh,
+// next to the graph.
+BakeChoices usual_bake(const Session& session, const std::string& mesh);
 
 // Returns the reason why no map can be baked, "" if some can.
-std::string_view no_maps(const State& state);
+std::string_view no_maps(const Session& session);
 
 }  // namespace wrinkle::editor

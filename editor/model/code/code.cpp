@@ -5,7 +5,7 @@
 
 #include "editor/model/document/wiring.h"
 #include "editor/model/words.h"
-#include "editor/view/state.h"
+#include "editor/model/session.h"
 #include "lower/material.h"
 #include "spirv/spirv.h"
 
@@ -65,16 +65,16 @@ Form form_of(const CodeOptions& options) {
     return is_translated(target_of(options)) ? Form::shader : options.form;
 }
 
-std::string why_no_line(const State& state) {
-    const CodeText& text = state.code.text;
-    if (state.view.selected.size() != 1 || text.nodes.empty()) return {};
-    const std::string& id = *state.view.selected.begin();
-    const Node* node = state.document().find(id);
+std::string why_no_line(const Session& session, const std::set<std::string>& selected) {
+    const CodeText& text = session.code.text;
+    if (selected.size() != 1 || text.nodes.empty()) return {};
+    const std::string& id = *selected.begin();
+    const Node* node = session.document().find(id);
     if (!node || std::find(text.nodes.begin(), text.nodes.end(), id) != text.nodes.end()) return {};
     std::set<std::string> read;
-    for (const Output& output : state.document().outputs)
+    for (const Output& output : session.document().outputs)
         if (output.from.kind == Input::Kind::link) read.insert(output.from.link.node);
-    if (!with_upstream(state.document(), read).contains(id))
+    if (!with_upstream(session.document(), read).contains(id))
         return id + " has no line: no output of the graph reads it.";
     if (node->muted) return id + " has no line: it is muted, and passes on what it is given.";
     if (node->type == reroute_type) return id + " has no line: a reroute passes on its input.";

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <functional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,7 @@
 
 namespace wrinkle::editor {
 
-struct State;
+struct Session;
 
 struct CodeOptions {
     std::string target = std::string(targets().front().name);
@@ -50,9 +51,9 @@ CodeText make_code(const CodeJob& job, const Registry& registry);
 // Returns Form::shader if the target has only that form, else options.form.
 Form form_of(const CodeOptions& options);
 
-// Returns one sentence why `source` has no line of the selected node; "" if it has one, or if not
+// Returns one sentence why the text has no line of the selected node; "" if it has one, or if not
 // exactly one node is selected.
-std::string why_no_line(const State& state);
+std::string why_no_line(const Session& session, const std::set<std::string>& selected);
 
 // Splits any text into lines, without nodes.
 CodeText lines_of(std::string text);

@@ -10,9 +10,9 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-CodeJob job_of(const State& state) {
-    return {state.model, state.document(), identifier(state.path.stem().string()),
-            state.code.options};
+CodeJob job_of(const Session& session) {
+    return {session.model, session.document(), identifier(session.path.stem().string()),
+            session.code.options};
 }
 
 bool has_stages(const CodeOptions& options) {
@@ -53,17 +53,17 @@ TaskOutcome export_code(const CodeJob& job, const Registry& registry, const fs::
     return {true, "Wrote " + name + (has_stages(job.options) ? stages : "") + "."};
 }
 
-void start_code_export(State& state, const fs::path& file) {
-    const auto work = [job = job_of(state), registry = state.registry, file](TaskProgress&) {
+void start_code_export(Session& session, const fs::path& file) {
+    const auto work = [job = job_of(session), registry = session.registry, file](TaskProgress&) {
         return export_code(job, *registry, file);
     };
-    start_task(state, {"Exporting " + file.filename().string(), work,
-                       [file](State& s) { start_code_export(s, file); }});
+    start_task(session, {"Exporting " + file.filename().string(), work,
+                         [&session, file] { start_code_export(session, file); }});
 }
 
-fs::path usual_export(const State& state) {
-    const std::string stem = state.path.stem().string();
-    return state.folder() / (has_stages(state.code.options) ? stem : stem + ".glsl");
+fs::path usual_export(const Session& session) {
+    const std::string stem = session.path.stem().string();
+    return session.folder() / (has_stages(session.code.options) ? stem : stem + ".glsl");
 }
 
 }  // namespace wrinkle::editor

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "editor/view/state.h"
+#include "editor/model/session.h"
 
 namespace wrinkle::editor {
 
@@ -12,9 +12,9 @@ namespace wrinkle::editor {
 TaskOutcome export_code(const CodeJob& job, const Registry& registry,
                         const std::filesystem::path& file);
 // Same for the current document, as a background task.
-void start_code_export(State& state, const std::filesystem::path& file);
+void start_code_export(Session& session, const std::filesystem::path& file);
 
 // Default path: next to the graph, "graph.glsl", or "graph" for the shader form.
-std::filesystem::path usual_export(const State& state);
+std::filesystem::path usual_export(const Session& session);
 
 }  // namespace wrinkle::editor

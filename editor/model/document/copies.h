@@ -1,4 +1,4 @@
-// Copies nodes, frames and notes under new ids.
+// Copies nodes under new ids.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "editor/model/document/box_id.h"
-#include "editor/view/state.h"
 #include "graph/document.h"
 
 namespace wrinkle::editor {
@@ -22,19 +20,5 @@ struct Copies {
 // the copies; other wires are retained if `keep` returns true.
 Copies copies_of(const Document& source, const std::set<std::string>& ids, const Document& target,
                  const std::function<bool(const Link&)>& keep);
-
-// Copies the frames and notes `ids` of `source` into `target`, moved by `by`. Returns the document
-// and the new ids.
-struct BoxCopies {
-    Document document;
-    std::set<BoxId> ids;
-};
-BoxCopies with_boxes(const Document& target, const Document& source, const std::set<BoxId>& ids,
-                     ImVec2 by);
-
-// Returns an offset near `by`, on the grid, at which cards at `places` and the boxes of `source`
-// overlap no card, and the boxes overlap no other box.
-ImVec2 free_offset(const State& state, const std::vector<Extent>& places, const Document& source,
-                   const std::set<BoxId>& boxes, ImVec2 by);
 
 }  // namespace wrinkle::editor

@@ -8,42 +8,34 @@
 #include <filesystem>
 
 #include "editor/model/document/moved_paths.h"
-#include "editor/view/state.h"
+#include "editor/model/session.h"
 
 namespace wrinkle::editor {
 
 // Creates an empty graph without a file, in `folder` if it exists, else in the working folder.
-void new_file(State& state, const std::filesystem::path& folder = {});
+void new_file(Session& session, const std::filesystem::path& folder = {});
 // Opens a graph. If the file does not exist, the graph is new under that name.
-void open_file(State& state, const std::filesystem::path& path);
-// Opens a graph without closing its parent graphs (levels.h).
-void load_file(State& state, const std::filesystem::path& path);
-// Resets all interaction and derived state when another graph is on the canvas: gestures, popups,
-// build and previews.
-void reset_interaction(State& state);
+void open_file(Session& session, const std::filesystem::path& path);
+// Reads a graph as the current one, without closing parent graphs; reset_derived() must follow.
+void load_file(Session& session, const std::filesystem::path& path);
+// Resets the data derived from the previous graph, and calls Session::on_switch.
+void reset_derived(Session& session, GraphSwitch how);
 
 // Returns false, with the reason in the status, if nothing was written; prompts for a name if there
 // is none, and for a decision if the file on disk changed or cannot be written.
-bool save_file(State& state);
+bool save_file(Session& session);
 // Saves under another name and makes it the document's. Replaces an existing file unless it is
 // read-only. In another folder, image and sub-graph names are updated in an undoable step; files
 // that are not below it are copied or listed in the status.
-bool save_file_as(State& state, const std::filesystem::path& path,
+bool save_file_as(Session& session, const std::filesystem::path& path,
                   OutsideFiles files = OutsideFiles::referred);
 // Returns the files named by the document that are not below the folder of `path`, as named there.
-std::vector<std::string> files_outside(const State& state, const std::filesystem::path& path);
+std::vector<std::string> files_outside(const Session& session, const std::filesystem::path& path);
 
 // Compares with the disk. Reads a changed file again, in an undoable step, if there are no unsaved
 // edits; otherwise prompts which version to use.
-void check_disk_changes(State& state);
-void reload_from_disk(State& state);
-void keep_local_version(State& state);
-
-// Called once a frame, and occasionally while nothing is drawn: journals the edits; at most once a
-// second, writes the settings and checks the disk. Returns true if the window must be redrawn.
-bool tend(State& state);
-// Called at the start and before the end of the program.
-void use_settings(State& state, const Settings& settings);
-void finish(State& state);
+void check_disk_changes(Session& session);
+void reload_from_disk(Session& session);
+void keep_local_version(Session& session);
 
 }  // namespace wrinkle::editor

@@ -9,160 +9,161 @@ namespace fs = std::filesystem;
 namespace {
 
 // Resolves a relative path against the graph's folder.
-fs::path typed_path(const State& state) {
-    const fs::path typed = state.question.text;
-    return typed.is_absolute() ? typed : state.folder() / typed;
+fs::path typed_path(const Session& session) {
+    const fs::path typed = session.question.text;
+    return typed.is_absolute() ? typed : session.folder() / typed;
 }
 
-void done(State& state) {
-    const PendingAction then = state.question.then;
-    state.question = {};
-    save_and_carry_out(state, then);
+void done(Session& session) {
+    const PendingAction then = session.question.then;
+    session.question = {};
+    save_and_carry_out(session, then);
 }
 
 // Prompts again after a failed save, unless another question is open.
-void ask_again(State& state, const PendingAction& then) {
-    if (!state.question.open())
-        state.question = {.kind = Question::Kind::unsaved, .trouble = state.status};
-    state.question.then = then;
+void ask_again(Session& session, const PendingAction& then) {
+    if (!session.question.open())
+        session.question = {.kind = Question::Kind::unsaved, .trouble = session.status};
+    session.question.then = then;
 }
 
-void answer_open(State& state) {
-    const fs::path path = typed_path(state);
+void answer_open(Session& session) {
+    const fs::path path = typed_path(session);
     std::error_code error;
     if (!fs::exists(path, error)) {
-        state.question.trouble = "There is no file " + path.string() + ".";
+        session.question.trouble = "There is no file " + path.string() + ".";
     } else if (fs::is_directory(path, error)) {
-        state.question.trouble = path.string() + " is a folder.";
+        session.question.trouble = path.string() + " is a folder.";
     } else {
-        state.question = {};
-        request_action(state, {PendingAction::Kind::open, path});
+        session.question = {};
+        request_action(session, {PendingAction::Kind::open, path});
     }
 }
 
-void write_as(State& state, const fs::path& path, OutsideFiles files) {
-    if (save_file_as(state, path, files)) return done(state);
-    state.question.kind = Question::Kind::save_as;
-    state.question.trouble = state.status;
+void write_as(Session& session, const fs::path& path, OutsideFiles files) {
+    if (save_file_as(session, path, files)) return done(session);
+    session.question.kind = Question::Kind::save_as;
+    session.question.trouble = session.status;
 }
 
 // Prompts first for files that the graph could no longer read.
-void begin_write_as(State& state, const fs::path& path) {
-    if (files_outside(state, path).empty()) return write_as(state, path, OutsideFiles::referred);
-    state.question.kind = Question::Kind::outside;
-    state.question.file = path;
+void begin_write_as(Session& session, const fs::path& path) {
+    if (files_outside(session, path).empty())
+        return write_as(session, path, OutsideFiles::referred);
+    session.question.kind = Question::Kind::outside;
+    session.question.file = path;
 }
 
-void answer_name(State& state) {
-    fs::path path = typed_path(state);
+void answer_name(Session& session) {
+    fs::path path = typed_path(session);
     if (path.extension().empty()) path += ".json";
     std::error_code error;
-    const bool there = fs::exists(path, error), itself = there && is_same_file(path, state.path);
+    const bool there = fs::exists(path, error), itself = there && is_same_file(path, session.path);
     if (fs::is_directory(path, error)) {
-        state.question.trouble = path.string() + " is a folder.";
-    } else if (itself && !state.save_refused.empty()) {
-        state.question.trouble =
-            state.file_name() + " could not be read whole and is kept. Choose another name.";
+        session.question.trouble = path.string() + " is a folder.";
+    } else if (itself && !session.save_refused.empty()) {
+        session.question.trouble =
+            session.file_name() + " could not be read whole and is kept. Choose another name.";
     } else if (there && !itself) {
-        state.question.kind = Question::Kind::replace;
-        state.question.file = path;
+        session.question.kind = Question::Kind::replace;
+        session.question.file = path;
     } else {
-        begin_write_as(state, path);
+        begin_write_as(session, path);
     }
 }
 
 }  // namespace
 
-void carry_out(State& state, const PendingAction& intent) {
+void carry_out(Session& session, const PendingAction& intent) {
     switch (intent.kind) {
         case PendingAction::Kind::nothing:
             return;
         case PendingAction::Kind::quit:
-            state.quit = !state.tasks.running;
-            if (!state.quit) state.question = {.kind = Question::Kind::running, .then = intent};
+            session.quit = !session.tasks.running;
+            if (!session.quit) session.question = {.kind = Question::Kind::running, .then = intent};
             return;
         case PendingAction::Kind::new_graph:
-            return new_file(state);
+            return new_file(session);
         case PendingAction::Kind::open:
-            open_file(state, intent.file);
-            look_for_recoverable(state);
-            return offer_recovery(state);
+            open_file(session, intent.file);
+            look_for_recoverable(session);
+            return offer_recovery(session);
         case PendingAction::Kind::recover:
-            state.question = {.kind = Question::Kind::recover, .file = intent.file};
+            session.question = {.kind = Question::Kind::recover, .file = intent.file};
             return;
         case PendingAction::Kind::leave:
-            return leave_subgraphs(state, intent.depth);
+            return leave_subgraphs(session, intent.depth);
     }
 }
 
-void request_action(State& state, const PendingAction& intent) {
-    if (unsaved(state, intent).empty()) return carry_out(state, intent);
-    state.question = {.kind = Question::Kind::unsaved, .then = intent};
+void request_action(Session& session, const PendingAction& intent) {
+    if (unsaved(session, intent).empty()) return carry_out(session, intent);
+    session.question = {.kind = Question::Kind::unsaved, .then = intent};
 }
 
-void answer_save(State& state) {
-    const PendingAction then = state.question.then;
-    state.question = {};
-    if (state.dirty() && !save_file(state)) return ask_again(state, then);
-    save_and_carry_out(state, then);
+void answer_save(Session& session) {
+    const PendingAction then = session.question.then;
+    session.question = {};
+    if (session.dirty() && !save_file(session)) return ask_again(session, then);
+    save_and_carry_out(session, then);
 }
 
-void save_and_carry_out(State& state, const PendingAction& intent) {
-    while (!unsaved(state, intent).empty()) {
-        if (!state.dirty())
-            leave_subgraphs(state, state.outer.size() - 1);
-        else if (!save_file(state))
-            return ask_again(state, intent);
+void save_and_carry_out(Session& session, const PendingAction& intent) {
+    while (!unsaved(session, intent).empty()) {
+        if (!session.dirty())
+            leave_subgraphs(session, session.parent_graphs.size() - 1);
+        else if (!save_file(session))
+            return ask_again(session, intent);
     }
-    carry_out(state, intent);
+    carry_out(session, intent);
 }
 
-void answer_save_as(State& state) {
-    state.question.kind = Question::Kind::save_as;
-    state.question.trouble.clear();
+void answer_save_as(Session& session) {
+    session.question.kind = Question::Kind::save_as;
+    session.question.trouble.clear();
 }
 
-void answer_path(State& state) {
-    state.question.trouble.clear();
-    state.question.opening = true;
-    if (state.question.text.empty())
-        state.question.trouble = "Type the name of a file.";
-    else if (state.question.kind == Question::Kind::open)
-        answer_open(state);
+void answer_path(Session& session) {
+    session.question.trouble.clear();
+    session.question.opening = true;
+    if (session.question.text.empty())
+        session.question.trouble = "Type the name of a file.";
+    else if (session.question.kind == Question::Kind::open)
+        answer_open(session);
     else
-        answer_name(state);
+        answer_name(session);
 }
 
-void answer_recover(State& state) {
-    const fs::path journal = state.question.file;
-    state.question = {};
-    for (const Recoverable& found : state.keeping.recoverable)
-        if (found.journal == journal) return recover(state, found);
+void answer_recover(Session& session) {
+    const fs::path journal = session.question.file;
+    session.question = {};
+    for (const Recoverable& found : session.keeping.recoverable)
+        if (found.journal == journal) return recover(session, found);
 }
 
-void answer_forget(State& state) {
-    const fs::path journal = state.question.file;
-    state.question = {};
-    for (const Recoverable& found : state.keeping.recoverable)
-        if (found.journal == journal) return forget(state, found);
+void answer_forget(Session& session) {
+    const fs::path journal = session.question.file;
+    session.question = {};
+    for (const Recoverable& found : session.keeping.recoverable)
+        if (found.journal == journal) return forget(session, found);
 }
 
-void answer_stop(State& state) {
-    state.question = {};
-    cancel_task(state);
-    state.quit = true;  // takes effect when the task has ended
+void answer_stop(Session& session) {
+    session.question = {};
+    cancel_task(session);
+    session.quit = true;  // takes effect when the task has ended
 }
 
-void answer_replace(State& state) {
-    begin_write_as(state, fs::path(state.question.file));
+void answer_replace(Session& session) {
+    begin_write_as(session, fs::path(session.question.file));
 }
 
-void answer_copy(State& state) {
-    write_as(state, fs::path(state.question.file), OutsideFiles::copied);
+void answer_copy(Session& session) {
+    write_as(session, fs::path(session.question.file), OutsideFiles::copied);
 }
 
-void answer_refer(State& state) {
-    write_as(state, fs::path(state.question.file), OutsideFiles::referred);
+void answer_refer(Session& session) {
+    write_as(session, fs::path(session.question.file), OutsideFiles::referred);
 }
 
 }  // namespace wrinkle::editor

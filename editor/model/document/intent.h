@@ -8,7 +8,7 @@
 
 namespace wrinkle::editor {
 
-struct State;
+struct Session;
 
 struct PendingAction {
     enum class Kind : uint8_t { nothing, quit, new_graph, open, recover, leave };
@@ -44,21 +44,21 @@ struct Question {
 };
 
 // Carries out the intent, or prompts for unsaved work first.
-void request_action(State& state, const PendingAction& intent);
+void request_action(Session& session, const PendingAction& intent);
 // Saves the unsaved graphs that the intent closes, the innermost first, then carries it out.
-void save_and_carry_out(State& state, const PendingAction& intent);
+void save_and_carry_out(Session& session, const PendingAction& intent);
 // Carries out the intent; before quitting, prompts if a background task is running.
-void carry_out(State& state, const PendingAction& intent);
+void carry_out(Session& session, const PendingAction& intent);
 
 // Answers to the question. An answer that fails leaves the question open with the reason in it.
-void answer_save(State& state);
-void answer_path(State& state);     // for open and save_as: `text`
-void answer_save_as(State& state);  // under another name than the one that failed
-void answer_replace(State& state);
-void answer_copy(State& state);   // for outside: copies the files
-void answer_refer(State& state);  // for outside: leaves the files where they are
-void answer_stop(State& state);
-void answer_recover(State& state);
-void answer_forget(State& state);
+void answer_save(Session& session);
+void answer_path(Session& session);     // for open and save_as: `text`
+void answer_save_as(Session& session);  // under another name than the one that failed
+void answer_replace(Session& session);
+void answer_copy(Session& session);   // for outside: copies the files
+void answer_refer(Session& session);  // for outside: leaves the files where they are
+void answer_stop(Session& session);
+void answer_recover(Session& session);
+void answer_forget(Session& session);
 
 }  // namespace wrinkle::editor

@@ -1,7 +1,7 @@
 #include "editor/model/document/invalid_links.h"
 
 #include "editor/model/document/each_wire.h"
-#include "editor/view/edit/edits.h"
+#include "editor/model/document/wiring.h"
 
 namespace wrinkle::editor {
 

@@ -6,19 +6,15 @@
 #include "editor/model/document/folders.h"
 #include "editor/model/document/journal.h"
 #include "editor/model/document/settings.h"
-#include "editor/model/document/watch.h"
 
 namespace wrinkle::editor {
 
 struct Persistence {
     Folders folders;
     Settings settings, written;  // current values, and the values on disk
-    DiskCopy disk;
-    Journal journal;
-    uint64_t journalled = 0;  // serial of the last state in the journal, if there is one
-    std::time_t kept_at = 0;  // time of the last journal record
-    std::string unkept;       // why edits are not journalled now, "" if they are
-    std::string unsettled;    // why the settings were last not written, "" if they were
+    std::time_t kept_at = 0;     // time of the last journal record
+    std::string unkept;          // why edits are not journalled now, "" if they are
+    std::string unsettled;       // why the settings were last not written, "" if they were
     bool try_again = false;
     std::vector<Recoverable> recoverable;  // journals of crashed programs
     double looked = 0;                     // last comparison of the file with the disk, seconds

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "editor/model/words.h"
-#include "editor/view/state.h"
+#include "editor/model/session.h"
 #include "nodes/all.h"
 #include "registry/plugin_loader.h"
 
@@ -28,29 +28,28 @@ size_t from_plugins(const Registry& registry) {
 
 }  // namespace
 
-void load_plugins(State& state) {
-    Plugins& plugins = state.plugins;
+void load_plugins(Session& session) {
+    Plugins& plugins = session.plugins;
     plugins.problems = Diagnostics();
     auto registry = std::make_shared<Registry>();
     registry->add_plugin(built_in_nodes(), Registry::built_in, plugins.problems);
     PluginOptions options{.copies = true, .cache = plugins.cache};
     if (!plugins.registries.empty()) options.former = plugins.registries.back().get();
     plugins.reports = wrinkle::load_plugins(*registry, plugins.places, plugins.problems, options);
-    state.registry = registry.get();
+    session.registry = registry.get();
     plugins.registries.push_back(std::move(registry));
 }
 
-void reload_plugins(State& state) {
-    load_plugins(state);
-    if (state.follow.compiler) state.follow.compiler->use(*state.registry);
-    if (state.code.maker) state.code.maker->use(*state.registry);
-    state.offer = {};
-    state.fresh = false;
-    state.status =
-        state.plugins.problems.list().empty()
-            ? "Plugins are loaded anew: " + counted(from_plugins(*state.registry), "node") +
+void reload_plugins(Session& session) {
+    load_plugins(session);
+    if (session.follow.compiler) session.follow.compiler->use(*session.registry);
+    if (session.code.maker) session.code.maker->use(*session.registry);
+    session.fresh = false;
+    session.status =
+        session.plugins.problems.list().empty()
+            ? "Plugins are loaded anew: " + counted(from_plugins(*session.registry), "node") +
                   " from them."
-            : first_trouble(state.plugins);
+            : first_trouble(session.plugins);
 }
 
 }  // namespace wrinkle::editor

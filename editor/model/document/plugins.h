@@ -15,7 +15,7 @@
 
 namespace wrinkle::editor {
 
-struct State;
+struct Session;
 
 struct Plugins {
     std::vector<std::string> places;                          // files and folders
@@ -26,8 +26,8 @@ struct Plugins {
 };
 
 // Loads the built-in nodes and the plugins; Plugins::problems lists refused ones.
-void load_plugins(State& state);
+void load_plugins(Session& session);
 // Same while the editor runs, with the result in the status.
-void reload_plugins(State& state);
+void reload_plugins(Session& session);
 
 }  // namespace wrinkle::editor

@@ -1,8 +1,6 @@
 #include "editor/model/document/recovery.h"
+
 #include "base/file.h"
-
-#include <imgui.h>
-
 #include "editor/model/document/files.h"
 #include "graph/read.h"
 
@@ -10,11 +8,11 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-void say_failure(State& state, const std::error_code& error) {
+void say_failure(Session& session, const std::error_code& error) {
     const std::string words = disk_words(error);
-    if (state.keeping.unkept != words)
-        state.status = "Edits are not kept for recovery: " + words + ". Save them soon.";
-    state.keeping.unkept = words;
+    if (session.keeping.unkept != words)
+        session.status = "Edits are not kept for recovery: " + words + ". Save them soon.";
+    session.keeping.unkept = words;
 }
 
 bool same_file(const fs::path& a, const fs::path& b) {
@@ -24,80 +22,80 @@ bool same_file(const fs::path& a, const fs::path& b) {
 
 }  // namespace
 
-bool keep_edits_now(State& state) {
-    Persistence& keeping = state.keeping;
+bool keep_edits_now(Session& session) {
+    Persistence& keeping = session.keeping;
     if (keeping.folders.state.empty()) return false;
-    const uint64_t serial = state.history.serial();
-    if (keeping.journal.exists() && keeping.journalled == serial) return true;
-    const fs::path graph = state.path.empty() ? state.folder() / "" : state.path;
-    const std::error_code error =
-        keeping.journal.keep(keeping.folders.state, graph, state.save_refused, state.document());
+    const uint64_t serial = session.history.serial();
+    if (session.journal.exists() && session.journalled == serial) return true;
+    const fs::path graph = session.path.empty() ? session.folder() / "" : session.path;
+    const std::error_code error = session.journal.keep(keeping.folders.state, graph,
+                                                       session.save_refused, session.document());
     if (error) {
-        say_failure(state, error);
+        say_failure(session, error);
         return false;
     }
     keeping.unkept.clear();
-    keeping.journalled = serial;
+    session.journalled = serial;
     keeping.kept_at = std::time(nullptr);
     return true;
 }
 
-void keep_edits(State& state) {
-    Persistence& keeping = state.keeping;
-    if (!state.dirty()) return keeping.journal.drop();
-    const bool kept = keeping.journal.exists() && keeping.journalled == state.history.serial();
-    if (kept || (state.history.merging() && ImGui::IsAnyMouseDown())) return;
+void keep_edits(Session& session, bool dragging) {
+    Persistence& keeping = session.keeping;
+    if (!session.dirty()) return session.journal.drop();
+    const bool kept = session.journal.exists() && session.journalled == session.history.serial();
+    if (kept || (session.history.merging() && dragging)) return;
     const bool wait = !keeping.unkept.empty() && !keeping.try_again;
     keeping.try_again = false;
-    if (!wait) keep_edits_now(state);
+    if (!wait) keep_edits_now(session);
 }
 
-std::string kept_words(const State& state) {
-    const Persistence& keeping = state.keeping;
-    if (!state.dirty()) return state.path.empty() ? "" : "Saved";
+std::string kept_words(const Session& session) {
+    const Persistence& keeping = session.keeping;
+    if (!session.dirty()) return session.path.empty() ? "" : "Saved";
     if (!keeping.unkept.empty()) return "Edits are in memory alone";
-    if (!keeping.journal.exists()) return "Not saved";
+    if (!session.journal.exists()) return "Not saved";
     char text[40] = "All edits kept";
     if (const tm* local = std::localtime(&keeping.kept_at))
         std::strftime(text, sizeof text, "All edits kept %H:%M", local);
     return text;
 }
 
-void look_for_recoverable(State& state) {
-    state.keeping.recoverable.clear();
-    if (!state.keeping.folders.state.empty())
-        state.keeping.recoverable = list_recoverable(state.keeping.folders.state);
+void look_for_recoverable(Session& session) {
+    session.keeping.recoverable.clear();
+    if (!session.keeping.folders.state.empty())
+        session.keeping.recoverable = list_recoverable(session.keeping.folders.state);
 }
 
-void offer_recovery(State& state) {
-    if (state.question.open()) return;
-    for (const Recoverable& found : state.keeping.recoverable) {
-        if (!state.path.empty() && !same_file(found.graph, state.path)) continue;
-        state.question = {.kind = Question::Kind::recover, .file = found.journal};
+void offer_recovery(Session& session) {
+    if (session.question.open()) return;
+    for (const Recoverable& found : session.keeping.recoverable) {
+        if (!session.path.empty() && !same_file(found.graph, session.path)) continue;
+        session.question = {.kind = Question::Kind::recover, .file = found.journal};
         return;
     }
 }
 
-void recover(State& state, const Recoverable& found) {
+void recover(Session& session, const Recoverable& found) {
     const Recoverable taken = found;  // forget() rebuilds the list
     // The crashed program may have saved after this one had read the file.
-    const bool is_open = !state.path.empty() && same_file(taken.graph, state.path);
+    const bool is_open = !session.path.empty() && same_file(taken.graph, session.path);
     if (taken.graph.empty())
-        new_file(state, taken.folder);
-    else if (!is_open || state.dirty() || compare(state.keeping.disk, state.path) != OnDisk::same)
-        open_file(state, taken.graph);
+        new_file(session, taken.folder);
+    else if (!is_open || session.dirty() || compare(session.disk, session.path) != OnDisk::same)
+        open_file(session, taken.graph);
     Diagnostics shown_by_the_build;
-    state.commit("Recover unsaved edits",
-                 read_document(taken.text, state.path.string(), shown_by_the_build));
-    if (!taken.refused.empty()) state.save_refused = taken.refused;
-    state.status = "Recovered the unsaved edits of " + state.file_name();
-    if (keep_edits_now(state)) forget(state, taken);
+    session.commit("Recover unsaved edits",
+                   read_document(taken.text, session.path.string(), shown_by_the_build));
+    if (!taken.refused.empty()) session.save_refused = taken.refused;
+    session.status = "Recovered the unsaved edits of " + session.file_name();
+    if (keep_edits_now(session)) forget(session, taken);
 }
 
-void forget(State& state, const Recoverable& found) {
+void forget(Session& session, const Recoverable& found) {
     std::error_code ignored;
     fs::remove(found.journal, ignored);
-    look_for_recoverable(state);
+    look_for_recoverable(session);
 }
 
 }  // namespace wrinkle::editor

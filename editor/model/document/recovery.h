@@ -5,24 +5,24 @@
 
 namespace wrinkle::editor {
 
-struct State;
+struct Session;
 
 // Called once a frame after its edits; all committed edits are written when it returns. Steps of a
 // drag are written at its end.
-void keep_edits(State& state);
+void keep_edits(Session& session, bool dragging);
 // Writes at once, even during a drag. Returns false on an error or if there is no state folder.
-bool keep_edits_now(State& state);
+bool keep_edits_now(Session& session);
 
 // Text for the status bar: "Saved", "All edits kept 14:02"; "" for a new graph.
-std::string kept_words(const State& state);
+std::string kept_words(const Session& session);
 
-// Fills state.keeping.recoverable.
-void look_for_recoverable(State& state);
+// Fills session.keeping.recoverable.
+void look_for_recoverable(Session& session);
 // Prompts for the latest journal of the open graph; if it has no file, for the latest of all.
-void offer_recovery(State& state);
+void offer_recovery(Session& session);
 // Opens its graph and commits the unsaved edits, so that undo returns to the file.
-void recover(State& state, const Recoverable& found);
+void recover(Session& session, const Recoverable& found);
 // Discards its edits.
-void forget(State& state, const Recoverable& found);
+void forget(Session& session, const Recoverable& found);
 
 }  // namespace wrinkle::editor

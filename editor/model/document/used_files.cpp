@@ -5,10 +5,8 @@
 
 #include "editor/model/document/plugins.h"
 #include "editor/model/images/images.h"
-#include "editor/view/preview/feed.h"
-#include "editor/view/state.h"
+#include "editor/model/session.h"
 #include "lower/named_images.h"
-#include "mesh/shapes.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
@@ -38,35 +36,22 @@ bool has_changed(UsedFiles::Known& known, const UsedFile& file) {
     return true;
 }
 
-void read_again(State& state, const UsedFile& file, bool came_or_went) {
-    switch (file.use) {
-        case Use::image:
-            state.thumbnails.forget(file.path);
-            forget_images(state);
-            if (came_or_went) state.fresh = false;  // its problem appears or disappears
-            break;
-        case Use::subgraph:
-            state.fresh = false;
-            break;
-        case Use::mesh:
-            if (state.preview) state.preview->forget_mesh();
-            break;
-        case Use::light:
-            if (state.preview) state.preview->forget_light();
-            break;
-        case Use::plugin:
-            break;  // reloaded together
-    }
+void read_again(Session& session, const UsedFile& file, bool came_or_went) {
+    // The problem of an image appears or disappears with it.
+    if (file.use == Use::subgraph || (file.use == Use::image && came_or_went))
+        session.fresh = false;
     const std::string name = file.path.filename().string();
-    if (file.use != Use::plugin)
-        state.status = file.stamp.there ? name + " was changed and is read again."
-                                        : name + " is no longer there.";
+    if (file.use != Use::plugin)  // plugins are reloaded together
+        session.status = file.stamp.there ? name + " was changed and is read again."
+                                          : name + " is no longer there.";
 }
 
-bool take(State& state, const std::vector<UsedFile>& files) {
-    UsedFiles& used = state.used;
+std::vector<UsedFile> take(Session& session, const std::vector<UsedFile>& files,
+                           const WindowFiles& window) {
+    UsedFiles& used = session.used;
     std::map<fs::path, UsedFiles::Known> known;
-    bool plugins = false, any = false;
+    std::vector<UsedFile> changed;
+    bool plugins = false;
     for (const UsedFile& file : files) {
         const auto former = used.known.find(file.path);
         if (former == used.known.end() || known.contains(file.path)) {
@@ -76,23 +61,19 @@ bool take(State& state, const std::vector<UsedFile>& files) {
         UsedFiles::Known& now = known[file.path] = former->second;
         const bool was_there = now.read.there;
         if (!has_changed(now, file)) continue;
-        any = true;
         ++used.changes;
+        changed.push_back(file);
         plugins |= file.use == Use::plugin;
-        read_again(state, file, was_there != file.stamp.there);
+        read_again(session, file, was_there != file.stamp.there);
     }
     used.known = std::move(known);
-    follow_images(state, files);
-    if (plugins) reload_plugins(state);
-    return any;
+    follow_images(session, files, window.dropped);
+    if (plugins) reload_plugins(session);
+    return changed;
 }
 
-FileQuestion question_of(const State& state) {
-    const PreviewView& view = state.view.preview_view;
-    const bool shape = std::any_of(shapes().begin(), shapes().end(),
-                                   [&](const Shape& each) { return each.name == view.mesh; });
-    return {state.model, state.document(), shape ? "" : view.mesh, view.environment,
-            state.plugins.places};
+FileQuestion question_of(const Session& session, const WindowFiles& window) {
+    return {session.model, session.document(), window.mesh, window.light, session.plugins.places};
 }
 
 }  // namespace
@@ -115,20 +96,20 @@ std::vector<UsedFile> look_at_files(const FileQuestion& question) {
     return files;
 }
 
-bool follow_files(State& state) {
-    UsedFiles& used = state.used;
-    bool any = false;
+std::vector<UsedFile> follow_files(Session& session, const WindowFiles& window) {
+    UsedFiles& used = session.used;
+    std::vector<UsedFile> changed;
     if (used.looker)
-        if (const auto files = used.looker->take()) any = take(state, *files);
+        if (const auto files = used.looker->take()) changed = take(session, *files, window);
     const double now = seconds_now();
-    const bool other = used.looked_of != state.model.project;
-    if (!state.fresh || (now - used.looked < 1 && !other)) return any;
-    if (used.looker && used.looker->busy()) return any;
+    const bool other = used.looked_of != session.model.project;
+    if (!session.fresh || (now - used.looked < 1 && !other)) return changed;
+    if (used.looker && used.looker->busy()) return changed;
     used.looked = now;
-    used.looked_of = state.model.project;
-    if (!used.looker) return take(state, look_at_files(question_of(state))) || any;
-    used.looker->post(question_of(state));
-    return any;
+    used.looked_of = session.model.project;
+    if (!used.looker) return take(session, look_at_files(question_of(session, window)), window);
+    used.looker->post(question_of(session, window));
+    return changed;
 }
 
 }  // namespace wrinkle::editor

@@ -18,7 +18,7 @@
 
 namespace wrinkle::editor {
 
-struct State;
+struct Session;
 
 enum class Use : uint8_t { image, subgraph, mesh, light, plugin };
 
@@ -51,7 +51,12 @@ struct UsedFiles {
     uint64_t changes = 0;  // number of files that were read again
 };
 
-// Called once a frame. Returns true if the window must be redrawn.
-bool follow_files(State& state);
+// Files that the window uses besides those of the graph.
+struct WindowFiles {
+    std::string mesh, light;                     // used by the preview; "": none
+    std::vector<std::filesystem::path> dropped;  // images that wait to be examined
+};
+// Called once a frame: reads changed sub-graphs and plugins again. Returns all changed files.
+std::vector<UsedFile> follow_files(Session& session, const WindowFiles& window);
 
 }  // namespace wrinkle::editor

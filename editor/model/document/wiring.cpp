@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "editor/model/document/each_wire.h"
-#include "editor/view/edit/edits.h"
 #include "graph/edit.h"
 #include "lower/conversion.h"
 
@@ -101,6 +100,28 @@ std::set<std::string> walk(const Document& document, std::set<std::string> ids, 
 }
 
 }  // namespace
+
+std::optional<Link> link_at(const Document& document, const std::string& node,
+                            const std::string& port) {
+    const Input* input = nullptr;
+    if (node.empty()) {
+        const Output* output = document.outputs.find(port);
+        input = output ? &output->from : nullptr;
+    } else if (const Node* reader = document.find(node)) {
+        input = reader->find(port);
+    }
+    if (!input || input->kind != Input::Kind::link) return std::nullopt;
+    return input->link;
+}
+
+Document with_wire(const Document& document, const Link& from, const std::string& node,
+                   const std::string& port) {
+    return node.empty() ? set_output(document, port, from) : connect(document, from, node, port);
+}
+
+Document without_wire(const Document& document, const std::string& node, const std::string& port) {
+    return node.empty() ? remove_output(document, port) : disconnect(document, node, port);
+}
 
 bool converts(PortType from, std::optional<PortType> to) {
     return !to || conversion(from, *to) != Conversion::illegal;

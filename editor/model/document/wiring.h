@@ -18,6 +18,13 @@ struct Connection {
     std::string port;
 };
 
+// Wires by their input end: an output of the graph counts as an input of node "".
+std::optional<Link> link_at(const Document& document, const std::string& node,
+                            const std::string& port);
+Document with_wire(const Document& document, const Link& from, const std::string& node,
+                   const std::string& port);
+Document without_wire(const Document& document, const std::string& node, const std::string& port);
+
 // Returns the type that an input takes; std::nullopt if it takes any or is not known.
 std::optional<PortType> wanted_at(const Model& model, const std::string& node,
                                   const std::string& port);

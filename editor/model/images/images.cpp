@@ -4,15 +4,15 @@
 
 #include "base/text.h"
 #include "editor/model/images/remarks.h"
-#include "editor/view/state.h"
+#include "editor/model/session.h"
 #include "lower/literal.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-void keep_answer(State& state, ImageAnswer answer) {
-    Images& images = state.images;
+void keep_answer(Session& session, ImageAnswer answer) {
+    Images& images = session.images;
     std::erase(images.wanted, answer.file);
     images.known[answer.file] = std::move(answer.examined);
     ++images.changes;
@@ -47,11 +47,11 @@ Examined examine_file(const fs::path& file, const std::function<bool()>& stopped
     }
 }
 
-void want_image(State& state, const fs::path& file, const Stamp& stamp, bool first) {
-    Images& images = state.images;
+void want_image(Session& session, const fs::path& file, const Stamp& stamp, bool first) {
+    Images& images = session.images;
     const auto known = images.known.find(file);
     if (known != images.known.end() && known->second.stamp == stamp) return;
-    if (!images.examiner) return keep_answer(state, {file, examine_file(file)});
+    if (!images.examiner) return keep_answer(session, {file, examine_file(file)});
     std::vector<fs::path>& wanted = images.wanted;
     const auto at = std::find(wanted.begin(), wanted.end(), file);
     if (at == wanted.begin() && at != wanted.end()) return;
@@ -61,30 +61,31 @@ void want_image(State& state, const fs::path& file, const Stamp& stamp, bool fir
     wanted.insert(first ? wanted.begin() + (running ? 1 : 0) : wanted.end(), file);
 }
 
-const Examined* examined(const State& state, const fs::path& file) {
-    const Images& images = state.images;
+const Examined* examined(const Session& session, const fs::path& file) {
+    const Images& images = session.images;
     const auto known = images.known.find(file);
     const bool waits =
         std::find(images.wanted.begin(), images.wanted.end(), file) != images.wanted.end();
     return known == images.known.end() || waits ? nullptr : &known->second;
 }
 
-const Examined* examined_at(const State& state, const Node& node, std::string_view port) {
+const Examined* examined_at(const Session& session, const Node& node, std::string_view port) {
     const Input* input = node.find(port);
     if (!input || input->kind != Input::Kind::literal) return nullptr;
     const std::string file(literal_image(input->value).file);
-    const auto path = state.images.paths.find(file);
-    return path == state.images.paths.end() ? nullptr : examined(state, path->second);
+    const auto path = session.images.paths.find(file);
+    return path == session.images.paths.end() ? nullptr : examined(session, path->second);
 }
 
-void follow_images(State& state, const std::vector<UsedFile>& files) {
-    Images& images = state.images;
+void follow_images(Session& session, const std::vector<UsedFile>& files,
+                   const std::vector<fs::path>& dropped) {
+    Images& images = session.images;
     std::map<std::string, fs::path> paths;
     for (const UsedFile& file : files) {
         if (file.name.empty()) continue;
         paths[file.name] = file.path;
         if (file.stamp.there && file.stamp.size > 0)
-            want_image(state, file.path, file.stamp, false);
+            want_image(session, file.path, file.stamp, false);
     }
     if (paths == images.paths) return;
     images.paths = std::move(paths);
@@ -92,7 +93,7 @@ void follow_images(State& state, const std::vector<UsedFile>& files) {
     const auto is_read = [&](const fs::path& file) {
         return std::any_of(images.paths.begin(), images.paths.end(),
                            [&](const auto& each) { return each.second == file; }) ||
-               state.dropped.waits_for(file);
+               std::find(dropped.begin(), dropped.end(), file) != dropped.end();
     };
     std::erase_if(images.known, [&](const auto& each) { return !is_read(each.first); });
     if (images.wanted.size() > 1)
@@ -101,19 +102,19 @@ void follow_images(State& state, const std::vector<UsedFile>& files) {
                             images.wanted.end());
 }
 
-void poll_images(State& state) {
-    Images& images = state.images;
+void poll_images(Session& session) {
+    Images& images = session.images;
     if (images.examiner) {
-        if (auto answer = images.examiner->take()) keep_answer(state, std::move(*answer));
+        if (auto answer = images.examiner->take()) keep_answer(session, std::move(*answer));
         if (!images.wanted.empty() && images.examiner->idle())
             images.examiner->post(images.wanted.front());
     }
-    if (!state.fresh) return;
-    if (images.remarks_at == images.changes && same_document(images.remarks_of, state.document()))
+    if (!session.fresh) return;
+    if (images.remarks_at == images.changes && same_document(images.remarks_of, session.document()))
         return;
     images.remarks_at = images.changes;
-    images.remarks_of = state.document();
-    images.remarks = find_remarks(state);
+    images.remarks_of = session.document();
+    images.remarks = find_remarks(session);
 }
 
 }  // namespace wrinkle::editor

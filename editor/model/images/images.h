@@ -22,7 +22,7 @@
 
 namespace wrinkle::editor {
 
-struct State;
+struct Session;
 struct UsedFile;
 
 struct Examined {
@@ -69,15 +69,17 @@ struct Images {
 };
 
 // Examines this version of the file unless it is done; `first` puts it at the front of the queue.
-void want_image(State& state, const std::filesystem::path& file, const Stamp& stamp, bool first);
+void want_image(Session& session, const std::filesystem::path& file, const Stamp& stamp,
+                bool first);
 // Returns nullptr if the file is not examined yet or a newer version is pending.
-const Examined* examined(const State& state, const std::filesystem::path& file);
+const Examined* examined(const Session& session, const std::filesystem::path& file);
 // Same for a node's image, by its name in the graph.
-const Examined* examined_at(const State& state, const Node& node, std::string_view port);
+const Examined* examined_at(const Session& session, const Node& node, std::string_view port);
 
-// Sets the files that the graph currently uses.
-void follow_images(State& state, const std::vector<UsedFile>& files);
+// Sets the files that the graph currently uses; `dropped` are retained too.
+void follow_images(Session& session, const std::vector<UsedFile>& files,
+                   const std::vector<std::filesystem::path>& dropped);
 // Called once a frame: takes results and updates the remarks.
-void poll_images(State& state);
+void poll_images(Session& session);
 
 }  // namespace wrinkle::editor

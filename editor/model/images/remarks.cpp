@@ -5,7 +5,7 @@
 
 #include "editor/model/document/field.h"
 #include "editor/model/images/facts.h"
-#include "editor/view/state.h"
+#include "editor/model/session.h"
 #include "graph/edit.h"
 #include "lower/conversion.h"
 #include "lower/literal.h"
@@ -57,8 +57,8 @@ std::string_view what_it_reads(const MapFamily& family, std::string_view type) {
 
 class Remarker {
 public:
-    Remarker(const State& state, std::vector<ImageWarning>& remarks)
-        : state_(state), images_(state.images), remarks_(remarks) {}
+    Remarker(const Session& session, std::vector<ImageWarning>& remarks)
+        : session_(session), images_(session.images), remarks_(remarks) {}
 
     void look_at(const Node& node, const NodeType& type) {
         family_ = family_of(type.id);
@@ -77,7 +77,7 @@ private:
     void look_at(const Input& input) {
         literal_ = literal_image(input.value);
         encoding_ = literal_.encoding.value_or(port_->encoding);
-        examined_ = examined_at(state_, *node_, port_->name);
+        examined_ = examined_at(session_, *node_, port_->name);
         if (!examined_ || !examined_->problem.empty() || encoding_ == Encoding::normal_ag) return;
         file_ = images_.paths.at(std::string(literal_.file));
         if (remark_type()) return;  // other remarks would follow from it
@@ -91,7 +91,7 @@ private:
     }
 
     void add(std::string about, std::string message, std::string evidence, Remedy remedy = {}) {
-        const std::vector<std::string>& dismissed = state_.keeping.settings.dismissed;
+        const std::vector<std::string>& dismissed = session_.keeping.settings.dismissed;
         const std::string mark = dismissal_mark(file_, examined_->stamp, about);
         if (std::find(dismissed.begin(), dismissed.end(), mark) != dismissed.end()) return;
         ImageWarning remark;
@@ -105,12 +105,12 @@ private:
         remark.about = std::move(about);
         remark.remedy = std::move(remedy);
         const bool helps = remark.remedy.kind != Remedy::Kind::none &&
-                           !same_node(remedied(state_, remark), node_->id);
+                           !same_node(remedied(session_, remark), node_->id);
         if (!helps) remark.remedy = {};
         remarks_.push_back(std::move(remark));
     }
     bool same_node(const Document& document, const std::string& id) const {
-        return document.find(id) == state_.document().find(id);
+        return document.find(id) == session_.document().find(id);
     }
 
     bool remark_type() {
@@ -122,7 +122,7 @@ private:
         }
         const std::string_view better = better_type(*family_, type_->id, look);
         if (better == type_->id || (better.empty() && !is_odd(look))) return false;
-        const NodeType* type = state_.registry->find(better);
+        const NodeType* type = session_.registry->find(better);
         add("type",
             "the image looks like " + std::string(description_of(look)) + ", but the node reads " +
                 std::string(what_it_reads(*family_, type_->id)),
@@ -178,7 +178,7 @@ private:
         return {};
     }
 
-    const State& state_;
+    const Session& session_;
     const Images& images_;
     std::vector<ImageWarning>& remarks_;
     const MapFamily* family_ = nullptr;
@@ -201,8 +201,8 @@ std::string output_in_place(const NodeType& type, const std::string& port) {
 }
 
 // Returns true if every wire from the node starts at an output of a fitting type.
-bool keeps_readers(const State& state, const Document& document, const std::string& id) {
-    const NodeType* from = state.registry->find(document.find(id)->type);
+bool keeps_readers(const Session& session, const Document& document, const std::string& id) {
+    const NodeType* from = session.registry->find(document.find(id)->type);
     const auto gives = [&](const Link& link, std::optional<PortType> wanted) {
         if (link.node != id) return true;
         const uint32_t out = from->find_output(link.port);
@@ -215,7 +215,7 @@ bool keeps_readers(const State& state, const Document& document, const std::stri
             return false;
     for (const NodePtr& node : document.nodes)
         for (const Input& input : node->inputs) {
-            const NodeType* to = state.type_of(node->id);
+            const NodeType* to = session.type_of(node->id);
             const uint32_t in = to ? to->find_input(input.port) : NodeType::none;
             if (input.kind == Input::Kind::link && in != NodeType::none && node->id != id &&
                 !gives(input.link, to->ports[in].type))
@@ -230,9 +230,9 @@ bool holds_the_same(const Port& a, const Port& b) {
 
 // Changes the node's type: inputs unknown to the new type are reset; the encoding remains that of
 // the old port.
-Document retyped(const State& state, const Node& node, const NodeType& to) {
-    const NodeType* from = state.type_of(node.id);
-    Document result = state.document();
+Document retyped(const Session& session, const Node& node, const NodeType& to) {
+    const NodeType* from = session.type_of(node.id);
+    Document result = session.document();
     NodeUpgrade upgrade;
     upgrade.id = node.id;
     upgrade.version = static_cast<int>(to.version);
@@ -254,19 +254,19 @@ Document retyped(const State& state, const Node& node, const NodeType& to) {
 
 }  // namespace
 
-std::vector<ImageWarning> find_remarks(const State& state) {
+std::vector<ImageWarning> find_remarks(const Session& session) {
     std::vector<ImageWarning> remarks;
-    if (state.images.known.empty()) return remarks;
-    Remarker remarker(state, remarks);
-    for (const NodePtr& node : state.document().nodes)
-        if (const NodeType* type = state.type_of(node->id)) remarker.look_at(*node, *type);
+    if (session.images.known.empty()) return remarks;
+    Remarker remarker(session, remarks);
+    for (const NodePtr& node : session.document().nodes)
+        if (const NodeType* type = session.type_of(node->id)) remarker.look_at(*node, *type);
     return remarks;
 }
 
-Document remedied(const State& state, const ImageWarning& remark) {
-    const Document& document = state.document();
+Document remedied(const Session& session, const ImageWarning& remark) {
+    const Document& document = session.document();
     const Node* node = document.find(remark.problem.node);
-    const NodeType* type = node ? state.type_of(node->id) : nullptr;
+    const NodeType* type = node ? session.type_of(node->id) : nullptr;
     const uint32_t index = type ? type->find_input(remark.port) : NodeType::none;
     if (index == NodeType::none) return document;
     const Remedy& remedy = remark.remedy;
@@ -276,27 +276,27 @@ Document remedied(const State& state, const ImageWarning& remark) {
         return with_image_word(document, node->id, port, wrap ? "wrap" : "encoding", remedy.word);
     }
     const NodeType* to =
-        remedy.kind == Remedy::Kind::type ? state.registry->find(remedy.word) : nullptr;
+        remedy.kind == Remedy::Kind::type ? session.registry->find(remedy.word) : nullptr;
     if (!to || to->find_input(remark.port) == NodeType::none) return document;
-    const Examined* examined = examined_at(state, *node, remark.port);
-    Document result = retyped(state, *node, *to);
+    const Examined* examined = examined_at(session, *node, remark.port);
+    Document result = retyped(session, *node, *to);
     if (examined && examined->verdict.look == maps::Look::normal_dx)
         result = with_image_word(result, node->id, to->ports[to->find_input(remark.port)],
                                  "encoding", name_of(Encoding::normal_dx));
-    return keeps_readers(state, result, node->id) ? result : document;
+    return keeps_readers(session, result, node->id) ? result : document;
 }
 
-void apply_remedy(State& state, const ImageWarning& remark) {
-    state.commit(remark.problem.node + ": " + remark.remedy.label, remedied(state, remark));
+void apply_remedy(Session& session, const ImageWarning& remark) {
+    session.commit(remark.problem.node + ": " + remark.remedy.label, remedied(session, remark));
 }
 
-void dismiss_remark(State& state, const ImageWarning& remark) {
-    const auto known = state.images.known.find(remark.file);
-    if (known == state.images.known.end()) return;
-    std::vector<std::string>& dismissed = state.keeping.settings.dismissed;
+void dismiss_remark(Session& session, const ImageWarning& remark) {
+    const auto known = session.images.known.find(remark.file);
+    if (known == session.images.known.end()) return;
+    std::vector<std::string>& dismissed = session.keeping.settings.dismissed;
     dismissed.push_back(dismissal_mark(remark.file, known->second.stamp, remark.about));
     if (dismissed.size() > Settings::max_dismissed) dismissed.erase(dismissed.begin());
-    ++state.images.changes;
+    ++session.images.changes;
 }
 
 std::string dismissal_mark(const fs::path& file, const Stamp& version, std::string_view about) {

@@ -11,12 +11,12 @@
 
 namespace wrinkle::editor {
 
-std::vector<ImageWarning> find_remarks(const State& state);
+std::vector<ImageWarning> find_remarks(const Session& session);
 
 // Returns the document after the remedy; the current one if it no longer applies.
-Document remedied(const State& state, const ImageWarning& remark);
-void apply_remedy(State& state, const ImageWarning& remark);  // one undo step
-void dismiss_remark(State& state, const ImageWarning& remark);
+Document remedied(const Session& session, const ImageWarning& remark);
+void apply_remedy(Session& session, const ImageWarning& remark);  // one undo step
+void dismiss_remark(Session& session, const ImageWarning& remark);
 
 // Key that stores a dismissal: a newer version of the file gets a remark again.
 std::string dismissal_mark(const std::filesystem::path& file, const Stamp& version,

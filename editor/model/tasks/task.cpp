@@ -4,7 +4,7 @@
 
 #include "base/progress_text.h"
 #include "editor/model/words.h"
-#include "editor/view/state.h"
+#include "editor/model/session.h"
 
 namespace wrinkle::editor {
 
@@ -36,42 +36,42 @@ std::string progress_words(uint64_t done, uint64_t total, double seconds, const 
            rough_duration((all - now) / rate) + " left";
 }
 
-bool start_task(State& state, TaskSpec order) {
-    Tasks& tasks = state.tasks;
+bool start_task(Session& session, TaskSpec order) {
+    Tasks& tasks = session.tasks;
     if (tasks.running) {
-        state.status = tasks.running->order().name + " is not done yet.";
+        session.status = tasks.running->order().name + " is not done yet.";
         return false;
     }
     tasks.failed.clear();
     tasks.warnings = Diagnostics();
-    tasks.warnings_of = state.path;
-    state.status = order.name;
+    tasks.warnings_of = session.path;
+    session.status = order.name;
     tasks.running = std::make_unique<Task>(std::move(order), tasks.wake);
     return true;
 }
 
-void cancel_task(State& state) {
-    if (state.tasks.running) state.tasks.running->cancel();
-    state.tasks.failed.clear();
+void cancel_task(Session& session) {
+    if (session.tasks.running) session.tasks.running->cancel();
+    session.tasks.failed.clear();
 }
 
-void try_task_again(State& state) {
-    const auto again = std::exchange(state.tasks.again, {});
-    state.tasks.failed.clear();
-    if (again) again(state);
+void try_task_again(Session& session) {
+    const auto again = std::exchange(session.tasks.again, {});
+    session.tasks.failed.clear();
+    if (again) again();
 }
 
-void poll_tasks(State& state) {
-    Tasks& tasks = state.tasks;
+void poll_tasks(Session& session) {
+    Tasks& tasks = session.tasks;
     if (!tasks.running || !tasks.running->ended()) return;
     TaskOutcome outcome = tasks.running->outcome();
     const TaskSpec& order = tasks.running->order();
     if (outcome.good || !tasks.running->cancelled()) {
-        state.status = outcome.sentence;
+        session.status = outcome.sentence;
         if (!outcome.good) tasks.failed = outcome.sentence;
         tasks.warnings = std::move(outcome.warnings);
     } else {
-        state.status = order.name + " was cancelled. Nothing was written.";
+        session.status = order.name + " was cancelled. Nothing was written.";
     }
     tasks.again = order.again;
     tasks.running.reset();

@@ -14,7 +14,7 @@
 
 namespace wrinkle::editor {
 
-struct State;
+struct Session;
 
 struct TaskProgress {
     using Clock = std::chrono::steady_clock;
@@ -40,8 +40,8 @@ using TaskWork = std::function<TaskOutcome(TaskProgress&)>;
 struct TaskSpec {
     std::string name;  // "Exporting strap.glsl"
     TaskWork work;
-    std::function<void(State&)> again;  // starts the same task again
-    std::string unit = {};              // counted unit, with a rate: "texels"; "" is steps
+    std::function<void()> again;  // starts the same task again
+    std::string unit = {};        // counted unit, with a rate: "texels"; "" is steps
 };
 
 class Task {
@@ -72,7 +72,7 @@ struct Tasks {
     std::unique_ptr<Task> running = {};
     // Failure of the last task, shown until it is closed or tried again.
     std::string failed = {};
-    std::function<void(State&)> again = {};
+    std::function<void()> again = {};
 
     // Warnings of the last task, and the graph in which it ran.
     Diagnostics warnings = Diagnostics();
@@ -85,10 +85,10 @@ struct Tasks {
 std::string progress_words(uint64_t done, uint64_t total, double seconds, const std::string& unit);
 
 // Returns false, with the reason in the status, while another task runs.
-bool start_task(State& state, TaskSpec order);
-void cancel_task(State& state);
-void try_task_again(State& state);
+bool start_task(Session& session, TaskSpec order);
+void cancel_task(Session& session);
+void try_task_again(Session& session);
 // Called once a frame: takes the outcome of a task that has ended.
-void poll_tasks(State& state);
+void poll_tasks(Session& session);
 
 }  // namespace wrinkle::editor

@@ -5,7 +5,6 @@
 
 #include "editor/view/canvas/layout.h"
 #include "editor/view/look/draw.h"
-#include "graph/edit.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -36,26 +35,6 @@ bool contains(const Extent& box, ImVec2 at) {
 
 }  // namespace
 
-const Box* find_box(const Document& document, const BoxId& id) {
-    return (id.note ? document.notes : document.frames).find(id.id);
-}
-
-Document with_box(const Document& document, bool note, Box box) {
-    return note ? set_note(document, std::move(box)) : set_frame(document, std::move(box));
-}
-
-Document without_box(const Document& document, const BoxId& id) {
-    return id.note ? remove_note(document, id.id) : remove_frame(document, id.id);
-}
-
-std::string free_box_id(const Document& document, bool note) {
-    const std::string stem = note ? "note" : "frame";
-    std::string id = stem;
-    for (size_t n = 2; find_box(document, {note, id}); ++n)
-        id = stem + std::to_string(n);
-    return id;
-}
-
 Extent extent_of(const State& state, const BoxId& id, const Box& box) {
     const Gesture& g = state.gesture;
     const bool carried = g.kind == Gesture::Kind::move && g.carried_boxes.contains(id);
@@ -63,15 +42,6 @@ Extent extent_of(const State& state, const BoxId& id, const Box& box) {
     const ImVec2 low(static_cast<float>(box.rect.x), static_cast<float>(box.rect.y));
     const ImVec2 size(static_cast<float>(box.rect.width), static_cast<float>(box.rect.height));
     return {low + by, low + by + size};
-}
-
-std::vector<BoxId> all_boxes(const Document& document) {
-    std::vector<BoxId> boxes;
-    for (const Box& frame : document.frames)
-        boxes.push_back({false, frame.id});
-    for (const Box& note : document.notes)
-        boxes.push_back({true, note.id});
-    return boxes;
 }
 
 std::optional<Hit> pick_box(const State& state, ImVec2 mouse) {

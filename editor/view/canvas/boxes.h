@@ -4,22 +4,15 @@
 #include <optional>
 #include <vector>
 
+#include "editor/model/document/boxes.h"
 #include "editor/view/state.h"
 
 namespace wrinkle::editor {
 
 inline constexpr float title_height = 36, box_corner = 8;
 
-const Box* find_box(const Document& document, const BoxId& id);
-Document with_box(const Document& document, bool note, Box box);
-Document without_box(const Document& document, const BoxId& id);
-std::string free_box_id(const Document& document, bool note);
-
 // The extent as drawn, including the drag in progress.
 Extent extent_of(const State& state, const BoxId& id, const Box& box);
-
-// All boxes from bottom to top: frames, then notes.
-std::vector<BoxId> all_boxes(const Document& document);
 
 // Hit test for the title, an edge or a corner of a frame, and for any point of a note. Returns a
 // hit with `card` = Hit::no_card and `part` = index in all_boxes(); std::nullopt if no box is hit.

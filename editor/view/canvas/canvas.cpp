@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "editor/model/document/levels.h"
 #include "editor/view/canvas/boxes.h"
 #include "editor/view/canvas/card_names.h"
 #include "editor/view/canvas/gestures/gestures.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/canvas/new_cards.h"
 #include "editor/view/edit/edits.h"
+#include "editor/view/edit/group.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/refresh.h"
 
@@ -45,7 +45,7 @@ void double_click(State& state, const Hit& hit) {
         const Node* node = state.document().find(card.id);
         if (node && node->subgraph() && !is_on_name(state, card)) {
             state.view.selected = {card.id};
-            return open_group(state);
+            return open_selected_group(state);
         }
     }
     if (hit.kind == Hit::Kind::header) {

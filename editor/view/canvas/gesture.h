@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "editor/model/document/box_id.h"
+#include "editor/model/document/boxes.h"
 #include "graph/document.h"
 #include "registry/port_type.h"
 

@@ -250,6 +250,16 @@ void drag_cards(const State& state, Layout& layout) {
 
 }  // namespace
 
+const Card* Layout::find(std::string_view id, Card::Kind kind) const {
+    if (kind == Card::Kind::node) {
+        const size_t index = nodes.index_of(id);
+        return index < card_of_node.size() ? &cards[card_of_node[index]] : nullptr;
+    }
+    for (const Card& card : cards)
+        if (card.kind == kind && card.id == id) return &card;
+    return nullptr;
+}
+
 std::vector<Extent> places_off_canvas(const State& state, const Document& document) {
     std::vector<ImVec2> sizes;
     const Model model = make_model(document, state.folder(), *state.registry);

@@ -1,5 +1,7 @@
 #include "editor/view/canvas/new_cards.h"
 
+#include "editor/model/document/boxes.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,6 +53,12 @@ std::optional<ImVec2> free_on_ring(const std::vector<Extent>& fixed,
     return std::nullopt;
 }
 
+Extent extent_of(const Box& box) {
+    const ImVec2 low(static_cast<float>(box.rect.x), static_cast<float>(box.rect.y));
+    return {low,
+            low + ImVec2(static_cast<float>(box.rect.width), static_cast<float>(box.rect.height))};
+}
+
 }  // namespace
 
 ImVec2 free_shift(const std::vector<Extent>& fixed, std::vector<Extent> moving, ImVec2 by) {
@@ -67,6 +75,17 @@ std::vector<Extent> card_extents(const State& state, const std::set<std::string>
     for (const Card& card : state.layout.cards)
         if (!except.contains(card.id)) extents.push_back({card.at, card.at + card.size});
     return extents;
+}
+
+ImVec2 free_offset(const State& state, const std::vector<Extent>& places, const Document& source,
+                   const std::set<BoxId>& boxes, ImVec2 by) {
+    std::vector<Extent> fixed = card_extents(state), moving = places;
+    for (const BoxId& id : boxes)
+        moving.push_back(extent_of(*find_box(source, id)));
+    if (!boxes.empty())
+        for (const BoxId& id : all_boxes(state.document()))
+            fixed.push_back(extent_of(*find_box(state.document(), id)));
+    return free_shift(fixed, std::move(moving), by);
 }
 
 ImVec2 free_place(const State& state, ImVec2 at, const Node& node, const NodeType* type,

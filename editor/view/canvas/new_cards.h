@@ -17,6 +17,11 @@ ImVec2 free_shift(const std::vector<Extent>& fixed, std::vector<Extent> moving, 
 // Extents of all cards except `except`.
 std::vector<Extent> card_extents(const State& state, const std::set<std::string>& except = {});
 
+// Returns an offset near `by`, on the grid, at which cards at `places` and the boxes of `source`
+// overlap no card, and the boxes overlap no other box.
+ImVec2 free_offset(const State& state, const std::vector<Extent>& places, const Document& source,
+                   const std::set<BoxId>& boxes, ImVec2 by);
+
 // Returns the position near `at` at which the node's card covers no other; `except` are cards about
 // to be removed.
 ImVec2 free_place(const State& state, ImVec2 at, const Node& node, const NodeType* type,

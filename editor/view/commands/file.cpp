@@ -53,9 +53,14 @@ constexpr Command file_table[] = {
     {"recover", "Recover unsaved graph...", "", "File", no_recoverable, ask_recover},
     {"export-glsl", "Export GLSL...", "Ctrl+E", "File", always,
      [](State& s) { browse(s, Browser::Purpose::export_text, usual_export(s)); }},
-    {"bake", "Bake maps...", "Ctrl+B", "File", no_maps, open_bake_dialog},
+    {"bake", "Bake maps...", "Ctrl+B", "File", [](const State& s) { return no_maps(s); },
+     open_bake_dialog},
     {"reload", "Read files again", "F5", "File", always, reload},
-    {"reload-plugins", "Reload plugins", "", "File", no_plugins, reload_plugins},
+    {"reload-plugins", "Reload plugins", "", "File", no_plugins,
+     [](State& s) {
+         reload_plugins(s);
+         s.offer = {};
+     }},
     {"quit", "Quit", "Ctrl+Q", "File", always,
      [](State& s) {
          request_action(s, {PendingAction::Kind::quit, {}});

@@ -25,7 +25,7 @@ void tidy(State& state) {
 }
 
 std::string_view no_outer(const State& state) {
-    return state.outer.empty() ? "This graph was not opened from another." : "";
+    return state.parent_graphs.empty() ? "This graph was not opened from another." : "";
 }
 std::string_view no_group(const State& state) {
     return selected_group(state) ? "" : "Select one node that is a sub-graph.";
@@ -33,7 +33,7 @@ std::string_view no_group(const State& state) {
 
 // Return to the parent graph, or to the outermost graph.
 void leave_group(State& state) {
-    request_action(state, {PendingAction::Kind::leave, {}, state.outer.size() - 1});
+    request_action(state, {PendingAction::Kind::leave, {}, state.parent_graphs.size() - 1});
 }
 void leave_groups(State& state) {
     request_action(state, {PendingAction::Kind::leave, {}, 0});
@@ -81,7 +81,7 @@ constexpr Command node_table[] = {
     {"add-node", "Add node", "Space", "Node", always, add_node},
     {"add-picture", "Add picture", "I", "Node", always, choose_picture},
     {"edit-values", "Edit values, or open the sub-graph", "Enter", "Node", no_values,
-     [](State& s) { selected_group(s) ? open_group(s) : edit_values(s); }},
+     [](State& s) { selected_group(s) ? open_selected_group(s) : edit_values(s); }},
     {"mute", "Mute", "M", "Node", wants_selection, mute_selected},
     {"picture", "Picture of what it makes", "V", "Node", wants_selection, turn_pictures},
     {"swap-inputs", "Swap inputs", "Alt+S", "Node", wants_selection, swap_selected},
@@ -89,7 +89,7 @@ constexpr Command node_table[] = {
     {"note", "Note", "N", "Node", always, add_note},
     {"group", "Group", "Ctrl+G", "Node", wants_selection, group_selected},
     {"ungroup", "Ungroup", "Ctrl+Shift+G", "Node", wants_selection, ungroup_selected},
-    {"open-group", "Open sub-graph", "Tab", "Node", no_group, open_group},
+    {"open-group", "Open sub-graph", "Tab", "Node", no_group, open_selected_group},
     {"leave-group", "Back to the graph around it", "Shift+Tab", "Node", no_outer, leave_group},
     {"leave-groups", "Back to the outermost graph", "", "Node", no_outer, leave_groups},
     {"tidy", "Tidy", "Ctrl+L", "Node", always, tidy},

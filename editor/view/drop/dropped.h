@@ -3,7 +3,6 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -29,12 +28,6 @@ struct Dropped {
     std::string node, port;
     std::vector<Arrival> waiting;  // the first one is added first
     std::string for_preview;       // a mesh or an environment; the preview takes it and clears it
-
-    bool waits_for(const std::filesystem::path& file) const {
-        return std::any_of(waiting.begin(), waiting.end(), [&](const Arrival& each) {
-            return std::find(each.files.begin(), each.files.end(), file) != each.files.end();
-        });
-    }
 };
 
 }  // namespace wrinkle::editor

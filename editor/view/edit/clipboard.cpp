@@ -154,7 +154,7 @@ void paste_nodes(State& state, const Document& source, const std::string& text) 
     }
     const Document added = add_nodes(state.document(), copies.nodes, at);
     const Document wired = with_outer_wires(state, added, text, copies);
-    const BoxCopies boxed = with_boxes(wired, source, boxes, by);
+    const BoxCopies boxed = with_boxes(wired, source, boxes, by.x, by.y);
     state.commit("Paste " + in_words(source),
                  without_invalid_links(settled(state, boxed.document), fresh, state.folder(),
                                        *state.registry));

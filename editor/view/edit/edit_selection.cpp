@@ -59,8 +59,8 @@ void duplicate_selected(State& state, bool with_inputs) {
     const ImVec2 by = free_offset(state, from, source, boxes, {32, 32});
     for (NodePosition& place : places)
         place.x += by.x, place.y += by.y;
-    const BoxCopies boxed =
-        with_boxes(add_nodes(state.document(), std::move(copies.nodes), places), source, boxes, by);
+    const BoxCopies boxed = with_boxes(add_nodes(state.document(), std::move(copies.nodes), places),
+                                       source, boxes, by.x, by.y);
     state.commit(fresh.empty() ? "Duplicate frame" : "Duplicate " + nodes_in_words(fresh.size()),
                  settled(state, boxed.document));
     if (!fresh.empty() || !boxed.ids.empty()) show_new(state, fresh);

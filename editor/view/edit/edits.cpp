@@ -6,27 +6,6 @@
 #include "graph/edit.h"
 
 namespace wrinkle::editor {
-std::optional<Link> link_at(const Document& document, const std::string& node,
-                            const std::string& port) {
-    const Input* input = nullptr;
-    if (node.empty()) {
-        const Output* output = document.outputs.find(port);
-        input = output ? &output->from : nullptr;
-    } else if (const Node* reader = document.find(node)) {
-        input = reader->find(port);
-    }
-    if (!input || input->kind != Input::Kind::link) return std::nullopt;
-    return input->link;
-}
-
-Document with_wire(const Document& document, const Link& from, const std::string& node,
-                   const std::string& port) {
-    return node.empty() ? set_output(document, port, from) : connect(document, from, node, port);
-}
-
-Document without_wire(const Document& document, const std::string& node, const std::string& port) {
-    return node.empty() ? remove_output(document, port) : disconnect(document, node, port);
-}
 
 void mute_selected(State& state) {
     const Document& document = state.document();

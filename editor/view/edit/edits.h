@@ -1,5 +1,4 @@
-// Edits of the panels, on top of graph/edit.h: an output of the graph counts as an input of node
-// "".
+// Edits of the canvas and the panels: they act on the selection and find positions for new nodes.
 #pragma once
 
 #include <optional>
@@ -8,12 +7,6 @@
 #include "editor/view/state.h"
 
 namespace wrinkle::editor {
-
-std::optional<Link> link_at(const Document& document, const std::string& node,
-                            const std::string& port);
-Document with_wire(const Document& document, const Link& from, const std::string& node,
-                   const std::string& port);
-Document without_wire(const Document& document, const std::string& node, const std::string& port);
 
 // Adds a node of a type near `at` (canvas units), with an id derived from the type, and connects it
 // to the loose end of `wire` by the first port that fits.

@@ -1,30 +1,16 @@
-// Moves part of a graph into a new sub-graph file, with one node in its place.
-//
-// Sources outside the nodes become the inputs of the new graph, outputs with users outside become
-// its outputs; types and conversions stay the same. The new file is written next to the document's.
+// Groups and ungroups selected nodes, and opens a sub-graph.
 #pragma once
-
-#include <optional>
-#include <set>
-#include <string>
 
 #include "editor/view/state.h"
 
 namespace wrinkle::editor {
 
-struct Group {
-    Document inner;
-    Document outer;    // with the sub-graph node instead of the others
-    std::string node;  // id of that node
-};
+// Returns the selected node if it is the only one and a sub-graph; otherwise nullptr.
+const Node* selected_group(const State& state);
+// Opens its graph (document/levels.h).
+void open_selected_group(State& state);
 
-// Returns std::nullopt with the reason in `why` if the type of a wire is not known, or if a wire
-// leaves the nodes and returns to them.
-std::optional<Group> make_group(const Model& model, const Document& document,
-                                const std::set<std::string>& ids, const std::string& file,
-                                std::string& why);
-
-// Groups the selected nodes in one undo step and writes the file.
+// Groups the selected nodes in one undo step; writes the new graph next to the document's file.
 void group_selected(State& state);
 
 // Inlines the one selected sub-graph in one undo step; its file remains.

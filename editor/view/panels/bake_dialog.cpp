@@ -158,7 +158,7 @@ std::string what_is_written(const BakeChoices& choices) {
 
 void open_bake_dialog(State& state) {
     state.bake_dialog = {};
-    state.bake_dialog.choices = usual_bake(state);
+    state.bake_dialog.choices = usual_bake(state, state.view.preview_view.mesh);
     state.bake_dialog.open = state.bake_dialog.opening = true;
 }
 

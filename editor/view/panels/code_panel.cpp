@@ -233,7 +233,8 @@ void draw_code(State& state) {
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::code);
     const bool empty = state.code.text.starts.empty() && holds_nothing(state.document());
     if (!state.code.problem.empty() && !empty) draw_problem(state);
-    if (const std::string why = why_no_line(state); !why.empty() && state.code.problem.empty()) {
+    if (const std::string why = why_no_line(state, state.view.selected);
+        !why.empty() && state.code.problem.empty()) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         draw_strip(state, theme::accent, why);
         state.targets.add("code:why", {at.x, at.y, at.x + 28, at.y + 28});

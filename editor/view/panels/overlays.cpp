@@ -60,7 +60,7 @@ std::vector<Crumb> find_crumbs(const State& state, float room) {
     std::vector<Crumb> crumbs;
     float total = 0;
     for (size_t i = 0; i < files.size(); ++i) {
-        const bool dirty = i < state.outer.size() && state.outer[i].dirty();
+        const bool dirty = i < state.parent_graphs.size() && state.parent_graphs[i].dirty();
         const float most = std::max(room / (files.size() > 1 ? 2 : 1) - 48, 60.0F);
         const std::string text = fitting(font, 16, files[i], most) + (dirty ? " *" : "");
         crumbs.push_back({i, text, text_width(font, 16, text)});
@@ -108,8 +108,8 @@ void draw_crumbs(State& state) {
     ImVec2 at = low + ImVec2(12, 6);
     std::optional<size_t> pressed;
     for (const Crumb& crumb : crumbs) {
-        const bool leads = crumb.depth < state.outer.size();
-        const bool here = crumb.depth == state.outer.size();
+        const bool leads = crumb.depth < state.parent_graphs.size();
+        const bool here = crumb.depth == state.parent_graphs.size();
         if (leads && draw_crumb_ground(state, crumb, at)) pressed = crumb.depth;
         draw_text(list, font, 16, at, here ? theme::text : theme::text_dim, crumb.text);
         at.x += crumb.width + crumb_gap;

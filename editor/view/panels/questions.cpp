@@ -21,7 +21,7 @@ constexpr float dialog_width = 520, dialog_padding = 24;
 struct Answer {
     const char* label;
     const char* target;
-    void (*take)(State&);
+    void (*take)(Session&);
 };
 
 struct Sheet {
@@ -29,37 +29,37 @@ struct Sheet {
     std::vector<Answer> answers;  // the first one on Enter, the last one on Escape
 };
 
-void cancel(State& state) {
-    state.question = {};
+void cancel(Session& session) {
+    session.question = {};
 }
 
-void discard(State& state) {
-    const PendingAction then = state.question.then;
-    state.question = {};
-    carry_out(state, then);
+void discard(Session& session) {
+    const PendingAction then = session.question.then;
+    session.question = {};
+    carry_out(session, then);
 }
 
-void take_theirs(State& state) {
-    const PendingAction then = state.question.then;
-    state.question = {};
-    reload_from_disk(state);
-    save_and_carry_out(state, then);
+void take_theirs(Session& session) {
+    const PendingAction then = session.question.then;
+    session.question = {};
+    reload_from_disk(session);
+    save_and_carry_out(session, then);
 }
 
 // If the question blocked a save, saves now.
-void take_mine(State& state) {
-    keep_local_version(state);
-    if (state.question.saving) return answer_save(state);
-    state.question = {};
+void take_mine(Session& session) {
+    keep_local_version(session);
+    if (session.question.saving) return answer_save(session);
+    session.question = {};
 }
 
 constexpr Answer cancelled{"Cancel", "answer:cancel", cancel};
 
 // Prompt for the unsaved edits of an editor that ended unexpectedly.
-Sheet recovery_sheet(const State& state) {
+Sheet recovery_sheet(const Session& session) {
     Sheet sheet;
-    for (const Recoverable& found : state.keeping.recoverable) {
-        if (found.journal != state.question.file) continue;
+    for (const Recoverable& found : session.keeping.recoverable) {
+        if (found.journal != session.question.file) continue;
         const std::string file =
             found.graph.empty() ? "a graph without a file" : found.graph.filename().string();
         char when[64] = "";
@@ -76,17 +76,17 @@ Sheet recovery_sheet(const State& state) {
     return sheet;
 }
 
-Sheet running_sheet(const State& state) {
-    const Task* task = state.tasks.running.get();
+Sheet running_sheet(const Session& session) {
+    const Task* task = session.tasks.running.get();
     return {task ? task->order().name + " is not done yet." : "All is done.",
             task ? "To quit stops it. Nothing of it is written." : "",
             {{"Quit", "answer:stop", answer_stop}, {"Go on", "answer:cancel", cancel}}};
 }
 
 // Prompt for a graph that is saved to a folder that its files are not below.
-Sheet outside_sheet(const State& state) {
-    const std::filesystem::path& file = state.question.file;
-    const std::vector<std::string> names = files_outside(state, file);
+Sheet outside_sheet(const Session& session) {
+    const std::filesystem::path& file = session.question.file;
+    const std::vector<std::string> names = files_outside(session, file);
     const std::string folder = real_path(file.parent_path()).string();
     return {"Copy " + (names.size() < 4 ? listed(names) : counted(names.size(), "file")) + " too?",
             "A graph reads files below its own folder only, and these are not below " + folder +
@@ -96,11 +96,11 @@ Sheet outside_sheet(const State& state) {
              cancelled}};
 }
 
-Sheet sheet_of(const State& state) {
-    const Question& question = state.question;
+Sheet sheet_of(const Session& session) {
+    const Question& question = session.question;
     switch (question.kind) {
         case Question::Kind::unsaved:
-            return {"Save changes to " + listed(unsaved(state, question.then)) + "?",
+            return {"Save changes to " + listed(unsaved(session, question.then)) + "?",
                     question.then.kind == PendingAction::Kind::leave
                         ? "The graph around it shows what is saved."
                         : "",
@@ -108,7 +108,7 @@ Sheet sheet_of(const State& state) {
                      {"Discard", "answer:discard", discard},
                      cancelled}};
         case Question::Kind::changed:
-            return {state.file_name() + " was changed by another program.",
+            return {session.file_name() + " was changed by another program.",
                     "Mine keeps what is shown here. Theirs loads the file; undo brings yours back.",
                     {{"Keep mine", "answer:mine", take_mine},
                      {"Load theirs", "answer:theirs", take_theirs},
@@ -118,13 +118,13 @@ Sheet sheet_of(const State& state) {
                     "Its present contents would be lost.",
                     {{"Replace", "answer:replace", answer_replace}, cancelled}};
         case Question::Kind::outside:
-            return outside_sheet(state);
+            return outside_sheet(session);
         case Question::Kind::recover:
-            return recovery_sheet(state);
+            return recovery_sheet(session);
         case Question::Kind::running:
-            return running_sheet(state);
+            return running_sheet(session);
         case Question::Kind::failed:
-            return {state.file_name() + " could not be saved.",
+            return {session.file_name() + " could not be saved.",
                     "",
                     {{"Save as...", "answer:save-as", answer_save_as},
                      {"Try again", "answer:save", answer_save},

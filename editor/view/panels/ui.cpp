@@ -1,5 +1,5 @@
 #include "editor/view/panels/ui.h"
-#include "editor/model/document/files.h"
+#include "editor/view/lifecycle.h"
 #include "editor/view/refresh.h"
 
 #include "editor/view/canvas/canvas.h"

@@ -50,7 +50,7 @@ void start_picture_export(State& state, const fs::path& file, PictureSize size) 
         return draw_and_write(*still, file, progress);
     };
     if (start_task(state, {"Drawing " + file.filename().string(), work,
-                           [file, size](State& s) { start_picture_export(s, file, size); }}))
+                           [&state, file, size] { start_picture_export(state, file, size); }}))
         state.preview->draw_still(still);
 }
 
