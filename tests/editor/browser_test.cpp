@@ -6,8 +6,8 @@
 
 #include "editor/view/commands/commands.h"
 #include "editor/view/panels/browser.h"
+#include "editor/view/panels/panels.h"
 #include "editor/view/panels/samples.h"
-#include "editor/view/panels/start_page.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

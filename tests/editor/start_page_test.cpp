@@ -1,5 +1,5 @@
 // Tests of the start page at every size of the window and of the interface.
-#include "editor/view/panels/start_page.h"
+#include "editor/view/panels/panels.h"
 
 #include <imgui_internal.h>
 

@@ -33,8 +33,4 @@ void add_picture(State& state, const std::string& file);
 void use_picture(State& state, const std::string& node, const std::string& port,
                  const std::string& file);
 
-// Draws the dialog that offers to copy outside files into the graph's folder, or to make their
-// folder the graph's.
-void draw_copy_question(State& state);
-
 }  // namespace wrinkle::editor

@@ -123,6 +123,8 @@ std::string words_on_outside(const State& state, const fs::path& copies, const f
 
 }  // namespace
 
+// Draws the dialog that offers to copy outside files into the graph's folder, or to make their
+// folder the graph's.
 void draw_copy_question(State& state) {
     Dropped& dropped = state.dropped;
     if (dropped.asked && !ImGui::IsPopupOpen("##copy")) ImGui::OpenPopup("##copy");

@@ -6,7 +6,6 @@
 namespace wrinkle::editor {
 
 void open_bake_dialog(State& state);
-void draw_bake_dialog(State& state);
 
 // Returns one sentence on why the current choices cannot be baked now; "" if they can.
 std::string why_no_bake(const State& state);

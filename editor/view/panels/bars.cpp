@@ -8,7 +8,6 @@
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
 #include "editor/view/panels/panels.h"
-#include "editor/view/panels/questions.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -211,6 +210,8 @@ void draw_toolbar(State& state) {
     for (const Tool& tool : right)
         draw_tool(state, tool, words);
     ImGui::NewLine();
+    const ImVec2 low = ImGui::GetWindowPos(), end = low + ImGui::GetWindowSize();
+    ImGui::GetWindowDrawList()->AddLine({low.x, end.y - 1}, {end.x, end.y - 1}, theme::border);
 }
 
 }  // namespace wrinkle::editor

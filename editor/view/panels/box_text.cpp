@@ -1,5 +1,4 @@
-#include "editor/view/panels/box_text.h"
-
+// In-place editor for the text of a note or the title of a frame.
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
+#include "editor/view/panels/panels.h"
 #include "editor/view/panels/fields.h"
 
 namespace wrinkle::editor {

@@ -15,6 +15,4 @@ void browse(State& state, Browser::Purpose purpose, const std::filesystem::path&
 // Opens the browser to choose an image for an input of a node; "" as `node` adds a node.
 void browse_picture(State& state, const std::string& node, const std::string& port);
 
-void draw_browser(State& state);
-
 }  // namespace wrinkle::editor

@@ -233,6 +233,7 @@ void draw_help(State& state) {
     if (away || ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape])) state.help = {};
 }
 
+// Draws a tooltip after the pointer has rested (0.6 s) on a node, a pin or a value.
 void draw_hover_docs(State& state) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool still = io.MouseDelta.x == 0 && io.MouseDelta.y == 0 && !io.MouseDown[0] &&

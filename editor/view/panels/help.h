@@ -13,10 +13,6 @@ namespace wrinkle::editor {
 // F1: opens the page of the selected node's type; the shortcuts if not exactly one is selected.
 void show_help(State& state);
 void show_shortcuts(State& state);
-void draw_help(State& state);
-
-// Draws a tooltip after the pointer has rested (0.6 s) on a node, a pin or a value.
-void draw_hover_docs(State& state);
 
 // Writes a paragraph, wrapped at the current ImGui wrap position.
 void write_wrapped(const State& state, const std::string& text, ImU32 color, bool bold = false,

@@ -1,6 +1,6 @@
 #include "editor/view/panels/hints.h"
 
-#include "editor/view/panels/start_page.h"
+#include "editor/view/panels/panels.h"
 
 namespace wrinkle::editor {
 namespace {

@@ -1,5 +1,4 @@
-#include "editor/view/panels/offer_panel.h"
-
+// Popup for a wire dropped on a pin of another type: the reason, and node types to insert.
 #include <algorithm>
 
 #include "editor/view/edit/offer.h"

@@ -9,6 +9,7 @@
 #include "editor/view/look/icons.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/panels/panels.h"
+#include "editor/view/panels/regions.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -48,7 +49,7 @@ private:
 // One open file of the breadcrumb, or "..." for several.
 struct Crumb {
     static constexpr size_t gap = ~size_t{0};
-    size_t depth = 0;  // index into State::outer; its size: the graph on the canvas
+    size_t depth = 0;  // index into Session::parent_graphs; its size: the graph on the canvas
     std::string text;
     float width = 0;
 };
@@ -209,6 +210,7 @@ void draw_minimap(State& state) {
 
 void draw_overlays(State& state) {
     const View& view = state.view;
+    if (is_at_start(state) || regions_of(state).canvas.size.x <= 0) return;
     if (view.extent.x < 260 || view.extent.y < 140) return;
     draw_crumbs(state);
     draw_zoom(state);

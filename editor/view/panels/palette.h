@@ -7,8 +7,6 @@
 
 namespace wrinkle::editor {
 
-void draw_palette(State& state);
-
 // Returns the matches of a query, best first. Sort keys: the rank of search.h, no conversion on the
 // wire before a conversion, most recently used first, shorter title first. For an empty query, the
 // last key is the family instead: images, gradients, noises, then the rest.

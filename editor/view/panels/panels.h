@@ -1,4 +1,4 @@
-// Panels around the canvas. Each one draws into the current ImGui window or child.
+// Functions that panels share. ui.cpp has the table of panels.
 #pragma once
 
 #include <span>
@@ -8,14 +8,10 @@
 
 namespace wrinkle::editor {
 
-void draw_menu_bar(State& state);
-void draw_toolbar(State& state);
-void draw_status_bar(State& state, const struct Regions& regions);
-void draw_overlays(State& state);
-void draw_preview(State& state);
-void draw_code(State& state);
-void draw_problems(State& state);
-void draw_task(State& state);
+void draw_recent_files(State& state);  // rows of the File menu
+
+// Returns true if there is no file, node or undo step, and no empty graph was requested.
+bool is_at_start(const State& state);
 float problems_height(const State& state);
 void next_problem(State& state);                   // shows its message and frames its node
 std::string_view no_problems(const State& state);  // a sentence if there are none, else ""

@@ -6,8 +6,6 @@
 
 namespace wrinkle::editor {
 
-void draw_popup(State& state);
-
 // Opens the popup that edits the field: text, list or color. Tab continues with the next field.
 void open_field(State& state, const Card& card, const Field& field);
 void choose_picture(State& state);  // opens a list of images; the chosen one is added

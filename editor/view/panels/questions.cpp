@@ -1,5 +1,4 @@
-#include "editor/view/panels/questions.h"
-
+// Modal prompts for pending decisions (document/intent.h), and the list of recent files.
 #include <imgui.h>
 
 #include <ctime>

@@ -143,7 +143,10 @@ Regions find_regions(const Panes& panes, ImVec2 window, float problems, float ta
     return regions;
 }
 
-void draw_splitters(Panes& panes, const Regions& regions) {
+// Draws the splitters between the panes; a double click restores the default rule.
+void draw_splitters(State& state) {
+    Panes& panes = state.panes;
+    const Regions regions = regions_of(state);
     const Rect& work = regions.work;
     const Rect &canvas = regions.canvas, &problems = regions.problems;
     const Rect &preview = regions.preview, &code = regions.code;

@@ -32,7 +32,4 @@ Regions find_regions(const Panes& panes, ImVec2 window, float problems, float ta
 // Returns the regions of the current frame.
 Regions regions_of(const State& state);
 
-// Draws the splitters between the panes; a double click restores the default rule.
-void draw_splitters(Panes& panes, const Regions& regions);
-
 }  // namespace wrinkle::editor

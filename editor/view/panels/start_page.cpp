@@ -1,5 +1,4 @@
-#include "editor/view/panels/start_page.h"
-
+// Start page, shown while there is no graph: drop area for images, buttons, recent files, samples.
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -120,9 +120,11 @@ void draw_under_side(State& state, const Writer& w, float left, float right) {
 
 }  // namespace
 
-void draw_status_bar(State& state, const Regions& regions) {
+void draw_status_bar(State& state) {
+    const Regions regions = regions_of(state);
     const ImVec2 size = ImGui::GetWindowSize(), at = ImGui::GetWindowPos();
     const Writer w{state, *ImGui::GetWindowDrawList(), state.fonts.regular(14), at.y + 5};
+    w.list.AddLine(at, at + ImVec2(size.x, 0), theme::border);
     const bool column = regions.preview.size.x > 0 && regions.canvas.size.x > 0;
     const float side = column ? regions.preview.at.x : size.x;
     float end = side - 12;

@@ -1,32 +1,45 @@
 #include "editor/view/panels/ui.h"
-#include "editor/view/lifecycle.h"
-#include "editor/view/refresh.h"
 
 #include "editor/view/canvas/canvas.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/drop/drop.h"
-#include "editor/view/look/draw.h"
+#include "editor/view/lifecycle.h"
 #include "editor/view/look/theme.h"
-#include "editor/view/panels/bake_dialog.h"
-#include "editor/view/panels/box_text.h"
-#include "editor/view/panels/browser.h"
 #include "editor/view/panels/fields.h"
-#include "editor/view/panels/help.h"
-#include "editor/view/panels/offer_panel.h"
-#include "editor/view/panels/palette.h"
 #include "editor/view/panels/panels.h"
-#include "editor/view/panels/popups.h"
-#include "editor/view/panels/questions.h"
 #include "editor/view/panels/regions.h"
-#include "editor/view/panels/start_page.h"
+#include "editor/view/refresh.h"
 
 namespace wrinkle::editor {
+
+// To add a panel: its file, which defines `void draw_NAME(State&)`, and its declaration and row here.
+void draw_menu_bar(State& state);
+void draw_toolbar(State& state);
+void draw_task(State& state);
+void draw_status_bar(State& state);
+void draw_problems(State& state);
+void draw_preview(State& state);
+void draw_code(State& state);
+void draw_start_page(State& state);
+void draw_overlays(State& state);
+void draw_splitters(State& state);
+void draw_palette(State& state);
+void draw_offer(State& state);
+void draw_box_text(State& state);
+void draw_popup(State& state);
+void draw_bake_dialog(State& state);
+void draw_browser(State& state);
+void draw_help(State& state);
+void draw_hover_docs(State& state);
+void draw_copy_question(State& state);
+void draw_question(State& state);
+
 namespace {
 
 // ImGui window at a fixed position, ended by the destructor.
 class Region {
 public:
-    Region(const char* name, const Rect& rect, ImU32 color, ImVec2 padding = {0, 0}) {
+    Region(const char* name, const Rect& rect, ImU32 color, ImVec2 padding) {
         ImGui::SetNextWindowPos(rect.at);
         ImGui::SetNextWindowSize(rect.size);
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
@@ -46,47 +59,45 @@ public:
     }
 };
 
-void draw_bars(State& state, const Regions& regions) {
-    {
-        const Region region("##menu", regions.menu, theme::bar);
-        draw_menu_bar(state);
-    }
-    {
-        const Region region("##tools", regions.tools, theme::bar, {8, 6});
-        draw_toolbar(state);
-        const ImVec2 end = regions.tools.at + regions.tools.size;
-        ImGui::GetWindowDrawList()->AddLine({0, end.y - 1}, {end.x, end.y - 1}, theme::border);
-    }
-    if (regions.task.size.y > 0) {
-        const Region region("##task", regions.task, theme::bar, {12, 6});
-        draw_task(state);
-    }
-    const Region region("##status", regions.status, theme::bar, {12, 4});
-    ImGui::GetWindowDrawList()->AddLine(
-        regions.status.at, regions.status.at + ImVec2(regions.status.size.x, 0), theme::border);
-    draw_status_bar(state, regions);
+void draw_graph_pane(State& state) {
+    is_at_start(state) ? draw_start_page(state) : draw_canvas(state);
 }
 
-void draw_panes(State& state, const Regions& regions) {
-    if (regions.canvas.size.x > 0) {
-        {
-            const Region region("##canvas", regions.canvas, theme::canvas);
-            is_at_start(state) ? draw_start_page(state) : draw_canvas(state);
-        }
-        if (!is_at_start(state)) draw_overlays(state);
+// Fills a rectangle of the window.
+struct DockedPanel {
+    const char* window;
+    Rect Regions::*rect;
+    const ImU32* background;
+    ImVec2 padding;
+    void (*draw)(State&);
+};
+const DockedPanel docked_panels[] = {
+    {"##menu", &Regions::menu, &theme::bar, {0, 0}, draw_menu_bar},
+    {"##tools", &Regions::tools, &theme::bar, {8, 6}, draw_toolbar},
+    {"##task", &Regions::task, &theme::bar, {12, 6}, draw_task},
+    {"##status", &Regions::status, &theme::bar, {12, 4}, draw_status_bar},
+    {"##canvas", &Regions::canvas, &theme::canvas, {0, 0}, draw_graph_pane},
+    {"##problems", &Regions::problems, &theme::panel, {12, 5}, draw_problems},
+    {"##preview", &Regions::preview, &theme::panel, {0, 0}, draw_preview},
+    {"##code", &Regions::code, &theme::code, {0, 0}, draw_code},
+};
+// Open their own windows and popups above the others while they are shown, in this order.
+constexpr void (*floating_panels[])(State&) = {
+    draw_overlays, draw_splitters,  draw_palette,       draw_offer,
+    draw_box_text, draw_popup,      draw_bake_dialog,   draw_browser,
+    draw_help,     draw_hover_docs, draw_copy_question, draw_question,
+};
+
+void draw_panels(State& state) {
+    const Regions regions = regions_of(state);
+    for (const DockedPanel& panel : docked_panels) {
+        const Rect& rect = regions.*panel.rect;
+        if (rect.size.x <= 0 || rect.size.y <= 0) continue;
+        const Region region(panel.window, rect, *panel.background, panel.padding);
+        panel.draw(state);
     }
-    if (regions.problems.size.x > 0) {
-        const Region region("##problems", regions.problems, theme::panel, {12, 5});
-        draw_problems(state);
-    }
-    if (regions.preview.size.x > 0) {
-        const Region region("##preview", regions.preview, theme::panel);
-        draw_preview(state);
-    }
-    if (regions.code.size.x > 0) {
-        const Region region("##code", regions.code, theme::code);
-        draw_code(state);
-    }
+    for (const auto draw : floating_panels)
+        draw(state);
 }
 
 }  // namespace
@@ -99,20 +110,7 @@ void draw_ui(State& state) {
     poll_tasks(state);
     refresh(state);
     poll_images(state);
-    const Regions regions = regions_of(state);
-    draw_bars(state, regions);
-    draw_panes(state, regions);
-    draw_splitters(state.panes, regions);
-    draw_palette(state);
-    draw_offer(state);
-    draw_box_text(state);
-    draw_popup(state);
-    draw_bake_dialog(state);
-    draw_browser(state);
-    draw_help(state);
-    draw_hover_docs(state);
-    draw_copy_question(state);
-    draw_question(state);
+    draw_panels(state);
     handle_drops(state);
     tend(state);
 }
