@@ -1,4 +1,5 @@
 // In-place editor for the text of a note or the title of a frame.
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>

@@ -12,7 +12,8 @@
 
 namespace wrinkle::editor {
 
-// To add a panel: its file, which defines `void draw_NAME(State&)`, and its declaration and row here.
+// To add a panel: its file, which defines `void draw_NAME(State&)`, and its declaration and row
+// here.
 void draw_menu_bar(State& state);
 void draw_toolbar(State& state);
 void draw_task(State& state);
