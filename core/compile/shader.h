@@ -11,6 +11,7 @@
 namespace wrinkle {
 
 class TextureStore;
+struct Document;
 
 // Largest descriptor set and first binding that a caller may choose.
 inline constexpr int max_descriptor_set = 31, max_first_binding = 4095;
