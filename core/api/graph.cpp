@@ -48,7 +48,6 @@ std::shared_ptr<const Prepared> prepare(const Graph::Parts& parts, bool vertex_t
     problems = parts.problems;
     MaterialOptions options;
     options.given_differentials = true;
-    options.runs_calls = "evaluate";
     options.vertex_tangents = vertex_tangents;
     options.runs_calls = "eval";
     const Compiled compiled =

@@ -1,6 +1,7 @@
 #include "cli/bake_header.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/sha256.h"
 #include "base/text.h"
@@ -46,123 +47,116 @@ std::string report_json(const BakeReport& found) {
     return json::string_array(words);
 }
 
-// Reads the values of a header; sets `fine` to false if a value is missing or invalid.
-struct HeaderReader {
-    bool fine = true;
+// Thrown and caught in this file.
+struct InvalidHeader {};
 
-    json::Value item(const json::Value& from, std::string_view key, json::Kind kind) {
-        const json::Value value = from.is(json::Kind::object) ? from.find(key) : json::Value();
-        fine = fine && value.is(kind);
-        return value;
-    }
-    std::string text(const json::Value& from, std::string_view key) {
-        const json::Value value = item(from, key, json::Kind::string);
-        return fine ? std::string(value.as_string()) : "";
-    }
-    bool flag(const json::Value& from, std::string_view key) {
-        const json::Value value = item(from, key, json::Kind::boolean);
-        return fine && value.as_boolean();
-    }
-    uint64_t whole(const json::Value& value) {
-        fine = fine && value.is(json::Kind::number) && value.as_number() >= 0 &&
-               value.as_number() < 1e15;
-        return fine ? static_cast<uint64_t>(value.as_number()) : 0;
-    }
-    std::vector<std::string> texts(const json::Value& from, std::string_view key) {
-        std::vector<std::string> list;
-        const json::Value values = item(from, key, json::Kind::array);
-        for (const json::Member& member : values.children()) {
-            fine = fine && member.value.is(json::Kind::string);
-            if (fine) list.emplace_back(member.value.as_string());
-        }
-        return list;
-    }
-    std::pair<uint64_t, uint64_t> pair(const json::Value& from, std::string_view key) {
-        const json::Value values = item(from, key, json::Kind::array);
-        fine = fine && values.size() == 2;
-        return fine ? std::pair(whole(values.at(0)), whole(values.at(1)))
-                    : std::pair<uint64_t, uint64_t>(0, 0);
-    }
-    BakeReport report(const json::Value& from) {
-        const std::vector<std::string> words = texts(from, "found");
-        fine = fine && words.size() >= 5 && words.size() % 3 == 2;
-        BakeReport found;
-        if (!fine) return found;
-        const auto read = [&](size_t i, auto& number) {
-            fine = fine && parse_number(words[i], number);
-        };
-        read(0, found.overlapped);
-        read(1, found.overlap_uv.x);
-        read(2, found.overlap_uv.y);
-        read(3, found.overlap_triangle);
-        read(4, found.not_finite);
-        for (size_t i = 5; i < words.size(); i += 3) {
-            Clamped& lost = found.clamped.emplace_back();
-            read(i, lost.numbers);
-            read(i + 1, lost.least);
-            read(i + 2, lost.greatest);
-        }
-        return found;
-    }
-    PartHeader::Map map(const json::Value& from) {
-        PartHeader::Map map{text(from, "name"), text(from, "extension"), {}};
-        WriterOptions& w = map.writer;
-        w.channels = texts(from, "channels");
-        w.has_alpha = flag(from, "alpha");
-        w.compression = text(from, "compression");
-        w.tile = static_cast<uint32_t>(whole(item(from, "tile", json::Kind::number)));
-        const std::string type = text(from, "type");
-        bool known = false;
-        for (const PixelType each :
-             {PixelType::u8, PixelType::u16, PixelType::half, PixelType::float32})
-            if (name_of(each) == type) {
-                w.type = each;
-                known = true;
-            }
-        for (const json::Member& number : item(from, "numbers", json::Kind::object).children())
-            if (number.value.is(json::Kind::number))
-                w.numbers.push_back(
-                    {std::string(number.key), static_cast<float>(number.value.as_number())});
-        fine = fine && known && !w.channels.empty();
-        return map;
-    }
-};
+void require(bool valid) {
+    if (!valid) throw InvalidHeader();
+}
 
-std::optional<PartHeader> parse_header(const json::Value& root) {
-    HeaderReader reader;
+// Reads the values of a header; throws InvalidHeader if a value is missing or invalid.
+namespace read {
+
+json::Value item(const json::Value& from, std::string_view key, json::Kind kind) {
+    require(from.is(json::Kind::object));
+    const json::Value value = from.find(key);
+    require(value.is(kind));
+    return value;
+}
+
+std::string text(const json::Value& from, std::string_view key) {
+    return std::string(item(from, key, json::Kind::string).as_string());
+}
+
+uint64_t whole(const json::Value& value) {
+    require(value.is(json::Kind::number) && value.as_number() >= 0 && value.as_number() < 1e15);
+    return static_cast<uint64_t>(value.as_number());
+}
+
+std::vector<std::string> texts(const json::Value& from, std::string_view key) {
+    std::vector<std::string> list;
+    for (const json::Member& member : item(from, key, json::Kind::array).children()) {
+        require(member.value.is(json::Kind::string));
+        list.emplace_back(member.value.as_string());
+    }
+    return list;
+}
+
+std::pair<uint64_t, uint64_t> pair(const json::Value& from, std::string_view key) {
+    const json::Value values = item(from, key, json::Kind::array);
+    require(values.size() == 2);
+    return {whole(values.at(0)), whole(values.at(1))};
+}
+
+BakeReport report(const json::Value& from) {
+    const std::vector<std::string> words = texts(from, "found");
+    require(words.size() >= 5 && words.size() % 3 == 2);
+    BakeReport found;
+    const auto number = [&](size_t i, auto& value) { require(parse_number(words[i], value)); };
+    number(0, found.overlapped);
+    number(1, found.overlap_uv.x);
+    number(2, found.overlap_uv.y);
+    number(3, found.overlap_triangle);
+    number(4, found.not_finite);
+    for (size_t i = 5; i < words.size(); i += 3) {
+        Clamped& lost = found.clamped.emplace_back();
+        number(i, lost.numbers);
+        number(i + 1, lost.least);
+        number(i + 2, lost.greatest);
+    }
+    return found;
+}
+
+PixelType pixel_type(const std::string& name) {
+    for (const PixelType type :
+         {PixelType::u8, PixelType::u16, PixelType::half, PixelType::float32})
+        if (name_of(type) == name) return type;
+    throw InvalidHeader();
+}
+
+PartHeader::Map map(const json::Value& from) {
+    PartHeader::Map map{text(from, "name"), text(from, "extension"), {}};
+    WriterOptions& w = map.writer;
+    w.channels = texts(from, "channels");
+    w.has_alpha = item(from, "alpha", json::Kind::boolean).as_boolean();
+    w.compression = text(from, "compression");
+    w.tile = static_cast<uint32_t>(whole(item(from, "tile", json::Kind::number)));
+    w.type = pixel_type(text(from, "type"));
+    for (const json::Member& number : item(from, "numbers", json::Kind::object).children())
+        if (number.value.is(json::Kind::number))
+            w.numbers.push_back(
+                {std::string(number.key), static_cast<float>(number.value.as_number())});
+    require(!w.channels.empty());
+    return map;
+}
+
+PartHeader header(const json::Value& root) {
     PartHeader header;
-    header.identity = reader.text(root, "identity");
-    const auto shard = reader.pair(root, "shard");
-    const auto size = reader.pair(root, "size");
-    const auto bands = reader.pair(root, "rows_of_tiles");
-    header.shard = static_cast<uint32_t>(shard.first);
-    header.shards = static_cast<uint32_t>(shard.second);
-    header.pictures = reader.texts(root, "pictures");
-    header.first = bands.first;
-    header.last = bands.second;
-    header.done = reader.whole(reader.item(root, "done", json::Kind::number));
-    header.found = reader.report(root);
-    header.sums = reader.texts(root, "sums");
-    for (const json::Member& map : reader.item(root, "maps", json::Kind::array).children()) {
-        header.maps.push_back(reader.map(map.value));
-        header.maps.back().writer.width = static_cast<uint32_t>(size.first);
-        header.maps.back().writer.height = static_cast<uint32_t>(size.second);
-    }
+    header.identity = text(root, "identity");
+    std::tie(header.shard, header.shards) = pair(root, "shard");
+    std::tie(header.first, header.last) = pair(root, "rows_of_tiles");
+    header.pictures = texts(root, "pictures");
+    header.done = whole(item(root, "done", json::Kind::number));
+    header.found = report(root);
+    header.sums = texts(root, "sums");
+    const auto [width, height] = pair(root, "size");
+    require(width > 0 && height > 0 && width <= 65536 && height <= 65536);
     // Names and suffixes become parts of paths and must not contain '/'.
     const auto is_name = [](const std::string& text) { return text.find('/') == text.npos; };
-    for (const PartHeader::Map& map : header.maps)
-        reader.fine = reader.fine && is_name(map.name) && is_name(map.extension);
-    reader.fine =
-        reader.fine && std::all_of(header.pictures.begin(), header.pictures.end(), is_name);
-    const bool sane = reader.fine && !header.maps.empty() && size.first > 0 && size.second > 0 &&
-                      size.first <= 65536 && size.second <= 65536 && header.first <= header.done &&
-                      header.done <= header.last &&
-                      header.last <= header.pictures.size() * uint64_t{header.bands()} &&
-                      header.sums.size() == header.files_with_rows();
-    if (!sane) return {};
+    require(std::all_of(header.pictures.begin(), header.pictures.end(), is_name));
+    for (const json::Member& member : item(root, "maps", json::Kind::array).children()) {
+        PartHeader::Map& map = header.maps.emplace_back(read::map(member.value));
+        map.writer.width = static_cast<uint32_t>(width);
+        map.writer.height = static_cast<uint32_t>(height);
+        require(is_name(map.name) && is_name(map.extension));
+    }
+    require(!header.maps.empty() && header.first <= header.done && header.done <= header.last &&
+            header.last <= header.pictures.size() * uint64_t{header.bands()} &&
+            header.sums.size() == header.files_with_rows());
     return header;
 }
 
+}  // namespace read
 }  // namespace
 
 size_t PartHeader::row_bytes(size_t map) const {
@@ -222,7 +216,11 @@ std::string header_json(const PartHeader& header) {
 std::optional<PartHeader> header_of_json(const std::string& text) {
     Diagnostics ignored;
     if (!has_right_sum(text)) return {};
-    return parse_header(json::parse(text, "bake.json", ignored).root);
+    try {
+        return read::header(json::parse(text, "bake.json", ignored).root);
+    } catch (const InvalidHeader&) {
+        return {};
+    }
 }
 
 }  // namespace wrinkle::cli

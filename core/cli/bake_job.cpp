@@ -1,7 +1,5 @@
 #include "cli/bake_job.h"
 
-#include <algorithm>
-
 #include "bake/mesh_check.h"
 #include "base/file.h"
 #include "base/sha256.h"

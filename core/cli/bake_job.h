@@ -1,8 +1,6 @@
 // Prepared bake: mesh, compiled plans, UDIM tiles and output maps.
 #pragma once
 
-#include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>

@@ -18,31 +18,28 @@ std::string shard_text(uint64_t shard, const PartHeader& header) {
 
 bool check_parts(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
                  Diagnostics& diagnostics) {
+    const auto refuse = [&](size_t i, std::string message, std::string remedy) {
+        diagnostics.add(file_problem(Severity::error, folders[i].string(), std::move(message),
+                                     std::move(remedy)));
+    };
     for (size_t i = 0; i < headers.size(); ++i) {
         const PartHeader& header = headers[i];
+        const std::string shard = shard_text(header.shard, header);
         if (header.identity != headers[0].identity || header.shards != headers[0].shards)
-            diagnostics.add(file_problem(Severity::error, folders[i].string(),
-                                         "is a part of another bake than " + folders[0].string(),
-                                         "shards of one graph, mesh, program and set of options"));
+            refuse(i, "is a part of another bake than " + folders[0].string(),
+                   "shards of one graph, mesh, program and set of options");
         else if (header.done < header.last)
-            diagnostics.add(file_problem(Severity::error, folders[i].string(),
-                                         shard_text(header.shard, header) + " is not finished",
-                                         "bake it again, or with --resume"));
-        else if (header.shard != i + 1)
-            diagnostics.add(file_problem(Severity::error, folders[i].string(),
-                                         header.shard > i + 1
-                                             ? shard_text(i + 1, header) + " is missing"
-                                             : shard_text(header.shard, header) + " is there twice",
-                                         "every shard once"));
+            refuse(i, shard + " is not finished", "bake it again, or with --resume");
+        else if (header.shard > i + 1)
+            refuse(i, shard_text(i + 1, header) + " is missing", "every shard once");
+        else if (header.shard < i + 1)
+            refuse(i, shard + " is there twice", "every shard once");
         else
-            has_its_rows(folders[i], header, "bake " + shard_text(header.shard, header) + " again",
-                         diagnostics);
+            has_its_rows(folders[i], header, "bake " + shard + " again", diagnostics);
         if (diagnostics.has_errors()) return false;
     }
     if (headers.size() == headers[0].shards) return true;
-    diagnostics.add(file_problem(Severity::error, folders[0].string(),
-                                 shard_text(headers.size() + 1, headers[0]) + " is missing",
-                                 "every shard once"));
+    refuse(0, shard_text(headers.size() + 1, headers[0]) + " is missing", "every shard once");
     return false;
 }
 

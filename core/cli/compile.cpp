@@ -23,11 +23,9 @@ constexpr uint64_t default_cache_size = uint64_t{1} << 30;
 
 // Result of compiling one graph.
 struct Outcome {
-    Diagnostics diagnostics;
+    CompiledGraph graph;
     std::string unwritten;  // reason of a failed write; "" on success
-    std::string cost;
     Rule rule;
-    bool over_limit = false;
 };
 
 struct CompileCommand {
@@ -108,7 +106,7 @@ struct CompileCommand {
         shared.sharing = threads();
         each_graph([&](size_t i) { outcomes[i] = compile_one(outputs.files[i], shared); });
         for (size_t i = 0; i < outcomes.size() && shared.sharing > 1; ++i)
-            if (outcomes[i].over_limit) outcomes[i] = compile_one(outputs.files[i], with);
+            if (outcomes[i].graph.over_limit) outcomes[i] = compile_one(outputs.files[i], with);
         return outcomes;
     }
 
@@ -141,12 +139,9 @@ struct CompileCommand {
     }
 
     Outcome compile_one(const std::string& file, const Compilation& with) const {
-        Outcome outcome;
-        CompiledGraph graph = compile_graph(file, with);
-        outcome.diagnostics = std::move(graph.diagnostics);
-        outcome.over_limit = graph.over_limit;
-        if (outcome.diagnostics.has_errors()) return outcome;
-        outcome.cost = std::move(graph.cost);
+        Outcome outcome{compile_graph(file, with), "", {}};
+        CompiledGraph& graph = outcome.graph;
+        if (graph.diagnostics.has_errors()) return outcome;
         std::vector<Result> results;
         if (!outputs.texts) graph.texts.clear();
         for (Text& each : graph.texts)
@@ -177,7 +172,7 @@ struct CompileCommand {
             read.insert(read.end(), outcome.rule.from.begin(), outcome.rule.from.end());
             why = overwrite_fault(outputs.all_places(), read);
         }
-        if (!why.empty()) outcome.diagnostics.error(why);
+        if (!why.empty()) outcome.graph.diagnostics.error(why);
         return why.empty();
     }
 
@@ -191,7 +186,7 @@ struct CompileCommand {
     int finish(const std::vector<Outcome>& outcomes, Diagnostics& diagnostics) const {
         std::vector<Rule> rules;
         for (const Outcome& outcome : outcomes) {
-            diagnostics.append(outcome.diagnostics);
+            diagnostics.append(outcome.graph.diagnostics);
             rules.push_back(outcome.rule);
         }
         const bool fine = !diagnostics.has_errors();
@@ -214,7 +209,8 @@ struct CompileCommand {
     bool print_costs(const std::vector<Outcome>& outcomes) const {
         std::vector<GraphCost> costs;
         for (size_t i = 0; i < outcomes.size(); ++i)
-            if (!outcomes[i].cost.empty()) costs.push_back({outputs.files[i], outcomes[i].cost});
+            if (const std::string& cost = outcomes[i].graph.cost; !cost.empty())
+                costs.push_back({outputs.files[i], cost});
         return costs.empty() || write_result("-", printed_costs(costs, outputs.several(),
                                                                 text.json)) == exit_success;
     }

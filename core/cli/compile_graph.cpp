@@ -1,10 +1,10 @@
 #include "cli/compile_graph.h"
 
 #include "base/dynamic_library.h"
+#include "base/file_problem.h"
 #include "base/printable.h"
 #include "base/text.h"
 #include "cli/cache_entry.h"
-#include "cli/output.h"
 #include "cli/outputs.h"
 #include "cost/report.h"
 #include "spirv/spirv.h"

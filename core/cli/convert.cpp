@@ -5,7 +5,6 @@
 #include <span>
 
 #include "base/overwrite.h"
-#include "base/text.h"
 #include "cli/cli.h"
 #include "cli/output.h"
 #include "image/load.h"
@@ -66,14 +65,13 @@ PixelType type_named(const std::string& name) {
 }
 
 struct ConvertCommand {
-    std::string input, output, to, from, type, compression,
-        green = "gl", wrap = "clamp", per = "texel", from_per = "texel", diagnostics = "text";
-    float scale = 1;
+    maps::Source source;
+    maps::Target target;
+    std::string input, output, to, from, type, green = "gl", wrap = "clamp", per = "texel",
+                                               from_per = "texel", diagnostics = "text";
     std::vector<float> texel = {1};
-    uint32_t tile = 0;
-    bool mips = false;
 
-    int run() const {
+    int run() {
         if (const std::string why = wrong_usage(); !why.empty()) return fail(exit_usage, why);
         Diagnostics problems;
         const auto image = load_image(input, problems);
@@ -82,11 +80,13 @@ struct ConvertCommand {
             kind = from.empty() ? source_found(*image, input, problems) : named(source_kinds, from);
         const int code = report(problems, problems.has_errors() ? diagnostics : "text");
         if (code != exit_success) return code;
-        maps::Source source = described(*kind);
         source.image = &*image;
+        source.kind = kind->kind;
+        source.green = kind->green;
+        complete_options();
         maps::read_stored_scale(input, source);
         Diagnostics environment;
-        if (maps::convert(source, target(), output, environment)) return exit_success;
+        if (maps::convert(source, target, output, environment)) return exit_success;
         report(environment, diagnostics);
         return exit_environment;
     }
@@ -95,36 +95,24 @@ struct ConvertCommand {
         if (input == "-" || output == "-") return "convert reads and writes files, no streams";
         const std::string read[] = {input}, made[] = {output};
         if (const std::string why = overwrite_fault(made, read); !why.empty()) return why;
-        if (!std::isfinite(scale)) return "--scale is no number";
+        if (!std::isfinite(source.factor)) return "--scale is no number";
         if (texel.size() > 2) return "--texel takes one size or two";
         for (const float size : texel)
             if (!(size > 0)) return "--texel takes sizes above 0";
-        if (tile % 16 != 0) return "--tile " + std::to_string(tile) + " is no multiple of 16";
+        if (target.tile % 16 != 0)
+            return "--tile " + std::to_string(target.tile) + " is no multiple of 16";
         return {};
     }
 
-    maps::Source described(const KindName& kind) const {
-        maps::Source source;
-        source.kind = kind.kind;
-        source.green = kind.green;
+    void complete_options() {
         source.wrap = *wrap_named(wrap);
-        source.factor = scale;
         source.per = from_per == "uv" ? maps::Per::uv : maps::Per::texel;
         source.texel_width = texel.front();
         source.texel_height = texel.back();
-        return source;
-    }
-
-    maps::Target target() const {
-        maps::Target target;
         target.kind = named(target_kinds, to)->kind;
         target.green = green == "dx" ? maps::Green::dx : maps::Green::gl;
         target.per = per == "uv" ? maps::Per::uv : maps::Per::texel;
         target.type = type_named(type.empty() ? usual_type() : type);
-        target.compression = compression;
-        target.tile = tile;
-        target.mips = mips;
-        return target;
     }
 
     // Default pixel type: half if the format supports it, else the most precise supported type.
@@ -146,14 +134,16 @@ void declare_options(CLI::App& sub, ConvertCommand& c) {
                "What IN is; default: what it looks like, which is said");
     add_choice(sub, "--type", c.type, {"u8", "u16", "half", "float"},
                "Of its values; default: half, or what the format has");
-    sub.add_option("--compression", c.compression,
+    sub.add_option("--compression", c.target.compression,
                    "exr: none rle zip zips piz; tif: none lzw zip; default: zip")
         ->type_name("NAME");
     add_choice(sub, "--wrap", c.wrap, {"clamp", "repeat"}, "What lies beyond the border");
-    sub.add_flag("--mips", c.mips, "All levels, means of slopes and not of normals (.exr)");
-    sub.add_option("--tile", c.tile, "Tiles of this side (.exr, .tif); default: none, 64 with mips")
+    sub.add_flag("--mips", c.target.mips, "All levels, means of slopes and not of normals (.exr)");
+    sub.add_option("--tile", c.target.tile,
+                   "Tiles of this side (.exr, .tif); default: none, 64 with mips")
         ->type_name("N");
-    sub.add_option("--scale", c.scale, "The bump is so many times as high")->capture_default_str();
+    sub.add_option("--scale", c.source.factor, "The bump is so many times as high")
+        ->capture_default_str();
     sub.add_option("--texel", c.texel,
                    "Width, or width and height, of a texel in units of the scaled height")
         ->delimiter(',')

@@ -28,8 +28,8 @@ public:
 
 private:
     void begin(const std::vector<OutputColumn>& columns);
-    void add_csv(size_t point, const std::vector<OutputColumn>& columns);
-    void add_record(size_t point, const std::vector<OutputColumn>& columns);
+    void add_csv(double value);
+    void add_binary(double value);
 
     EvalForm form_;
     Precision precision_;
@@ -37,5 +37,9 @@ private:
     bool begun_ = false;
     std::string text_;
 };
+
+// Returns one point as JSON: {"normal": [0, 0, 1], "height": 0.5}.
+std::string values_json(const std::vector<OutputColumn>& columns, size_t point,
+                        Precision precision);
 
 }  // namespace wrinkle::cli

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text.h"
 #include "mesh/mesh.h"
 
 namespace wrinkle::cli {
@@ -71,15 +70,6 @@ void warn_of_lost_normals(const PointSource& source, size_t first, const PointSe
     }
 }
 
-void append_number_json(std::string& text, double value, Precision precision) {
-    if (!std::isfinite(value))
-        text += "null";
-    else if (precision == Precision::single)
-        append_shortest(text, static_cast<float>(value));
-    else
-        text += shortest(value);
-}
-
 }  // namespace
 
 bool evaluate_blocks(const MaterialRun& run, const TextureStore& textures,
@@ -123,30 +113,6 @@ std::optional<std::vector<OutputColumn>> evaluate_at(const MaterialRun& run,
     };
     if (!evaluate_blocks(run, textures, source_of(points), precision, take, diagnostics)) return {};
     return whole;
-}
-
-void append_values_json(std::string& text, const std::vector<OutputColumn>& columns, size_t point,
-                        Precision precision) {
-    text += '{';
-    for (const OutputColumn& column : columns) {
-        if (text.back() != '{') text += ", ";
-        text += json_quoted(column.name);
-        text += ": ";
-        if (column.lanes > 1) text += '[';
-        for (size_t lane = 0; lane < column.lanes; ++lane) {
-            if (lane > 0) text += ", ";
-            append_number_json(text, column.values[point * column.lanes + lane], precision);
-        }
-        if (column.lanes > 1) text += ']';
-    }
-    text += '}';
-}
-
-std::string values_json(const std::vector<OutputColumn>& columns, size_t point,
-                        Precision precision) {
-    std::string text;
-    append_values_json(text, columns, point, precision);
-    return text;
 }
 
 }  // namespace wrinkle::cli

@@ -29,11 +29,4 @@ std::optional<std::vector<OutputColumn>> evaluate_at(const MaterialRun& run,
                                                      const std::vector<Point>& points,
                                                      Precision precision, Diagnostics& diagnostics);
 
-// Writes one point: {"normal": [0, 0, 1], "height": 0.5}. Numbers round-trip in their precision;
-// values that are not finite are null.
-void append_values_json(std::string& text, const std::vector<OutputColumn>& columns, size_t point,
-                        Precision precision);
-std::string values_json(const std::vector<OutputColumn>& columns, size_t point,
-                        Precision precision);
-
 }  // namespace wrinkle::cli

@@ -6,10 +6,11 @@
 #include "base/file.h"
 #include "base/folders.h"
 #include "base/text.h"
+#include "cli/cli.h"
 #include "cli/output.h"
-#include "cli/session.h"
 #include "cli/texts.h"
 #include "nodes/all.h"
+#include "registry/registry.h"
 #include "registry/standard.h"
 
 namespace wrinkle::cli {

@@ -1,6 +1,8 @@
 #include "cli/npy.h"
 
+#include "base/text.h"
 #include "cli/arguments.h"
+#include "json/parse.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -15,106 +17,106 @@ size_t little_endian(std::string_view bytes, size_t first, size_t count) {
     return number;
 }
 
-// Parses the header: a Python dictionary literal.
+// Spells a Python literal as JSON: tuples as arrays, without commas before a closing bracket.
+// Returns "" for strings that are not closed or have escapes.
+std::string json_of(std::string_view text) {
+    std::string json;
+    for (size_t length = 1; !text.empty(); text.remove_prefix(length), length = 1) {
+        const char c = text[0];
+        if (c == '\'' || c == '"') {
+            length = text.find(c, 1) + 1;
+            if (length == 0) return {};
+            const std::string_view word = text.substr(1, length - 2);
+            if (word.find('\\') != word.npos) return {};
+            json += json_quoted(word);
+        } else if (c == ')' || c == ']' || c == '}') {
+            const size_t last = json.find_last_not_of(" \n");
+            if (last != json.npos && json[last] == ',') json.erase(last);
+            json += c == ')' ? ']' : c;
+        } else if (text.starts_with("True") || text.starts_with("False")) {
+            length = c == 'T' ? 4 : 5;
+            json += c == 'T' ? "true" : "false";
+        } else {
+            json += c == '(' ? '[' : c;
+        }
+    }
+    return json;
+}
+
+// Reads the header: a Python dictionary.
 class Header {
 public:
-    Header(std::string_view text, NpyTable& table, NpyProblem& problem)
-        : text_(text), table_(table), problem_(problem) {}
+    Header(NpyTable& table, NpyProblem& problem) : table_(table), problem_(problem) {}
 
-    bool read() {
-        if (!expect("{")) return false;
-        while (!accept("}")) {
-            std::string key;
-            if (!string(key) || !expect(":")) return false;
-            if (key == "descr" ? !fields() : key == "shape" ? !shape() : !order(key)) return false;
-            if (!accept(",") && !peek("}")) return broken();
+    bool read(std::string_view text) {
+        Diagnostics problems;
+        const json::Value root = json::parse(json_of(text), "", problems).root;
+        if (problems.has_errors() || !root.is(Kind::object)) return broken();
+        for (const json::Member& member : root.children()) {
+            const bool read = member.key == "descr"   ? fields(member.value)
+                              : member.key == "shape" ? shape(member.value)
+                                                      : order(member);
+            if (!read) return false;
         }
-        skip();
-        if (!text_.empty() || !has_shape_ || table_.fields.empty()) return broken();
-        return true;
+        return (has_shape_ && !table_.fields.empty()) || broken();
     }
 
 private:
+    using Kind = json::Kind;
+
     bool fail(std::string message, std::string expected) {
         problem_ = {std::move(message), std::move(expected)};
         return false;
     }
     bool broken() { return fail("has a header that cannot be read", "what numpy.save() writes"); }
-    void skip() {
-        const size_t first = text_.find_first_not_of(" \n");
-        text_.remove_prefix(first == text_.npos ? text_.size() : first);
-    }
-    bool peek(std::string_view word) {
-        skip();
-        return text_.starts_with(word);
-    }
-    bool accept(std::string_view word) {
-        if (!peek(word)) return false;
-        text_.remove_prefix(word.size());
-        return true;
-    }
-    bool expect(std::string_view word) { return accept(word) || broken(); }
 
-    bool string(std::string& value) {
-        if (!peek("'") && !peek("\"")) return broken();
-        const size_t end = text_.find(text_[0], 1);
-        if (end == text_.npos) return broken();
-        value = text_.substr(1, end - 1);
-        text_.remove_prefix(end + 1);
-        return value.find('\\') == value.npos || broken();
+    bool order(const json::Member& member) {
+        if (member.key != "fortran_order" || !member.value.is(Kind::boolean)) return broken();
+        return !member.value.as_boolean() ||
+               fail("has Fortran order", "records one after the other");
     }
-    bool number(size_t& value) {
-        skip();
-        const auto [end, error] = std::from_chars(text_.data(), text_.data() + text_.size(), value);
-        if (error != std::errc{}) return broken();
-        text_.remove_prefix(static_cast<size_t>(end - text_.data()));
-        return true;
-    }
-
-    bool order(const std::string& key) {
-        if (key != "fortran_order") return broken();
-        return accept("False") || fail("has Fortran order", "records one after the other");
-    }
-    bool shape() {
+    bool shape(const json::Value& value) {
         has_shape_ = true;
-        if (!expect("(") || !number(table_.count) || !expect(",")) return false;
-        return accept(")") || fail("has more than one dimension", "one record for each point");
+        if (value.size() > 1)
+            return fail("has more than one dimension", "one record for each point");
+        const bool is_count = value.is(Kind::array) && value.size() == 1 &&
+                              value.at(0).is(Kind::number) &&
+                              parse_number(value.at(0).spelling(), table_.count);
+        return is_count || broken();
     }
 
-    bool fields() {
-        if (peek("'") || peek("\""))
+    bool fields(const json::Value& value) {
+        if (value.is(Kind::string))
             return fail("holds numbers without names",
                         "fields such as [('uv0.x', '<f4'), ('uv0.y', '<f4')]");
-        if (!expect("[")) return false;
-        while (!accept("]")) {
-            NpyField field;
-            std::string type;
-            if (!expect("(") || !string(field.name) || !expect(",") || !string(type)) return false;
-            if (!accept(")"))
-                return fail("has a field '" + field.name + "' of several numbers",
+        if (!value.is(Kind::array)) return broken();
+        for (const json::Member& member : value.children()) {
+            const json::Value& pair = member.value;
+            if (!pair.is(Kind::array) || pair.size() < 2 || !pair.at(0).is(Kind::string) ||
+                !pair.at(1).is(Kind::string))
+                return broken();
+            const std::string name(pair.at(0).as_string()), type(pair.at(1).as_string());
+            if (pair.size() > 2)
+                return fail("has a field '" + name + "' of several numbers",
                             "one number in each field: 'uv0.x', 'uv0.y'");
-            if (!add(field, type)) return false;
-            if (!accept(",") && !peek("]")) return broken();
+            if (!add(name, type)) return false;
         }
         return true;
     }
-    bool add(NpyField& field, const std::string& type) {
-        field.offset = table_.record;
-        size_t padding = 0;
+    bool add(const std::string& name, const std::string& type) {
+        size_t size = type == "<f8" ? 8 : 4;
         if (type.starts_with("|V")) {
-            if (!parse_number(std::string_view(type).substr(2), padding) || padding > 65536)
+            if (!parse_number(std::string_view(type).substr(2), size) || size > 65536)
                 return broken();
         } else if (type == "<f4" || type == "<f8") {
-            field.is_double = type == "<f8";
-            table_.fields.push_back(field);
+            table_.fields.push_back({name, table_.record, type == "<f8"});
         } else {
-            return fail("has a field '" + field.name + "' of type " + type, "<f4 or <f8");
+            return fail("has a field '" + name + "' of type " + type, "<f4 or <f8");
         }
-        table_.record += padding > 0 ? padding : field.is_double ? 8 : 4;
+        table_.record += size;
         return true;
     }
 
-    std::string_view text_;
     NpyTable& table_;
     NpyProblem& problem_;
     bool has_shape_ = false;
@@ -135,7 +137,7 @@ std::optional<NpyTable> read_npy(std::string_view bytes, NpyProblem& problem) {
     if (length > bytes.size() - begin) return cut();
     NpyTable table;
     table.first = begin + length;
-    if (!Header(bytes.substr(begin, length), table, problem).read()) return {};
+    if (!Header(table, problem).read(bytes.substr(begin, length))) return {};
     const size_t held = bytes.size() - table.first;
     if (held % table.record != 0 || held / table.record != table.count) {
         problem = {"holds " + std::to_string(held) + " bytes of points, not " +

@@ -36,28 +36,29 @@ struct Loaded {
     bool fine() const { return !reports.empty() && reports.front().is_taken(); }
 };
 
-void load(const std::string& file, bool built_in, Loaded& loaded, Diagnostics& diagnostics) {
+Loaded load(const std::string& file, bool built_in, Diagnostics& diagnostics) {
+    Loaded loaded;
     if (built_in) loaded.registry.add_plugin(built_in_nodes(), Registry::built_in, diagnostics);
     const std::vector<std::string> places{file};
     loaded.reports = load_plugins(loaded.registry, places, diagnostics);
+    return loaded;
 }
 
 // Loads the plugin. A plugin that defines a built-in id is refused, unless it defines all built-in
 // nodes and thus replaces them.
-void load(const std::string& file, Loaded& loaded, Diagnostics& diagnostics) {
-    Diagnostics refused;
-    load(file, true, loaded, refused);
-    if (loaded.fine()) return diagnostics.append(refused);
-    Loaded alone, built_in;
-    Diagnostics ignored;
-    load(file, false, alone, ignored);
-    built_in.registry.add_plugin(built_in_nodes(), Registry::built_in, ignored);
-    const auto ids = built_in.registry.ids();
-    const auto is_there = [&](const std::string& id) { return alone.registry.find(id); };
-    if (alone.fine() && std::all_of(ids.begin(), ids.end(), is_there))
-        std::swap(loaded, alone);
-    else
-        diagnostics.append(refused);
+Loaded load(const std::string& file, Diagnostics& diagnostics) {
+    Diagnostics refused, ignored;
+    Loaded loaded = load(file, true, refused);
+    if (!loaded.fine()) {
+        Loaded alone = load(file, false, ignored);
+        Registry built_in;
+        built_in.add_plugin(built_in_nodes(), Registry::built_in, ignored);
+        const auto ids = built_in.ids();
+        const auto is_there = [&](const std::string& id) { return alone.registry.find(id); };
+        if (alone.fine() && std::all_of(ids.begin(), ids.end(), is_there)) return alone;
+    }
+    diagnostics.append(refused);
+    return loaded;
 }
 
 TypeList types_of(const Loaded& loaded) {
@@ -119,8 +120,7 @@ void declare_certify(CLI::App& command, CertifyOptions& options) {
 
 int certify_plugin(const CertifyOptions& options) {
     Diagnostics diagnostics;
-    Loaded loaded;
-    load(options.file, loaded, diagnostics);
+    const Loaded loaded = load(options.file, diagnostics);
     if (!loaded.fine()) return report(diagnostics, options.diagnostics);
     std::string why;
     const auto pictures = certify::PictureFolder::make(why);

@@ -11,7 +11,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "base/diagnostics.h"
 #include "cpu/columns.h"

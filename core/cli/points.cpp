@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "cli/session.h"
 #include "graph/document.h"
 #include "ir/op.h"
 #include "json/parse.h"

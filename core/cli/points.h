@@ -8,12 +8,10 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "cli/session.h"
 #include "cpu/columns.h"
 #include "json/value.h"
 

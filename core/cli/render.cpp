@@ -9,7 +9,6 @@
 #include "base/file.h"
 #include "base/overwrite.h"
 #include "base/printable.h"
-#include "base/text.h"
 #include "cli/arguments.h"
 #include "cli/meshes.h"
 #include "cli/output.h"
@@ -23,22 +22,22 @@ namespace {
 struct RenderCommand {
     CommonOptions common;
     std::string file, output;
-    std::string mesh = "sphere", size = "512x512", view = "shaded", against;
-    bool displace = false;
+    PictureOptions picture;
+    std::string size = "512x512", view = "shaded";
     std::string lighting = "ggx", phong, environment, background = "environment";
 
     int run() const {
-        PictureOptions options;
+        PictureOptions options = picture;
         if (const std::string why = read_options(options); !why.empty())
             return fail(exit_usage, why);
         Diagnostics diagnostics;
         bool double_sided = false;
         std::vector<std::string> read = option_files();
-        const auto drawn_on = open_mesh(mesh, common, diagnostics, &read, &double_sided);
+        const auto drawn_on = open_mesh(picture.mesh, common, diagnostics, &read, &double_sided);
         if (!environment.empty()) read.push_back(environment);
         if (!environment.empty())
-            if (auto picture = load_environment(environment, diagnostics))
-                options.environment = std::move(*picture);
+            if (auto image = load_environment(environment, diagnostics))
+                options.environment = std::move(*image);
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
         if (overrides.is_sweep() && output == "-")
@@ -52,8 +51,8 @@ struct RenderCommand {
             shaders.push_back(emit_function(run, material_name(file), problems));
         };
         compile_runs(file, common, nodes.registry, overrides, Purpose::render, use, diagnostics,
-                     double_sided ? mesh : "");
-        if (displace && !diagnostics.has_errors())
+                     double_sided ? picture.mesh : "");
+        if (picture.displace && !diagnostics.has_errors())
             meshes = displaced(*drawn_on, nodes, overrides, textures, diagnostics);
         const int code = report(diagnostics, common.diagnostics);
         if (code != exit_success) return code;
@@ -87,15 +86,13 @@ struct RenderCommand {
 
     // Returns one sentence on wrong usage, otherwise "".
     std::string read_options(PictureOptions& options) const {
-        options.mesh = mesh;
-        options.against = against;
         options.view = *gpu::view_named(view);
         options.backdrop = background == "environment";
         options.lighting = lighting == "phong" ? gpu::Lighting::phong : gpu::Lighting::ggx;
         const std::string type = fs::path(output).extension().string();
         if (!parse_size(size, options.width, options.height))
             return "--size " + size + " is no size; 512x512 is one, at most 16384 a side";
-        if (!against.empty() && options.view != gpu::View::difference)
+        if (!options.against.empty() && options.view != gpu::View::difference)
             return "--against goes with --view difference";
         if (options.view != gpu::View::shaded && !(environment.empty() && phong.empty()))
             return "--environment and --phong go with --view shaded";
@@ -123,12 +120,12 @@ struct RenderCommand {
             return exit_environment;
         }
         for (size_t i = 0; i < shaders.size(); ++i) {
-            if (displace) painter->show(displaced[i]);
-            const auto picture = painter->draw(shaders[i], textures, diagnostics);
-            if (!picture) return report(diagnostics, common.diagnostics);
+            if (options.displace) painter->show(displaced[i]);
+            const auto drawn = painter->draw(shaders[i], textures, diagnostics);
+            if (!drawn) return report(diagnostics, common.diagnostics);
             const std::string path = path_of_run(output, overrides, i);
-            if (!save(picture->image, path)) return exit_environment;
-            if (options.view == gpu::View::difference) print(picture->angles, path);
+            if (!save(drawn->image, path)) return exit_environment;
+            if (options.view == gpu::View::difference) print(drawn->angles, path);
         }
         return exit_success;
     }
@@ -171,15 +168,15 @@ void declare_render(CLI::App& app, Run& run) {
     sub.add_option("-o", c.output, "The picture: .png, .jpg or .tif; - is standard output")
         ->type_name("OUT")
         ->required();
-    sub.add_option("--mesh", c.mesh, "What it is drawn on: " + mesh_help())
+    sub.add_option("--mesh", c.picture.mesh, "What it is drawn on: " + mesh_help())
         ->type_name("NAME|PATH")
         ->check(check_mesh)
         ->capture_default_str();
     sub.add_option("--size", c.size, "Of the picture")->type_name("WxH")->capture_default_str();
     add_choice(sub, "--view", c.view, gpu::view_names(), "What it shows");
-    sub.add_flag("--displace", c.displace,
+    sub.add_flag("--displace", c.picture.displace,
                  "Moves the mesh, in fine triangles, by the output 'displacement'");
-    sub.add_option("--against", c.against,
+    sub.add_option("--against", c.picture.against,
                    "The output that the difference is taken against; "
                    "default: the normal without bumps")
         ->type_name("OUTPUT");

@@ -1,7 +1,6 @@
 // wrinkle test PATH...: runs regression cases (cli/test_case.h).
 #include <cstdio>
 
-#include "base/file.h"
 #include "cli/output.h"
 #include "cli/test_run.h"
 

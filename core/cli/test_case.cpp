@@ -7,7 +7,6 @@
 #include "cli/meshes.h"
 #include "cli/output.h"
 #include "cli/session.h"
-#include "graph/document.h"
 #include "json/parse.h"
 
 namespace wrinkle::cli {

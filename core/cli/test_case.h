@@ -10,7 +10,6 @@
 
 #include "cli/picture.h"
 #include "cli/points.h"
-#include "cli/session.h"
 #include "json/value.h"
 
 namespace wrinkle::cli {

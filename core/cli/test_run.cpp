@@ -8,6 +8,7 @@
 #include "base/overwrite.h"
 #include "base/printable.h"
 #include "base/text.h"
+#include "cli/eval_text.h"
 #include "cli/meshes.h"
 #include "cli/output.h"
 #include "image/load.h"

@@ -1,6 +1,5 @@
 #include "cost/counted_shader.h"
 
-#include <algorithm>
 #include <cctype>
 #include <set>
 #include <string_view>

@@ -1,5 +1,4 @@
 // Translates a GLSL 4.50 Shader to the language of its target.
-#include <array>
 #include <charconv>
 
 #include "base/dynamic_library.h"

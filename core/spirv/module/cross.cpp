@@ -2,7 +2,6 @@
 
 #include <cstring>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "spirv/module/parts.h"

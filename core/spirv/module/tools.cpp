@@ -79,3 +79,15 @@ int32_t disassemble(WrinkleSpirvWords in, WrinkleSpirvSink text, WrinkleSpirvSin
 }
 
 }  // namespace wrinkle::spirv
+
+extern "C" __attribute__((visibility("default"))) const WrinkleSpirvModule* wrinkle_spirv_module() {
+    using namespace wrinkle::spirv;
+    static const WrinkleSpirvModule table = {sizeof(WrinkleSpirvModule),
+                                             WRINKLE_SPIRV_MODULE_VERSION,
+                                             compile,
+                                             optimise,
+                                             validate,
+                                             disassemble,
+                                             translate};
+    return &table;
+}
