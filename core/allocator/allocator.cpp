@@ -1,5 +1,5 @@
-// Compiling makes and drops a hundred small things for every node, which mimalloc does faster than
-// the C library. It has no header: a program that links this folder has it.
+// Replaces the allocator of a program that links this folder by mimalloc, which is faster for the
+// hundreds of small allocations that compilation makes per node.
 
 #include <mimalloc.h>
 
@@ -7,12 +7,12 @@
 
 namespace {
 
-// A user's MIMALLOC_... of the environment stand above these.
+// Environment variables MIMALLOC_... override these defaults.
 [[maybe_unused]] const bool settled = [] {
-    // A graph of ten thousand nodes and the pictures of a bake reach all over their memory: pages
-    // of 2 MiB, where the system has them to give, spare misses of the table of pages.
+    // Large graphs and bakes access much memory at random: huge pages of 2 MiB, if available, avoid
+    // TLB misses.
     mi_option_set_enabled_default(mi_option_large_os_pages, true);
-    // What one graph let go, the next one takes: it goes back to the system after a second's rest.
+    // Memory that one graph frees is reused by the next; it returns to the system after a second.
     mi_option_set_default(mi_option_decommit_delay, 1000);
     return true;
 }();
@@ -24,7 +24,8 @@ void* or_throw(void* memory) {
 
 }  // namespace
 
-// Built as C, mimalloc's own ends the program where memory does. It has the ways to delete.
+// mimalloc is built as C: its operator new ends the program when memory is exhausted. Its operators
+// delete are used.
 void* operator new(std::size_t size) {
     return or_throw(mi_malloc(size));
 }

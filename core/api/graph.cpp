@@ -5,7 +5,7 @@
 namespace wrinkle::api {
 namespace {
 
-// The emitter's options; a wrong one is the caller's problem.
+// Returns the emitter's options and reports invalid ones.
 EmitOptions emit_options(const CompileOptions& wanted, const std::string& file,
                          Diagnostics& diagnostics) {
     EmitOptions options;
@@ -69,7 +69,8 @@ std::shared_ptr<const Prepared> prepared_once(const Graph::Parts& parts, bool ve
     return prepared;
 }
 
-// Work on the parts of a graph, or why there is none to do.
+// Calls work(parts, result); for an empty or unreadable graph, and for an exception, the result holds
+// only the problems.
 template <class Result, class Work>
 Result guarded(const std::shared_ptr<const Graph::Parts>& parts, Work work) noexcept {
     Result result;
@@ -112,20 +113,9 @@ Problems Graph::check(bool vertex_tangents) const noexcept {
         .problems;
 }
 
-namespace {
-
-InputFile::Kind kind_of(const wrinkle::InputFile& file) {
-    switch (file.kind) {
-        case wrinkle::InputFile::Kind::image:
-            return InputFile::Kind::image;
-        case wrinkle::InputFile::Kind::plugin:
-            return InputFile::Kind::plugin;
-        default:
-            return InputFile::Kind::graph;
-    }
-}
-
-}  // namespace
+// The enumerators of both have the same order.
+static_assert(static_cast<int>(InputFile::Kind::plugin) ==
+              static_cast<int>(wrinkle::InputFile::Kind::plugin));
 
 std::vector<InputFile> Graph::inputs() const noexcept {
     struct Listed {
@@ -136,7 +126,8 @@ std::vector<InputFile> Graph::inputs() const noexcept {
                            [&](const Parts& parts, Listed& listed) {
                                const Types types(parts.project, parts.library->registry);
                                for (wrinkle::InputFile& file : inputs_of(parts.project, types))
-                                   listed.files.push_back({kind_of(file), std::move(file.path)});
+                                   listed.files.push_back({static_cast<InputFile::Kind>(file.kind),
+                                                           std::move(file.path)});
                            })
         .files;
 }

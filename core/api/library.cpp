@@ -56,7 +56,7 @@ Problems Library::problems() const noexcept {
 
 namespace {
 
-// Reads into fresh parts; what stops it is kept as what they are unusable for.
+// Reads a graph; an exception becomes the problem that makes its parts unusable.
 template <class Read>
 std::shared_ptr<const Graph::Parts> read_graph(std::shared_ptr<const Library::Parts> library,
                                                Read read) noexcept {
@@ -95,7 +95,7 @@ Graph Library::load_text(const std::string& text, const std::string& folder,
     }));
 }
 
-// Values go over a copy of the project, whose documents are shared.
+// The copy of the project shares its documents.
 Graph Graph::with(const std::vector<std::string>& values) const noexcept {
     if (!parts_ || !parts_->whole) return *this;
     return Graph(read_graph(parts_->library, [&](Graph::Parts& parts) {

@@ -1,5 +1,5 @@
-// What the handles of wrinkle/wrinkle.h stand for, and the border itself: problems as the caller
-// gets them, and exceptions that become some.
+// Data behind the handles of wrinkle/wrinkle.h, and conversion of diagnostics and exceptions to
+// problems of the interface.
 #pragma once
 
 #include <wrinkle/wrinkle.h>
@@ -22,21 +22,21 @@ struct WRINKLE_INSIDE Library::Parts {
     Diagnostics problems;
 };
 
-// A graph made ready to be evaluated.
+// A graph that is compiled for evaluation.
 struct WRINKLE_INSIDE Prepared {
     Program program;
     std::vector<Texture> textures;
-    Diagnostics problems;  // with an error nothing else is there
+    Diagnostics problems;  // after an error, the other members are empty
 };
 
 struct WRINKLE_INSIDE Graph::Parts {
     std::shared_ptr<const Library::Parts> library;
     Project project;
-    Diagnostics problems;  // of reading, and of values that were set
-    bool whole = false;    // else reading was stopped by what `unusable` says
+    Diagnostics problems;  // from reading and from with()
+    bool whole = false;    // false: an exception stopped reading, see `unusable`
     Problems unusable;
 
-    // Made by the first who asks, for everybody; by vertex_tangents.
+    // Compiled by the first evaluate(), shared by all copies; by vertex_tangents.
     mutable std::mutex mutex;
     mutable std::array<std::shared_ptr<const Prepared>, 2> prepared;
 };
@@ -44,14 +44,14 @@ struct WRINKLE_INSIDE Graph::Parts {
 WRINKLE_INSIDE Problem problem_of(const Diagnostic& diagnostic);
 WRINKLE_INSIDE Problems problems_of(const Diagnostics& diagnostics);
 
-// Of a handle that holds nothing.
+// Problem of an empty handle.
 WRINKLE_INSIDE Problems no_graph();
 
-// In a catch block: the exception under way as the one problem; none where there is no memory even
-// for that.
+// Returns the current exception as a problem; an empty list if there is no memory for one.
+// Precondition: called in a catch block.
 WRINKLE_INSIDE Problems caught() noexcept;
 
-// The arrays as the evaluator takes them, with `facing` where nobody gives it.
+// Converts the arrays to the evaluator's points, with 1 for a missing `facing`; reports problems.
 WRINKLE_INSIDE PointSet point_set(const Points& points, const Program& program, bool single,
                                   Diagnostics& diagnostics);
 

@@ -46,7 +46,6 @@ PointSet point_set(const Points& points, const Program& program, bool single,
                    Diagnostics& diagnostics) {
     PointSet set;
     set.count = points.count;
-    std::vector<const Values*> given;
     for (const auto& [name, values] : points.values) {
         const auto input = find_input(name);
         if (!input)

@@ -16,14 +16,14 @@ struct BakeCommand {
     int run() const {
         const Interruption interruption;
         if (!options.merge.empty()) return merge();
-        BakeRequest wishes;
+        BakeRequest request;
         std::string why;
-        if (!read_request(options, wishes, why)) return fail(exit_usage, why);
+        if (!read_request(options, request, why)) return fail(exit_usage, why);
         Diagnostics diagnostics;
-        auto job = make_bake_job(options, wishes, diagnostics);
+        auto job = make_bake_job(options, request, diagnostics);
         if (!job) return report(diagnostics, options.common.diagnostics);
         const PartHeader header = header_of(*job);
-        if (!wishes.is_shard() && !can_be_written(header, why)) return fail(exit_usage, why);
+        if (!request.is_shard() && !can_be_written(header, why)) return fail(exit_usage, why);
         if (!may_be_written(*job, header, diagnostics))
             return report(diagnostics, options.common.diagnostics);
         BakeOutcome outcome = carry_out(*job, header);
@@ -52,7 +52,7 @@ struct BakeCommand {
         return true;
     }
 
-    std::string depfile_place() const {
+    std::string depfile_path() const {
         return options.depfile.path.empty() ? options.output + ".d" : options.depfile.path;
     }
 
@@ -60,16 +60,16 @@ struct BakeCommand {
     // be written to the dependency file.
     bool may_be_written(const BakeJob& job, const PartHeader& header,
                         Diagnostics& diagnostics) const {
-        std::vector<std::string> places;
-        for (size_t picture = 0; header.shards == 1 && picture < job.pictures.size(); ++picture)
-            for (const MapFile& file : header.files(options.output, picture, options.threads))
-                places.push_back(file.path.string());
+        std::vector<std::string> paths;
+        for (size_t set = 0; header.shards == 1 && set < job.sets.size(); ++set)
+            for (const MapFile& file : header.files(options.output, set, options.threads))
+                paths.push_back(file.path.string());
         std::string why;
-        if (options.depfile.wanted) why = depfile_fault({{places, job.inputs}}, options.depfile);
-        if (options.depfile.wanted) places.push_back(depfile_place());
+        if (options.depfile.wanted) why = depfile_fault({{paths, job.inputs}}, options.depfile);
+        if (options.depfile.wanted) paths.push_back(depfile_path());
         std::vector<std::string> read = option_files();
         read.insert(read.end(), job.inputs.begin(), job.inputs.end());
-        if (why.empty()) why = overwrite_fault(places, read);
+        if (why.empty()) why = overwrite_fault(paths, read);
         if (!why.empty()) diagnostics.error(why);
         return why.empty();
     }
@@ -100,7 +100,7 @@ struct BakeCommand {
     bool write_depfile(const BakeJob& job, const BakeOutcome& outcome) const {
         const Depfile& depfile = options.depfile;
         if (!depfile.wanted || !outcome.done) return true;
-        return write_result(depfile_place(), make_rules({{outcome.files, job.inputs}}, depfile)) ==
+        return write_result(depfile_path(), make_rules({{outcome.files, job.inputs}}, depfile)) ==
                exit_success;
     }
 
@@ -115,11 +115,11 @@ struct BakeCommand {
         if (headers.empty()) return report(diagnostics, options.common.diagnostics);
         std::string why;
         if (!can_be_written(headers[0], why)) return fail(exit_usage, why);
-        const uint64_t pictures = headers[0].pictures.size();
+        const uint64_t sets = headers[0].sets.size();
         BakeOutcome outcome;
         {
             Progress progress(Progress::form_for(options.json), "texels",
-                              pictures * headers[0].width() * headers[0].height());
+                              sets * headers[0].width() * headers[0].height());
             outcome = join_parts(folders, headers, options.output, options.threads, progress);
         }
         return finish(outcome);

@@ -135,7 +135,7 @@ PartHeader header(const json::Value& root) {
     header.identity = text(root, "identity");
     std::tie(header.shard, header.shards) = pair(root, "shard");
     std::tie(header.first, header.last) = pair(root, "rows_of_tiles");
-    header.pictures = texts(root, "pictures");
+    header.sets = texts(root, "pictures");
     header.done = whole(item(root, "done", json::Kind::number));
     header.found = report(root);
     header.sums = texts(root, "sums");
@@ -143,7 +143,7 @@ PartHeader header(const json::Value& root) {
     require(width > 0 && height > 0 && width <= 65536 && height <= 65536);
     // Names and suffixes become parts of paths and must not contain '/'.
     const auto is_name = [](const std::string& text) { return text.find('/') == text.npos; };
-    require(std::all_of(header.pictures.begin(), header.pictures.end(), is_name));
+    require(std::all_of(header.sets.begin(), header.sets.end(), is_name));
     for (const json::Member& member : item(root, "maps", json::Kind::array).children()) {
         PartHeader::Map& map = header.maps.emplace_back(read::map(member.value));
         map.writer.width = static_cast<uint32_t>(width);
@@ -151,7 +151,7 @@ PartHeader header(const json::Value& root) {
         require(is_name(map.name) && is_name(map.extension));
     }
     require(!header.maps.empty() && header.first <= header.done && header.done <= header.last &&
-            header.last <= header.pictures.size() * uint64_t{header.bands()} &&
+            header.last <= header.sets.size() * uint64_t{header.bands()} &&
             header.sums.size() == header.files_with_rows());
     return header;
 }
@@ -164,28 +164,27 @@ size_t PartHeader::row_bytes(size_t map) const {
     return size_t{w.width} * w.channels.size() * bytes_of(w.type);
 }
 
-uint64_t PartHeader::bytes_of_rows(size_t picture, size_t map) const {
+uint64_t PartHeader::bytes_of_rows(size_t set, size_t map) const {
     uint64_t rows = 0;
-    const uint64_t end = std::min(done, (picture + 1) * uint64_t{bands()});
-    for (uint64_t band = std::max(first, picture * uint64_t{bands()}); band < end; ++band)
+    const uint64_t end = std::min(done, (set + 1) * uint64_t{bands()});
+    for (uint64_t band = std::max(first, set * uint64_t{bands()}); band < end; ++band)
         rows += rows_of(band);
     return rows * row_bytes(map);
 }
 
 uint32_t PartHeader::rows_of(uint64_t band) const {
-    const auto in_picture = static_cast<uint32_t>(band % bands());
-    return std::min(bake_tile, height() - in_picture * bake_tile);
+    const auto in_set = static_cast<uint32_t>(band % bands());
+    return std::min(bake_tile, height() - in_set * bake_tile);
 }
 
-std::vector<MapFile> PartHeader::files(const std::string& output, size_t picture,
+std::vector<MapFile> PartHeader::files(const std::string& output, size_t set,
                                        uint32_t threads) const {
     std::vector<MapFile> files;
     for (const Map& map : maps) {
         const bool one_file = maps.size() == 1;
         const std::string extension =
             one_file ? fs::path(output).extension().string() : map.extension;
-        files.push_back(
-            {map_path(output, one_file, map.name, pictures[picture], extension), map.writer});
+        files.push_back({map_path(output, one_file, map.name, sets[set], extension), map.writer});
         files.back().options.threads = threads;
     }
     return files;
@@ -205,7 +204,7 @@ std::string header_json(const PartHeader& header) {
         ",\n  \"shard\": [" + std::to_string(header.shard) + ", " + std::to_string(header.shards) +
         "],\n  \"size\": [" + std::to_string(header.width()) + ", " +
         std::to_string(header.height()) + "],\n  \"maps\": [" + maps +
-        "],\n  \"pictures\": " + json::string_array(header.pictures) + ",\n  \"rows_of_tiles\": [" +
+        "],\n  \"pictures\": " + json::string_array(header.sets) + ",\n  \"rows_of_tiles\": [" +
         std::to_string(header.first) + ", " + std::to_string(header.last) +
         "],\n  \"done\": " + std::to_string(header.done) +
         ",\n  \"sums\": " + json::string_array(header.sums) +

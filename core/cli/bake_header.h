@@ -21,7 +21,7 @@ struct PartHeader {
     std::string identity;
     uint32_t shard = 1, shards = 1;
     std::vector<Map> maps;
-    std::vector<std::string> pictures;  // file name suffixes
+    std::vector<std::string> sets;  // file name suffixes
     uint64_t first = 0, last = 0, done = 0;
     std::vector<std::string> sums;  // checksums of the finished rows per file, by sum_index()
     BakeReport found;               // statistics of the finished rows
@@ -32,18 +32,18 @@ struct PartHeader {
     size_t row_bytes(size_t map) const;
     // Pixel rows in row of tiles `band`.
     uint32_t rows_of(uint64_t band) const;
-    uint64_t picture_of(uint64_t band) const { return band / bands(); }
+    uint64_t set_of(uint64_t band) const { return band / bands(); }
     // Number of files that hold finished rows.
     size_t files_with_rows() const {
-        return done == first ? 0 : (picture_of(done - 1) - picture_of(first) + 1) * maps.size();
+        return done == first ? 0 : (set_of(done - 1) - set_of(first) + 1) * maps.size();
     }
     // Bytes of the finished rows in the file of one map of one image.
-    uint64_t bytes_of_rows(size_t picture, size_t map) const;
-    size_t sum_index(size_t picture, size_t map) const {
-        return (picture - picture_of(first)) * maps.size() + map;
+    uint64_t bytes_of_rows(size_t set, size_t map) const;
+    size_t sum_index(size_t set, size_t map) const {
+        return (set - set_of(first)) * maps.size() + map;
     }
     // Output files: OUT for one map, OUT/MAP.EXT for several.
-    std::vector<MapFile> files(const std::string& output, size_t picture, uint32_t threads) const;
+    std::vector<MapFile> files(const std::string& output, size_t set, uint32_t threads) const;
 };
 
 std::string header_json(const PartHeader& header);

@@ -10,17 +10,17 @@
 namespace wrinkle::cli {
 namespace {
 
-std::vector<BakePicture> pictures_of(const BakeJob& job, const UvSurvey& uvs,
-                                     const Overrides& overrides) {
-    std::vector<BakePicture> pictures;
+std::vector<TextureSet> sets_of(const BakeJob& job, const UvSurvey& uvs,
+                                const Overrides& overrides) {
+    std::vector<TextureSet> sets;
     const std::vector<glm::ivec2> one = {uvs.square};
     for (size_t run = 0; run < job.plans.size(); ++run)
         for (const glm::ivec2 square : job.options.udim ? uvs.udim_tiles : one) {
             std::string suffix = path_of_run("", overrides, run);
             if (job.options.udim) suffix += "." + std::to_string(udim_number(square));
-            pictures.push_back({run, square, suffix});
+            sets.push_back({run, square, suffix});
         }
-    return pictures;
+    return sets;
 }
 
 template <class T>
@@ -48,7 +48,7 @@ std::string identity_of(const BakeJob& job) {
     fields.push_back(join_fields(o.common.set));
     for (const double number :
          {o.scale, double(o.samples), double(o.dilate), double(o.tile), double(o.dx),
-          double(o.udim), double(o.common.no_tangents), double(job.wishes.one_file)})
+          double(o.udim), double(o.common.no_tangents), double(job.request.one_file)})
         fields.push_back(std::to_string(number));
     for (const std::string& input : job.inputs) {
         std::string why;
@@ -59,14 +59,14 @@ std::string identity_of(const BakeJob& job) {
     return sha256(join_fields(fields));
 }
 
-MapOptions map_options(const BakeOptions& options, const BakeRequest& wishes, const Mesh& mesh) {
+MapOptions map_options(const BakeOptions& options, const BakeRequest& request, const Mesh& mesh) {
     MapOptions maps;
     maps.tangent_space = options.space == "tangent";
     maps.vertex_tangents = !mesh.tangents.empty();
     maps.green_down = options.dx;
     maps.scale = options.scale;
-    maps.width = wishes.width;
-    maps.height = wishes.height;
+    maps.width = request.width;
+    maps.height = request.height;
     return maps;
 }
 
@@ -74,9 +74,9 @@ MapOptions map_options(const BakeOptions& options, const BakeRequest& wishes, co
 void plan_runs(BakeJob& job, const Overrides& overrides, Diagnostics& diagnostics) {
     const Nodes nodes = load_nodes(job.options.common, diagnostics);
     std::vector<MapRequest> requests;
-    for (const WantedMap& map : job.wishes.maps)
+    for (const WantedMap& map : job.request.maps)
         requests.push_back(map.request);
-    const MapOptions maps = map_options(job.options, job.wishes, job.mesh);
+    const MapOptions maps = map_options(job.options, job.request, job.mesh);
     const auto use = [&](size_t, const MaterialRun& run, Diagnostics& problems) {
         read_textures(job.textures, run.compiled, run.project, problems);
         Diagnostics own;
@@ -95,11 +95,11 @@ void plan_runs(BakeJob& job, const Overrides& overrides, Diagnostics& diagnostic
 
 }  // namespace
 
-std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeRequest& wishes,
+std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeRequest& request,
                                      Diagnostics& diagnostics) {
     BakeJob job;
     job.options = options;
-    job.wishes = wishes;
+    job.request = request;
     std::vector<std::string> mesh_files;
     auto mesh = open_mesh(options.mesh, options.common, diagnostics, &mesh_files);
     if (mesh) has_uv_layout(*mesh, options.mesh, diagnostics);
@@ -111,8 +111,8 @@ std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeReque
     if (!check_uvs(uvs, options.udim, options.mesh, diagnostics) ||
         !check_inputs(job.mesh, job.plans, options.mesh, diagnostics))
         return {};
-    job.pictures = pictures_of(job, uvs, overrides);
-    if (wishes.is_shard() || options.resume) job.identity = identity_of(job);
+    job.sets = sets_of(job, uvs, overrides);
+    if (request.is_shard() || options.resume) job.identity = identity_of(job);
     job.inputs.insert(job.inputs.end(), mesh_files.begin(), mesh_files.end());
     return job;
 }

@@ -14,8 +14,8 @@
 
 namespace wrinkle::cli {
 
-// One run of a sweep on one UDIM tile; all its maps are baked in one pass.
-struct BakePicture {
+// One run of a sweep on one UDIM tile: its maps, which are baked in one pass.
+struct TextureSet {
     size_t run = 0;  // index into BakeJob::plans
     glm::ivec2 square{0};
     std::string suffix;  // ".003.1001": inserted before the file extensions
@@ -23,19 +23,19 @@ struct BakePicture {
 
 struct BakeJob {
     BakeOptions options;
-    BakeRequest wishes;
+    BakeRequest request;
     Mesh mesh;
     TextureStore textures;
     std::vector<BakePlan> plans;  // one per run; their maps differ only in values
-    std::vector<BakePicture> pictures;
+    std::vector<TextureSet> sets;
     std::vector<std::string> inputs;  // all files read
     std::string identity;  // hash of all that affects the bytes; set for shards and --resume
 
-    uint32_t bands() const { return (wishes.height + bake_tile - 1) / bake_tile; }  // per image
+    uint32_t bands() const { return (request.height + bake_tile - 1) / bake_tile; }  // per image
 };
 
 // Returns std::nullopt and reports errors on failure. Problems of the mesh's uvs are warnings.
-std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeRequest& wishes,
+std::optional<BakeJob> make_bake_job(const BakeOptions& options, const BakeRequest& request,
                                      Diagnostics& diagnostics);
 
 }  // namespace wrinkle::cli

@@ -47,8 +47,8 @@ bool check_parts(const std::vector<fs::path>& folders, const std::vector<PartHea
 class JoinedRows {
 public:
     JoinedRows(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
-               size_t picture, size_t map)
-        : folders_(folders), headers_(headers), picture_(picture), map_(map) {}
+               size_t set, size_t map)
+        : folders_(folders), headers_(headers), set_(set), map_(map) {}
 
     // Returns row of tiles `band`, the next one; empty and the reason in `why` on failure.
     std::vector<std::byte> next(uint64_t band, std::string& why) {
@@ -59,7 +59,7 @@ public:
                                      headers_[part_].row_bytes(map_));
         if (file_ && std::fread(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size())
             return bytes;
-        why = rows_file(folders_[part_], picture_, map_).string() +
+        why = rows_file(folders_[part_], set_, map_).string() +
               " cannot be read: " + std::strerror(errno);
         return {};
     }
@@ -67,26 +67,26 @@ public:
 private:
     void open(size_t part) {
         part_ = part;
-        file_.reset(std::fopen(rows_file(folders_[part], picture_, map_).c_str(), "rb"));
+        file_.reset(std::fopen(rows_file(folders_[part], set_, map_).c_str(), "rb"));
     }
 
     const std::vector<fs::path>& folders_;
     const std::vector<PartHeader>& headers_;
-    size_t picture_, map_, part_ = 0;
+    size_t set_, map_, part_ = 0;
     OpenedFile file_;
 };
 
-bool join_picture(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
-                  size_t picture, const std::vector<MapFile>& files, Progress& progress,
-                  Diagnostics& diagnostics) {
+bool join_set(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
+              size_t set, const std::vector<MapFile>& files, Progress& progress,
+              Diagnostics& diagnostics) {
     const PartHeader& header = headers[0];
     auto writers = MapFiles::open(files, diagnostics);
     if (!writers) return false;
     std::vector<JoinedRows> rows;
     for (size_t map = 0; map < files.size(); ++map)
-        rows.emplace_back(folders, headers, picture, map);
+        rows.emplace_back(folders, headers, set, map);
     for (uint64_t i = 0; i < header.bands(); ++i) {
-        const uint64_t band = picture * uint64_t{header.bands()} + i;
+        const uint64_t band = set * uint64_t{header.bands()} + i;
         for (size_t map = 0; map < files.size(); ++map) {
             std::string why;
             const std::vector<std::byte> bytes = rows[map].next(band, why);
@@ -122,10 +122,9 @@ std::vector<PartHeader> read_parts(std::vector<fs::path>& folders, Diagnostics& 
 BakeOutcome join_parts(const std::vector<fs::path>& folders, const std::vector<PartHeader>& headers,
                        const std::string& output, uint32_t threads, Progress& progress) {
     BakeOutcome outcome;
-    for (size_t picture = 0; picture < headers[0].pictures.size(); ++picture) {
-        const auto files = headers[0].files(output, picture, threads);
-        if (!join_picture(folders, headers, picture, files, progress, outcome.environment))
-            return outcome;
+    for (size_t set = 0; set < headers[0].sets.size(); ++set) {
+        const auto files = headers[0].files(output, set, threads);
+        if (!join_set(folders, headers, set, files, progress, outcome.environment)) return outcome;
         for (const MapFile& file : files)
             outcome.files.push_back(file.path.string());
     }

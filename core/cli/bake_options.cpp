@@ -20,18 +20,18 @@ bool parse_whole(std::string_view text, uint32_t most, uint32_t& number) {
 }
 
 // Parses "2/8".
-bool parse_shard(const std::string& text, BakeRequest& wishes) {
+bool parse_shard(const std::string& text, BakeRequest& request) {
     if (text.empty()) return true;
     const auto parts = split(text, '/');
-    return parts.size() == 2 && parse_whole(parts[1], 1'000'000, wishes.shards) &&
-           parse_whole(parts[0], wishes.shards, wishes.shard);
+    return parts.size() == 2 && parse_whole(parts[1], 1'000'000, request.shards) &&
+           parse_whole(parts[0], request.shards, request.shard);
 }
 
 // Parses "1024" or "2048x1024".
-bool parse_bake_size(const std::string& text, BakeRequest& wishes) {
+bool parse_bake_size(const std::string& text, BakeRequest& request) {
     const auto parts = split(text, 'x');
-    return parts.size() <= 2 && parse_whole(parts[0], max_baked_side, wishes.width) &&
-           parse_whole(parts.back(), max_baked_side, wishes.height);
+    return parts.size() <= 2 && parse_whole(parts[0], max_baked_side, request.width) &&
+           parse_whole(parts.back(), max_baked_side, request.height);
 }
 
 PixelType usual_type(const std::string& extension) {
@@ -46,22 +46,22 @@ std::string usual_extension(const BakeOptions& options, const std::string& map) 
     return floats || (options.type.empty() && !fits_integers(map)) ? ".exr" : ".png";
 }
 
-bool name_maps(const BakeOptions& options, BakeRequest& wishes, std::string& why) {
+bool name_maps(const BakeOptions& options, BakeRequest& request, std::string& why) {
     Diagnostics problems;
     const std::string names = !options.maps.empty()   ? options.maps
                               : options.packs.empty() ? "normal"
                                                       : "";
     if (!names.empty())
         for (const std::string_view name : split(names, ','))
-            wishes.maps.push_back({{std::string(name), {}, true}, "", {}});
+            request.maps.push_back({{std::string(name), {}, true}, "", {}});
     for (const std::string& text : options.packs)
-        if (auto request = parse_pack(text, problems)) wishes.maps.push_back({*request, "", {}});
+        if (auto pack = parse_pack(text, problems)) request.maps.push_back({*pack, "", {}});
     if (problems.has_errors()) {
         why = problems.list()[0].message + " (" + problems.list()[0].expected + ")";
         return false;
     }
-    for (auto map = wishes.maps.begin(); map != wishes.maps.end(); ++map)
-        if (std::any_of(wishes.maps.begin(), map, [&](const WantedMap& other) {
+    for (auto map = request.maps.begin(); map != request.maps.end(); ++map)
+        if (std::any_of(request.maps.begin(), map, [&](const WantedMap& other) {
                 return other.request.name == map->request.name;
             })) {
             why = "two maps would be called '" + map->request.name +
@@ -71,11 +71,11 @@ bool name_maps(const BakeOptions& options, BakeRequest& wishes, std::string& why
     return true;
 }
 
-void choose_files(const BakeOptions& options, BakeRequest& wishes) {
-    wishes.one_file = wishes.maps.size() == 1 && !wishes.is_shard();
+void choose_files(const BakeOptions& options, BakeRequest& request) {
+    request.one_file = request.maps.size() == 1 && !request.is_shard();
     const std::string own = std::filesystem::path(options.output).extension().string();
-    for (WantedMap& map : wishes.maps) {
-        map.extension = wishes.one_file ? own : usual_extension(options, map.request.name);
+    for (WantedMap& map : request.maps) {
+        map.extension = request.one_file ? own : usual_extension(options, map.request.name);
         const auto named = std::find(types.begin(), types.end(), options.type);
         map.type = named == types.end() ? usual_type(map.extension)
                                         : static_cast<PixelType>(named - types.begin());
@@ -83,37 +83,37 @@ void choose_files(const BakeOptions& options, BakeRequest& wishes) {
     }
 }
 
-std::string conflict(const BakeOptions& options, const BakeRequest& wishes) {
+std::string conflict(const BakeOptions& options, const BakeRequest& request) {
     if (options.gl && options.dx) return "--gl and --dx are two ways of green; choose one";
     if (options.file.empty()) return "bake needs a graph: FILE, or --merge with folders of shards";
     if (options.mesh.empty()) return "bake needs a mesh: --mesh " + mesh_help();
     if (!(options.scale > 0) || !std::isfinite(options.scale))
         return "--scale is a number greater than 0";
     if (options.tile % 16 != 0) return "--tile is a multiple of 16";
-    if (options.file == "-" && (wishes.is_shard() || options.resume))
+    if (options.file == "-" && (request.is_shard() || options.resume))
         return "--shard and --resume need a graph in a file, to know it again";
-    for (const WantedMap& map : wishes.maps)
+    for (const WantedMap& map : request.maps)
         if (map.request.name.empty() || map.request.name.find('/') != map.request.name.npos)
             return "'" + map.request.name + "' cannot be the name of a map's file";
     const Depfile& depfile = options.depfile;
     if (!depfile.wanted && (depfile.phony || !(depfile.path + depfile.target).empty()))
         return "-MF, -MT and -MP go with -MD";
-    if (wishes.one_file && !options.format.empty())
+    if (request.one_file && !options.format.empty())
         return "--format is for maps in a folder; OUT itself says what one map is written as";
     return "";
 }
 
 }  // namespace
 
-bool read_request(const BakeOptions& options, BakeRequest& wishes, std::string& why) {
-    if (!parse_bake_size(options.size, wishes))
+bool read_request(const BakeOptions& options, BakeRequest& request, std::string& why) {
+    if (!parse_bake_size(options.size, request))
         why =
             "--size " + options.size + " is no size; 1024 and 2048x1024 are, at most 65536 a side";
-    else if (!parse_shard(options.shard, wishes))
+    else if (!parse_shard(options.shard, request))
         why = "--shard " + options.shard + " is no I/N; 2/8 is the second of eight";
-    if (!why.empty() || !name_maps(options, wishes, why)) return false;
-    choose_files(options, wishes);
-    why = conflict(options, wishes);
+    if (!why.empty() || !name_maps(options, request, why)) return false;
+    choose_files(options, request);
+    why = conflict(options, request);
     return why.empty();
 }
 

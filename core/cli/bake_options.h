@@ -43,6 +43,6 @@ struct BakeRequest {
 };
 
 // Parses the options; returns false and one sentence in `why` on wrong usage.
-bool read_request(const BakeOptions& options, BakeRequest& wishes, std::string& why);
+bool read_request(const BakeOptions& options, BakeRequest& request, std::string& why);
 
 }  // namespace wrinkle::cli

@@ -60,19 +60,19 @@ void take_what_is_done(const fs::path& folder, PartHeader& header, Diagnostics& 
 PartHeader header_of(const BakeJob& job) {
     PartHeader header;
     header.identity = job.identity;
-    header.shard = job.wishes.shard;
-    header.shards = job.wishes.shards;
-    for (size_t i = 0; i < job.wishes.maps.size(); ++i) {
-        const WantedMap& wanted = job.wishes.maps[i];
-        WriterOptions writer = writer_options(job.plans[0].maps[i], wanted.type, job.wishes.width,
-                                              job.wishes.height, job.options.scale);
+    header.shard = job.request.shard;
+    header.shards = job.request.shards;
+    for (size_t i = 0; i < job.request.maps.size(); ++i) {
+        const WantedMap& wanted = job.request.maps[i];
+        WriterOptions writer = writer_options(job.plans[0].maps[i], wanted.type, job.request.width,
+                                              job.request.height, job.options.scale);
         writer.compression = job.options.compression;
         writer.tile = job.options.tile;
         header.maps.push_back({wanted.request.name, wanted.extension, std::move(writer)});
     }
-    for (const BakePicture& picture : job.pictures)
-        header.pictures.push_back(picture.suffix);
-    const uint64_t all = header.pictures.size() * uint64_t{header.bands()};
+    for (const TextureSet& set : job.sets)
+        header.sets.push_back(set.suffix);
+    const uint64_t all = header.sets.size() * uint64_t{header.bands()};
     header.first = header.done = all * (header.shard - 1) / header.shards;
     header.last = all * header.shard / header.shards;
     return header;
@@ -82,8 +82,8 @@ fs::path header_file(const fs::path& folder) {
     return folder / "bake.json";
 }
 
-fs::path rows_file(const fs::path& folder, size_t picture, size_t map) {
-    return folder / (std::to_string(picture) + "-" + std::to_string(map) + ".rows");
+fs::path rows_file(const fs::path& folder, size_t set, size_t map) {
+    return folder / (std::to_string(set) + "-" + std::to_string(map) + ".rows");
 }
 
 std::optional<PartHeader> read_header(const fs::path& folder, Diagnostics& diagnostics) {
@@ -103,11 +103,11 @@ std::optional<PartHeader> read_header(const fs::path& folder, Diagnostics& diagn
 bool has_its_rows(const fs::path& folder, const PartHeader& header, const std::string& remedy,
                   Diagnostics& diagnostics) {
     for (size_t i = 0; i < header.files_with_rows(); ++i) {
-        const size_t picture = header.picture_of(header.first) + i / header.maps.size();
+        const size_t set = header.set_of(header.first) + i / header.maps.size();
         const size_t map = i % header.maps.size();
-        const fs::path file = rows_file(folder, picture, map);
+        const fs::path file = rows_file(folder, set, map);
         std::string why;
-        const auto sum = sum_of_rows(file, header.bytes_of_rows(picture, map), why);
+        const auto sum = sum_of_rows(file, header.bytes_of_rows(set, map), why);
         if (sum && sum->digest() == header.sums[i]) continue;
         if (sum) why = "does not hold the rows that were baked: their checksum is another";
         diagnostics.add(file_problem(Severity::error, file.string(), why, remedy));
@@ -136,7 +136,7 @@ std::optional<PartWriter> PartWriter::open(const fs::path& folder, PartHeader he
 }
 
 bool PartWriter::fail(size_t map, Diagnostics& diagnostics) const {
-    diagnostics.add(file_problem(Severity::error, rows_file(folder_, picture_, map).string(),
+    diagnostics.add(file_problem(Severity::error, rows_file(folder_, set_, map).string(),
                                  "rows of the map '" + header_.maps[map].name +
                                      "' cannot be written: " + std::strerror(errno),
                                  "a folder that can be written to and has room"));
@@ -150,13 +150,13 @@ bool PartWriter::write_header(Diagnostics& diagnostics) const {
     return false;
 }
 
-bool PartWriter::begin(size_t picture, Diagnostics& diagnostics) {
-    picture_ = picture;
+bool PartWriter::begin(size_t set, Diagnostics& diagnostics) {
+    set_ = set;
     files_.clear();
     sums_.clear();
     for (size_t map = 0; map < header_.maps.size(); ++map) {
-        const fs::path path = rows_file(folder_, picture, map);
-        const uint64_t kept = header_.bytes_of_rows(picture, map);
+        const fs::path path = rows_file(folder_, set, map);
+        const uint64_t kept = header_.bytes_of_rows(set, map);
         if (kept == 0) unlink(path.c_str());  // do not write through a pipe or a link
         std::string why;
         auto sum = sum_of_rows(path, kept, why);
@@ -183,7 +183,7 @@ bool PartWriter::done(uint64_t bands, const BakeReport& found, Diagnostics& diag
     header_.found = found;
     header_.sums.resize(header_.files_with_rows());
     for (size_t map = 0; map < sums_.size(); ++map)
-        header_.sums[header_.sum_index(picture_, map)] = sums_[map].digest();
+        header_.sums[header_.sum_index(set_, map)] = sums_[map].digest();
     return write_header(diagnostics);
 }
 

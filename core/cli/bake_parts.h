@@ -31,7 +31,7 @@ std::optional<PartHeader> read_header(const std::filesystem::path& folder,
                                       Diagnostics& diagnostics);
 
 std::filesystem::path header_file(const std::filesystem::path& folder);
-std::filesystem::path rows_file(const std::filesystem::path& folder, size_t picture, size_t map);
+std::filesystem::path rows_file(const std::filesystem::path& folder, size_t set, size_t map);
 
 // Returns true if the checksums of all rows that the header counts match. Otherwise returns false
 // and reports the first damaged file as an error with `remedy` as the hint.
@@ -47,7 +47,7 @@ public:
                                           bool resume, Diagnostics& diagnostics);
 
     const PartHeader& header() const { return header_; }
-    bool begin(size_t picture, Diagnostics& diagnostics);
+    bool begin(size_t set, Diagnostics& diagnostics);
     bool rows(size_t map, std::span<const std::byte> bytes, Diagnostics& diagnostics);
     // Records that all rows of tiles before `bands` are written, and their statistics.
     bool done(uint64_t bands, const BakeReport& found, Diagnostics& diagnostics);
@@ -58,7 +58,7 @@ private:
 
     std::filesystem::path folder_;
     PartHeader header_;
-    size_t picture_ = 0;
+    size_t set_ = 0;
     std::vector<OpenedFile> files_;  // files of the current image, by map
     std::vector<Xxh64> sums_;        // checksums of the written rows, by map
 };

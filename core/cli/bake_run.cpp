@@ -9,9 +9,9 @@ namespace fs = std::filesystem;
 namespace {
 
 // Bakes images and passes their rows, in the pixel types of the files, to a sink.
-class PictureBaker {
+class SetBaker {
 public:
-    PictureBaker(const BakeJob& job, Progress& progress) : job_(job), progress_(progress) {}
+    SetBaker(const BakeJob& job, Progress& progress) : job_(job), progress_(progress) {}
 
     // Statistics of all finished rows, including those of earlier runs.
     BakeReport report;
@@ -19,17 +19,16 @@ public:
     // Bakes rows [first, last) of an image; `take.band` may be empty. Returns false on failure or
     // interruption.
     bool bake(size_t number, uint32_t first, uint32_t last, BakeSinks take) {
-        const BakePicture& picture = job_.pictures[number];
-        const BakePlan& plan = job_.plans[picture.run];
+        const TextureSet& set = job_.sets[number];
+        const BakePlan& plan = job_.plans[set.run];
         const std::vector<Texture> textures = job_.textures.textures_of(plan.resources);
         TextureSetInput input;
         input.mesh = &job_.mesh;
         input.plan = &plan;
         input.textures = textures;
-        for (const WantedMap& map : job_.wishes.maps)
+        for (const WantedMap& map : job_.request.maps)
             input.types.push_back(map.type);
-        input.layout = {job_.wishes.width, job_.wishes.height, picture.square,
-                        job_.options.samples};
+        input.layout = {job_.request.width, job_.request.height, set.square, job_.options.samples};
         input.dilate = job_.options.dilate;
         input.threads = job_.options.threads;
         take.band = [this, band = std::move(take.band)](uint32_t row, uint64_t texels) {
@@ -56,15 +55,15 @@ private:
 
 BakeOutcome bake_files(const BakeJob& job, const PartHeader& header, Progress& progress) {
     BakeOutcome outcome;
-    PictureBaker baker(job, progress);
-    const auto picture = [&](size_t number) {
+    SetBaker baker(job, progress);
+    const auto bake_set = [&](size_t number) {
         const auto files = header.files(job.options.output, number, job.options.threads);
         auto writers = MapFiles::open(files, outcome.environment);
         if (!writers) return false;
         const auto keep = [&](size_t map, std::span<const std::byte> bytes) {
             return writers->write(map, bytes, outcome.environment);
         };
-        if (!baker.bake(number, 0, job.wishes.height, {keep, {}}) ||
+        if (!baker.bake(number, 0, job.request.height, {keep, {}}) ||
             !writers->finish(outcome.environment))
             return false;
         for (const MapFile& file : files)
@@ -72,8 +71,8 @@ BakeOutcome bake_files(const BakeJob& job, const PartHeader& header, Progress& p
         return true;
     };
     bool whole = true;
-    for (size_t number = 0; whole && number < job.pictures.size(); ++number)
-        whole = picture(number);
+    for (size_t number = 0; whole && number < job.sets.size(); ++number)
+        whole = bake_set(number);
     baker.finish(whole, outcome);
     return outcome;
 }
@@ -81,7 +80,7 @@ BakeOutcome bake_files(const BakeJob& job, const PartHeader& header, Progress& p
 BakeOutcome bake_part(const BakeJob& job, const fs::path& folder, PartHeader header,
                       Progress& progress) {
     BakeOutcome outcome;
-    PictureBaker baker(job, progress);
+    SetBaker baker(job, progress);
     Diagnostics opened;
     auto part = PartWriter::open(folder, std::move(header), job.options.resume, opened);
     (part ? outcome.warnings : outcome.environment).append(opened);
@@ -90,14 +89,14 @@ BakeOutcome bake_part(const BakeJob& job, const fs::path& folder, PartHeader hea
     bool whole = part.has_value();
     for (uint64_t first = whole ? part->header().first : 0; whole && first < part->header().done;
          ++first)
-        progress.skip(uint64_t{part->header().rows_of(first)} * job.wishes.width);
+        progress.skip(uint64_t{part->header().rows_of(first)} * job.request.width);
     while (whole && part->header().done < part->header().last) {
         const uint64_t first = part->header().done;
         const size_t number = first / bands;
         const uint64_t last = std::min(part->header().last, (number + 1) * bands);
         const auto row_of = [&](uint64_t band) {
             return static_cast<uint32_t>(
-                std::min<uint64_t>((band - number * bands) * bake_tile, job.wishes.height));
+                std::min<uint64_t>((band - number * bands) * bake_tile, job.request.height));
         };
         const auto keep = [&](size_t map, std::span<const std::byte> bytes) {
             return part->rows(map, bytes, outcome.environment);

@@ -45,12 +45,12 @@ std::vector<CacheFile> list_cache_files(const fs::path& folder) {
 
 }  // namespace
 
-fs::path Cache::place(const std::string& key) const {
+fs::path Cache::path_of(const std::string& key) const {
     return folder_ / key.substr(0, 1) / key;
 }
 
 std::optional<std::string> Cache::find(const std::string& key) const {
-    const fs::path path = place(key);
+    const fs::path path = path_of(key);
     std::error_code ignored;
     if (!fs::is_regular_file(path, ignored) || fs::file_size(path, ignored) > limit_ / parts)
         return {};
@@ -66,7 +66,7 @@ std::optional<std::string> Cache::find(const std::string& key) const {
 }
 
 bool Cache::store(const std::string& key, std::string_view bytes, std::string& why) {
-    const fs::path path = place(key);
+    const fs::path path = path_of(key);
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     auto file = Temporary::beside(path, error);

@@ -35,7 +35,7 @@ public:
     void prune();
 
 private:
-    std::filesystem::path place(const std::string& key) const;
+    std::filesystem::path path_of(const std::string& key) const;
 
     std::filesystem::path folder_;
     uint64_t limit_;

@@ -76,18 +76,18 @@ struct CompileCommand {
     // graphs is written before the last is compiled, so the inputs of all graphs are collected
     // first, unless no output exists yet.
     void refuse_overwriting(const Compilation& with, Diagnostics& diagnostics) const {
-        const std::vector<std::string> places = outputs.all_places();
+        const std::vector<std::string> paths = outputs.all_paths();
         std::vector<std::string> read = option_files();
         read.insert(read.end(), outputs.files.begin(), outputs.files.end());
         std::error_code ignored;
-        const auto exists = [&](const std::string& place) { return fs::exists(place, ignored); };
-        if (std::any_of(places.begin(), places.end(), exists)) {
+        const auto exists = [&](const std::string& path) { return fs::exists(path, ignored); };
+        if (std::any_of(paths.begin(), paths.end(), exists)) {
             std::vector<std::vector<std::string>> found(outputs.files.size());
             each_graph([&](size_t i) { found[i] = inputs_read(outputs.files[i], with); });
             for (const std::vector<std::string>& inputs : found)
                 read.insert(read.end(), inputs.begin(), inputs.end());
         }
-        if (const std::string why = overwrite_fault(places, read); !why.empty())
+        if (const std::string why = overwrite_fault(paths, read); !why.empty())
             diagnostics.error(why);
     }
 
@@ -146,8 +146,8 @@ struct CompileCommand {
         if (!outputs.texts) graph.texts.clear();
         for (Text& each : graph.texts)
             if (!outputs.is_standard_output() || each.stage.empty() || each.stage == outputs.stage)
-                results.push_back({outputs.place(file, each.suffix), std::move(each.bytes)});
-        Result reflection{outputs.reflection_place(file), std::move(graph.reflection)};
+                results.push_back({outputs.source_path(file, each.suffix), std::move(each.bytes)});
+        Result reflection{outputs.reflection_path(file), std::move(graph.reflection)};
         for (const Result& result : results)
             outcome.rule.made.push_back(result.path);
         if (!outputs.reflect.empty()) outcome.rule.made.push_back(reflection.path);
@@ -156,7 +156,7 @@ struct CompileCommand {
         if (!may_be_written(outcome)) return outcome;
         if (outputs.depfile.wanted && !outputs.several())
             results.push_back(
-                {outputs.depfile_place(), make_rules({outcome.rule}, outputs.depfile)});
+                {outputs.depfile_path(), make_rules({outcome.rule}, outputs.depfile)});
         if (!outputs.reflect.empty()) results.push_back(std::move(reflection));  // written last
         if (outputs.several()) make_folders(results);
         write_results(results, outcome.unwritten);
@@ -170,7 +170,7 @@ struct CompileCommand {
         if (why.empty() && !outputs.several()) {
             std::vector<std::string> read = option_files();
             read.insert(read.end(), outcome.rule.from.begin(), outcome.rule.from.end());
-            why = overwrite_fault(outputs.all_places(), read);
+            why = overwrite_fault(outputs.all_paths(), read);
         }
         if (!why.empty()) outcome.graph.diagnostics.error(why);
         return why.empty();
@@ -199,7 +199,7 @@ struct CompileCommand {
             unwritten(outcome.unwritten);
         if (outputs.depfile.wanted && outputs.several() && fine && written) {
             std::string why;
-            write_results({{outputs.depfile_place(), make_rules(rules, outputs.depfile)}}, why);
+            write_results({{outputs.depfile_path(), make_rules(rules, outputs.depfile)}}, why);
             unwritten(why);
         }
         const int code = report(diagnostics, common.diagnostics);

@@ -119,11 +119,11 @@ private:
                 if (!sub->get_group().empty()) found_.insert(sub->get_name());
             return;
         }
-        std::vector<const CLI::Option*> places;
+        std::vector<const CLI::Option*> positionals;
         for (const CLI::Option* option : command_->get_options())
-            if (option->get_positional()) places.push_back(option);
-        if (!places.empty())
-            offer_values(*places[std::min(positionals_, places.size() - 1)], typed);
+            if (option->get_positional()) positionals.push_back(option);
+        if (!positionals.empty())
+            offer_values(*positionals[std::min(positionals_, positionals.size() - 1)], typed);
     }
 
     // Offers the names listed by the option's validator, else candidates by its type name.

@@ -118,28 +118,28 @@ struct NewPluginCommand {
     std::string name, folder;
 
     int run() const {
-        const fs::path place = folder.empty() ? fs::path(name) : fs::path(folder);
-        if (const std::string why = write(place); !why.empty()) return fail(exit_environment, why);
+        const fs::path target = folder.empty() ? fs::path(name) : fs::path(folder);
+        if (const std::string why = write(target); !why.empty()) return fail(exit_environment, why);
         std::printf("%s\n    cmake -B build . && cmake --build build && ctest --test-dir build\n",
-                    place.c_str());
+                    target.c_str());
         return exit_success;
     }
 
     // Writes all files or none; returns the reason of a failure, otherwise "".
-    std::string write(const fs::path& place) const {
+    std::string write(const fs::path& target) const {
         std::error_code error;
-        if (fs::exists(place, error) && !fs::is_directory(place, error))
-            return place.string() + ": is no folder";
+        if (fs::exists(target, error) && !fs::is_directory(target, error))
+            return target.string() + ": is no folder";
         const auto files = scaffold(name, sdk_prefix());
-        if (!error && fs::exists(place, error) && !is_unfinished(place, files))
-            return place.string() + ": the folder is not empty; --folder names another one";
-        const fs::path whole = fs::absolute(place, error);
+        if (!error && fs::exists(target, error) && !is_unfinished(target, files))
+            return target.string() + ": the folder is not empty; --folder names another one";
+        const fs::path whole = fs::absolute(target, error);
         const fs::path made = first_missing(whole);
         if (!error) fs::create_directories(whole, error);
-        std::string why = error ? place.string() + ": " + error.message() : "";
+        std::string why = error ? target.string() + ": " + error.message() : "";
         std::vector<FileBytes> bytes;
         for (const ScaffoldFile& file : files)
-            bytes.push_back({place / file.name, file.text});
+            bytes.push_back({target / file.name, file.text});
         if (why.empty() && write_files(bytes, why)) return {};
         if (!made.empty()) fs::remove_all(made, error);
         return why;

@@ -26,11 +26,11 @@ struct Outputs {
     bool is_standard_output() const { return output == "-"; }
     // Output path: "-", or OUT + `suffix`, for one graph; OUT/STEM + `suffix`, default .glsl, for
     // several.
-    std::string place(const std::string& file, const std::string& suffix) const;
-    std::string reflection_place(const std::string& file) const;  // "": not requested
-    std::string depfile_place() const;
-    std::vector<std::string> places_of(const std::string& file) const;  // may include "-"
-    std::vector<std::string> all_places() const;
+    std::string source_path(const std::string& file, const std::string& suffix) const;
+    std::string reflection_path(const std::string& file) const;  // "": not requested
+    std::string depfile_path() const;
+    std::vector<std::string> paths_of(const std::string& file) const;  // may include "-"
+    std::vector<std::string> all_paths() const;
     // Returns the reason if two outputs have the same path, or if several would be written to
     // standard output; otherwise "".
     std::string conflict() const;

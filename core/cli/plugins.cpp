@@ -39,8 +39,8 @@ struct Loaded {
 Loaded load(const std::string& file, bool built_in, Diagnostics& diagnostics) {
     Loaded loaded;
     if (built_in) loaded.registry.add_plugin(built_in_nodes(), Registry::built_in, diagnostics);
-    const std::vector<std::string> places{file};
-    loaded.reports = load_plugins(loaded.registry, places, diagnostics);
+    const std::vector<std::string> paths{file};
+    loaded.reports = load_plugins(loaded.registry, paths, diagnostics);
     return loaded;
 }
 

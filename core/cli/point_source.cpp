@@ -38,7 +38,7 @@ PointSource source_of(std::shared_ptr<const PointTable> table) {
         message = "point " + std::to_string(point) + ": " + message;
         diagnostics.add({severity, table->where(point), "", "", message, std::move(expected)});
     };
-    source.check = [table](const std::vector<InputNeed>& needs, Diagnostics& diagnostics) {
+    source.check = [table](const Needs& needs, Diagnostics& diagnostics) {
         bool fine = true;
         for (const InputNeed& need : needs) {
             if (is_facing(need) || table->gives(need)) continue;
@@ -50,8 +50,7 @@ PointSource source_of(std::shared_ptr<const PointTable> table) {
         }
         return fine;
     };
-    source.fill = [table](const std::vector<InputNeed>& needs, size_t first, PointSet& set,
-                          Diagnostics&) {
+    source.fill = [table](const Needs& needs, size_t first, PointSet& set, Diagnostics&) {
         for (const InputNeed& need : needs) {
             const size_t lanes = lanes_of(need);
             std::vector<double>& values = set.at(need.input, need.variant);
@@ -119,19 +118,18 @@ bool has_attribute(const Mesh& mesh, const InputNeed& need) {
 }
 
 // Samples the surface of a mesh at the uvs of another source.
-struct PlacesOnMesh {
-    PlacesOnMesh(Mesh opened, const PointOptions& options, PointSource from)
+struct MeshPoints {
+    MeshPoints(Mesh opened, const PointOptions& options, PointSource from)
         : mesh(std::move(opened)),
           grid(mesh),
           name(options.mesh),
           size(options.size),
-          places(std::move(from)) {}
+          uv_source(std::move(from)) {}
 
-    bool fill(const std::vector<InputNeed>& needs, size_t first, PointSet& set,
-              Diagnostics& diagnostics) const {
+    bool fill(const Needs& needs, size_t first, PointSet& set, Diagnostics& diagnostics) const {
         PointSet uvs;
         uvs.count = set.count;
-        if (!places.fill({first_uv}, first, uvs, diagnostics)) return false;
+        if (!uv_source.fill({first_uv}, first, uvs, diagnostics)) return false;
         for (const InputNeed& need : needs)
             set.at(need.input, need.variant).resize(set.count * lanes_of(need));
         const std::vector<double>& uv = uvs.at(SurfaceInput::uv0_);
@@ -142,17 +140,16 @@ struct PlacesOnMesh {
                 put(*point, needs, k, set);
                 continue;
             }
-            places.report(first + k, Severity::error,
-                          "no triangle of the mesh " + name + " covers the uv (" +
-                              shortest(uv[2 * k]) + ", " + shortest(uv[2 * k + 1]) + ")",
-                          "a place inside its uv layout", diagnostics);
+            uv_source.report(first + k, Severity::error,
+                             "no triangle of the mesh " + name + " covers the uv (" +
+                                 shortest(uv[2 * k]) + ", " + shortest(uv[2 * k + 1]) + ")",
+                             "a place inside its uv layout", diagnostics);
             fine = false;
         }
         return fine;
     }
 
-    static void put(const SurfacePoint& point, const std::vector<InputNeed>& needs, size_t k,
-                    PointSet& set) {
+    static void put(const SurfacePoint& point, const Needs& needs, size_t k, PointSet& set) {
         for (const InputNeed& need : needs) {
             const size_t lanes = lanes_of(need);
             const Attribute values = value_of(point, need);
@@ -165,13 +162,13 @@ struct PlacesOnMesh {
     UvGrid grid;
     std::string name;
     uint32_t size;
-    PointSource places;
+    PointSource uv_source;
 };
 
-PointSource source_on(std::shared_ptr<const PlacesOnMesh> on) {
-    PointSource source = on->places;
-    source.check = [on](const std::vector<InputNeed>& needs, Diagnostics& diagnostics) {
-        bool fine = on->places.check({first_uv}, diagnostics);
+PointSource source_on(std::shared_ptr<const MeshPoints> on) {
+    PointSource source = on->uv_source;
+    source.check = [on](const Needs& needs, Diagnostics& diagnostics) {
+        bool fine = on->uv_source.check({first_uv}, diagnostics);
         for (const InputNeed& need : needs) {
             if (has_attribute(on->mesh, need)) continue;
             diagnostics.error(lacks(on->name, need), "the graph needs it");
@@ -179,8 +176,7 @@ PointSource source_on(std::shared_ptr<const PlacesOnMesh> on) {
         }
         return fine;
     };
-    source.fill = [on](const std::vector<InputNeed>& needs, size_t first, PointSet& set,
-                       Diagnostics& diagnostics) {
+    source.fill = [on](const Needs& needs, size_t first, PointSet& set, Diagnostics& diagnostics) {
         return on->fill(needs, first, set, diagnostics);
     };
     return source;
@@ -226,7 +222,7 @@ PointSource source_of(std::vector<Point> list) {
     const auto points = std::make_shared<const std::vector<Point>>(std::move(list));
     PointSource source;
     source.count = points->size();
-    source.check = [points](const std::vector<InputNeed>& needs, Diagnostics& diagnostics) {
+    source.check = [points](const Needs& needs, Diagnostics& diagnostics) {
         bool fine = true;
         for (const Point& point : *points)
             for (const InputNeed& need : needs) {
@@ -236,8 +232,7 @@ PointSource source_of(std::vector<Point> list) {
             }
         return fine;
     };
-    source.fill = [points](const std::vector<InputNeed>& needs, size_t first, PointSet& set,
-                           Diagnostics&) {
+    source.fill = [points](const Needs& needs, size_t first, PointSet& set, Diagnostics&) {
         for (const InputNeed& need : needs) {
             std::vector<double>& values = set.at(need.input, need.variant);
             values.clear();
@@ -274,11 +269,11 @@ PointSource open_points(const PointOptions& options, const CommonOptions& common
                           "a mesh with a uv layout");
         return {};
     }
-    PointSource places =
+    PointSource uv_source =
         options.at.empty() ? source_of_uv(*parse_uv(options.uv)) : open_at(options.at, diagnostics);
     if (!mesh || diagnostics.has_errors()) return {};
     return source_on(
-        std::make_shared<const PlacesOnMesh>(std::move(*mesh), options, std::move(places)));
+        std::make_shared<const MeshPoints>(std::move(*mesh), options, std::move(uv_source)));
 }
 
 }  // namespace wrinkle::cli

@@ -12,14 +12,15 @@
 
 namespace wrinkle::cli {
 
+using Needs = std::vector<InputNeed>;
+
 struct PointSource {
     size_t count = 0;
     // Reports needed values that the points lack; returns true if there are none.
-    std::function<bool(const std::vector<InputNeed>& needs, Diagnostics& diagnostics)> check;
+    std::function<bool(const Needs& needs, Diagnostics& diagnostics)> check;
     // Writes the needed values of points [first, first + set.count); returns false and reports
     // errors on failure.
-    std::function<bool(const std::vector<InputNeed>& needs, size_t first, PointSet& set,
-                       Diagnostics& diagnostics)>
+    std::function<bool(const Needs& needs, size_t first, PointSet& set, Diagnostics& diagnostics)>
         fill;
     // Reports a problem at a point.
     std::function<void(size_t point, Severity severity, std::string message, std::string expected,

@@ -80,9 +80,9 @@ Location PointTable::where(size_t point) const {
             first_line_ == 0 ? 0U : 1U};
 }
 
-double PointTable::number(const Place& place, size_t point) const {
-    const char* from = bytes_.data() + first_ + point * record_ + place.offset;
-    if (place.is_double) {
+double PointTable::number(const Slot& slot, size_t point) const {
+    const char* from = bytes_.data() + first_ + point * record_ + slot.offset;
+    if (slot.is_double) {
         double value;
         std::memcpy(&value, from, sizeof value);
         return value;
@@ -102,21 +102,20 @@ void PointTable::add_column(const std::string& name, size_t offset, bool is_doub
                        did_you_mean(name, names, "such as position.x, dx.uv0.y or facing"),
                        diagnostics);
     }
-    Place& place = places(column->need)[column->lane];
-    if (place.given)
+    Slot& slot = slots(column->need)[column->lane];
+    if (slot.given)
         return problem(line, "column '" + name + "' is there twice", "one of them", diagnostics);
-    place = {true, is_double, offset};
+    slot = {true, is_double, offset};
 }
 
 void PointTable::check_lanes(Diagnostics& diagnostics) const {
     for (const InputNeed& need : all_values()) {
-        const Places& lanes = places(need);
+        const Slots& lanes = slots(need);
         const auto end = lanes.begin() + static_cast<long>(lanes_of(need));
-        const auto given =
-            std::count_if(lanes.begin(), end, [](const Place& p) { return p.given; });
+        const auto given = std::count_if(lanes.begin(), end, [](const Slot& p) { return p.given; });
         if (given == 0 || given == end - lanes.begin()) continue;
         const auto missing =
-            std::find_if(lanes.begin(), end, [](const Place& p) { return !p.given; });
+            std::find_if(lanes.begin(), end, [](const Slot& p) { return !p.given; });
         problem(first_line_ == 0 ? 0 : 1,
                 "column '" +
                     column_name(name_of(need), static_cast<size_t>(missing - lanes.begin()),

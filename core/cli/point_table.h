@@ -29,27 +29,27 @@ public:
                                           const std::string& name, Diagnostics& diagnostics);
 
     size_t count() const { return count_; }
-    bool gives(const InputNeed& need) const { return places(need)[0].given; }
+    bool gives(const InputNeed& need) const { return slots(need)[0].given; }
     // Component `lane` of a value. Precondition: gives(need).
     double at(const InputNeed& need, size_t lane, size_t point) const {
-        return number(places(need)[lane], point);
+        return number(slots(need)[lane], point);
     }
     Location where(size_t point) const;
 
 private:
-    struct Place {
+    struct Slot {
         bool given = false, is_double = true;
         size_t offset = 0;  // bytes from the start of a record
     };
-    using Places = std::array<Place, 4>;
+    using Slots = std::array<Slot, 4>;
 
-    Places& places(const InputNeed& need) {
-        return places_[static_cast<size_t>(need.input)][static_cast<size_t>(need.variant)];
+    Slots& slots(const InputNeed& need) {
+        return slots_[static_cast<size_t>(need.input)][static_cast<size_t>(need.variant)];
     }
-    const Places& places(const InputNeed& need) const {
-        return places_[static_cast<size_t>(need.input)][static_cast<size_t>(need.variant)];
+    const Slots& slots(const InputNeed& need) const {
+        return slots_[static_cast<size_t>(need.input)][static_cast<size_t>(need.variant)];
     }
-    double number(const Place& place, size_t point) const;
+    double number(const Slot& slot, size_t point) const;
     void problem(uint32_t line, std::string message, std::string expected,
                  Diagnostics& diagnostics) const;
     void add_column(const std::string& name, size_t offset, bool is_double,
@@ -63,7 +63,7 @@ private:
     std::string name_, bytes_;  // records
     size_t first_ = 0, record_ = 0, count_ = 0;
     uint32_t first_line_ = 0;  // line of the first point; 0: no lines (NPY)
-    std::array<std::array<Places, 3>, PointSet::inputs> places_;
+    std::array<std::array<Slots, 3>, PointSet::inputs> slots_;
 };
 
 }  // namespace wrinkle::cli

@@ -11,8 +11,8 @@
 #include "base/printable.h"
 #include "cli/arguments.h"
 #include "cli/meshes.h"
+#include "cli/offscreen_renderer.h"
 #include "cli/output.h"
-#include "cli/picture.h"
 #include "image/load.h"
 
 namespace wrinkle::cli {
@@ -22,18 +22,18 @@ namespace {
 struct RenderCommand {
     CommonOptions common;
     std::string file, output;
-    PictureOptions picture;
+    RenderOptions render;
     std::string size = "512x512", view = "shaded";
     std::string lighting = "ggx", phong, environment, background = "environment";
 
     int run() const {
-        PictureOptions options = picture;
+        RenderOptions options = render;
         if (const std::string why = read_options(options); !why.empty())
             return fail(exit_usage, why);
         Diagnostics diagnostics;
         bool double_sided = false;
         std::vector<std::string> read = option_files();
-        const auto drawn_on = open_mesh(picture.mesh, common, diagnostics, &read, &double_sided);
+        const auto drawn_on = open_mesh(render.mesh, common, diagnostics, &read, &double_sided);
         if (!environment.empty()) read.push_back(environment);
         if (!environment.empty())
             if (auto image = load_environment(environment, diagnostics))
@@ -51,8 +51,8 @@ struct RenderCommand {
             shaders.push_back(emit_function(run, material_name(file), problems));
         };
         compile_runs(file, common, nodes.registry, overrides, Purpose::render, use, diagnostics,
-                     double_sided ? picture.mesh : "");
-        if (picture.displace && !diagnostics.has_errors())
+                     double_sided ? render.mesh : "");
+        if (render.displace && !diagnostics.has_errors())
             meshes = displaced(*drawn_on, nodes, overrides, textures, diagnostics);
         const int code = report(diagnostics, common.diagnostics);
         if (code != exit_success) return code;
@@ -85,7 +85,7 @@ struct RenderCommand {
     }
 
     // Returns one sentence on wrong usage, otherwise "".
-    std::string read_options(PictureOptions& options) const {
+    std::string read_options(RenderOptions& options) const {
         options.view = *gpu::view_named(view);
         options.backdrop = background == "environment";
         options.lighting = lighting == "phong" ? gpu::Lighting::phong : gpu::Lighting::ggx;
@@ -112,16 +112,16 @@ struct RenderCommand {
     // camera; with --displace, run i is drawn on displaced[i].
     int draw(const std::vector<Shader>& shaders, const Mesh& still,
              const std::vector<Mesh>& displaced, const TextureStore& textures,
-             const PictureOptions& options, const Overrides& overrides) const {
+             const RenderOptions& options, const Overrides& overrides) const {
         Diagnostics environment, diagnostics;
-        auto painter = OffscreenRenderer::make(options, still, environment);
-        if (!painter) {
+        auto renderer = OffscreenRenderer::make(options, still, environment);
+        if (!renderer) {
             report(environment, common.diagnostics);
             return exit_environment;
         }
         for (size_t i = 0; i < shaders.size(); ++i) {
-            if (options.displace) painter->show(displaced[i]);
-            const auto drawn = painter->draw(shaders[i], textures, diagnostics);
+            if (options.displace) renderer->show(displaced[i]);
+            const auto drawn = renderer->draw(shaders[i], textures, diagnostics);
             if (!drawn) return report(diagnostics, common.diagnostics);
             const std::string path = path_of_run(output, overrides, i);
             if (!save(drawn->image, path)) return exit_environment;
@@ -168,15 +168,15 @@ void declare_render(CLI::App& app, Run& run) {
     sub.add_option("-o", c.output, "The picture: .png, .jpg or .tif; - is standard output")
         ->type_name("OUT")
         ->required();
-    sub.add_option("--mesh", c.picture.mesh, "What it is drawn on: " + mesh_help())
+    sub.add_option("--mesh", c.render.mesh, "What it is drawn on: " + mesh_help())
         ->type_name("NAME|PATH")
         ->check(check_mesh)
         ->capture_default_str();
     sub.add_option("--size", c.size, "Of the picture")->type_name("WxH")->capture_default_str();
     add_choice(sub, "--view", c.view, gpu::view_names(), "What it shows");
-    sub.add_flag("--displace", c.picture.displace,
+    sub.add_flag("--displace", c.render.displace,
                  "Moves the mesh, in fine triangles, by the output 'displacement'");
-    sub.add_option("--against", c.picture.against,
+    sub.add_option("--against", c.render.against,
                    "The output that the difference is taken against; "
                    "default: the normal without bumps")
         ->type_name("OUTPUT");

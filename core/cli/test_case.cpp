@@ -89,37 +89,37 @@ private:
             else if (member.key == "mesh")
                 read_mesh(member.value, render);
             else if (member.key == "view")
-                read_view(member.value, render.picture);
+                read_view(member.value, render.options);
             else if (member.key == "size")
-                read_size(member.value, render.picture);
+                read_size(member.value, render.options);
             else if (member.key == "against" && wants(member.value, Kind::string, "against"))
-                render.picture.against = member.value.as_string();
+                render.options.against = member.value.as_string();
             else if (member.key == "displace" && wants(member.value, Kind::boolean, "displace"))
-                render.picture.displace = member.value.as_boolean();
+                render.options.displace = member.value.as_boolean();
         }
     }
 
     void read_mesh(const Value& value, RenderCase& render) {
         if (!wants(value, Kind::string, "mesh")) return;
         render.mesh = value;
-        render.picture.mesh = value.as_string();
-        if (!check_mesh(render.picture.mesh).empty())
-            error(value, "mesh: there is no '" + render.picture.mesh + "'", mesh_help());
+        render.options.mesh = value.as_string();
+        if (!check_mesh(render.options.mesh).empty())
+            error(value, "mesh: there is no '" + render.options.mesh + "'", mesh_help());
     }
 
-    void read_view(const Value& value, PictureOptions& picture) {
+    void read_view(const Value& value, RenderOptions& options) {
         if (!wants(value, Kind::string, "view")) return;
         const auto view = gpu::view_named(value.as_string());
         if (view)
-            picture.view = *view;
+            options.view = *view;
         else
             error(value, "view: there is no '" + std::string(value.as_string()) + "'",
                   joined(gpu::view_names(), ", "));
     }
 
-    void read_size(const Value& value, PictureOptions& picture) {
+    void read_size(const Value& value, RenderOptions& options) {
         if (!value.is(Kind::string) ||
-            !parse_size(std::string(value.as_string()), picture.width, picture.height))
+            !parse_size(std::string(value.as_string()), options.width, options.height))
             error(value, "size does not fit", "a text such as \"512x512\"");
     }
 

@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "cli/picture.h"
+#include "cli/offscreen_renderer.h"
 #include "cli/points.h"
 #include "json/value.h"
 
 namespace wrinkle::cli {
 
 struct RenderCase {
-    PictureOptions picture;
+    RenderOptions options;
     json::Value mesh;  // value of the key, for messages; null: not given
     double tolerance = 1;
 };

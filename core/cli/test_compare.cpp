@@ -97,7 +97,7 @@ std::vector<std::string> differences(const TestCase& test, const Document& docum
     return result;
 }
 
-double picture_difference(const Image& expected, const Image& got) {
+double image_difference(const Image& expected, const Image& got) {
     if (expected.width != got.width || expected.height != got.height) return -1;
     const Image a = to_rgba(expected), b = to_rgba(got);
     double sum = 0;

@@ -44,7 +44,7 @@ bool is_finite(const std::vector<OutputColumn>& columns, size_t point) {
 // std::nullopt and reports an error on failure.
 std::optional<Mesh> mesh_of(const RenderCase& render, const Project& project,
                             const CommonOptions& common, Diagnostics& diagnostics) {
-    const std::string& name = render.picture.mesh;
+    const std::string& name = render.options.mesh;
     if (!is_mesh_path(name)) return open_mesh(name, common, diagnostics);
     if (const auto path = resolve_file(project, 0, name))
         return open_mesh(path->string(), common, diagnostics);
@@ -82,7 +82,7 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     };
     TextureStore textures;
     Shader shader;
-    const bool displaced = test.render && test.render->picture.displace;
+    const bool displaced = test.render && test.render->options.displace;
     if (!own.has_errors() && (!test.points.empty() || displaced)) compile(true, given);
     if (!own.has_errors() && (test.glsl || test.render)) compile(false, screen);
     if (!own.has_errors() && screen) shader = emit_function(*screen, material_name(graph), own);
@@ -95,7 +95,7 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     if (!own.has_errors() && test.render)
         still = mesh_of(*test.render, screen->project, common, own);
     if (still && displaced) moved = displaced_mesh(*still, *given, textures, own);
-    if (still && !own.has_errors()) picture(test, shader, *still, moved, textures, own);
+    if (still && !own.has_errors()) image(test, shader, *still, moved, textures, own);
     diagnostics.append_once(own);
 }
 
@@ -163,27 +163,27 @@ void TestRun::text(const TestCase& test, const Shader& shader) {
     if (may_report(test, golden)) write(report_path(test, ".glsl"), shader.source);
 }
 
-void TestRun::picture(const TestCase& test, const Shader& shader, const Mesh& still,
-                      const std::optional<Mesh>& moved, const TextureStore& textures,
-                      Diagnostics& diagnostics) {
+void TestRun::image(const TestCase& test, const Shader& shader, const Mesh& still,
+                    const std::optional<Mesh>& moved, const TextureStore& textures,
+                    Diagnostics& diagnostics) {
     Diagnostics environment;
-    const PictureOptions& options = test.render->picture;
-    auto painter = OffscreenRenderer::make(options, still, environment);
-    if (!painter) {
+    const RenderOptions& options = test.render->options;
+    auto renderer = OffscreenRenderer::make(options, still, environment);
+    if (!renderer) {
         tally_.environment = environment.list().front().message;
         return;
     }
-    if (moved) painter->show(*moved);
-    const auto picture = painter->draw(shader, textures, diagnostics);
-    if (!picture) return;
+    if (moved) renderer->show(*moved);
+    const auto drawn = renderer->draw(shader, textures, diagnostics);
+    if (!drawn) return;
     const fs::path golden = test.golden(".png");
     if (options_.update) {
-        if (save(picture->image, golden)) pass();
+        if (save(drawn->image, golden)) pass();
         return;
     }
     Diagnostics missing;
     const auto expected = load_image(golden, missing);
-    const double distance = expected ? picture_difference(*expected, picture->image) : -1;
+    const double distance = expected ? image_difference(*expected, drawn->image) : -1;
     if (distance >= 0 && distance <= test.render->tolerance) return pass();
     fail(test, {}, "/render",
          golden.string() + ": " +
@@ -191,7 +191,7 @@ void TestRun::picture(const TestCase& test, const Shader& shader, const Mesh& st
               : distance < 0 ? "is of another size"
                              : "the picture differs by " + std::to_string(distance) + " of 255, " +
                                    shortest(test.render->tolerance) + " allowed"));
-    if (may_report(test, golden)) save(picture->image, report_path(test, ".png"));
+    if (may_report(test, golden)) save(drawn->image, report_path(test, ".png"));
 }
 
 bool TestRun::may_report(const TestCase& test, const fs::path& golden) {

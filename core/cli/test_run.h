@@ -17,7 +17,7 @@ std::vector<std::string> differences(const TestCase& test, const Document& docum
                                      const std::vector<OutputColumn>& columns, size_t point);
 
 // Returns the RMS difference over all channels in 8-bit steps; negative if the sizes differ.
-double picture_difference(const Image& expected, const Image& got);
+double image_difference(const Image& expected, const Image& got);
 
 struct TestOptions {
     bool update = false;
@@ -52,9 +52,9 @@ private:
     void update_values(const TestCase& test, const std::vector<OutputColumn>& columns,
                        const std::vector<bool>& differs);
     void text(const TestCase& test, const Shader& shader);
-    void picture(const TestCase& test, const Shader& shader, const Mesh& still,
-                 const std::optional<Mesh>& moved, const TextureStore& textures,
-                 Diagnostics& diagnostics);
+    void image(const TestCase& test, const Shader& shader, const Mesh& still,
+               const std::optional<Mesh>& moved, const TextureStore& textures,
+               Diagnostics& diagnostics);
     bool write(const std::filesystem::path& path, std::string_view bytes);
     bool save(const Image& image, const std::filesystem::path& path);
     std::filesystem::path report_path(const TestCase& test, const std::string& extension) const;

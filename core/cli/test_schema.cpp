@@ -62,20 +62,20 @@ constexpr const char* tolerance_schema = R"("type": "number", "minimum": 0)";
 
 const std::vector<CaseKey>& render_keys() {
     static const RenderCase defaults;
-    static const PictureOptions& picture = defaults.picture;
+    static const RenderOptions& options = defaults.options;
     static const std::vector<std::string> views(gpu::view_names().begin(), gpu::view_names().end());
     static const std::vector<CaseKey> keys = {
         {"mesh", "A shape's name, or a mesh file relative to the graph and inside the root",
-         R"("type": "string")", json_quoted(picture.mesh), R"("torus")"},
+         R"("type": "string")", json_quoted(options.mesh), R"("torus")"},
         {"size", "Width and height in pixels", R"("type": "string", "pattern": "^[0-9]+x[0-9]+$")",
-         json_quoted(std::to_string(picture.width) + "x" + std::to_string(picture.height)),
+         json_quoted(std::to_string(options.width) + "x" + std::to_string(options.height)),
          R"("256x256")"},
         {"view", "As `wrinkle render --view`", "\"enum\": " + json::string_array(views),
-         json_quoted(views[static_cast<size_t>(picture.view)]), R"("normal")"},
+         json_quoted(views[static_cast<size_t>(options.view)]), R"("normal")"},
         {"against", "The output that the difference view compares with; empty: the surface",
-         R"("type": "string")", json_quoted(picture.against), R"("wrong")"},
+         R"("type": "string")", json_quoted(options.against), R"("wrong")"},
         {"displace", "As `wrinkle render --displace`", R"("type": "boolean")",
-         boolean(picture.displace), "true"},
+         boolean(options.displace), "true"},
         {"tolerance", "Root mean square of all channels, in 8-bit steps", tolerance_schema,
          shortest(defaults.tolerance), "2"}};
     return keys;

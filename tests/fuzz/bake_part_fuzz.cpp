@@ -10,13 +10,13 @@ namespace {
 std::string wrong_with(const cli::PartHeader& header) {
     if (header.files_with_rows() != header.sums.size()) return "another number of sums than files";
     for (size_t i = 0; i < header.sums.size(); ++i) {
-        const size_t picture = header.picture_of(header.first) + i / header.maps.size();
+        const size_t set = header.set_of(header.first) + i / header.maps.size();
         const size_t map = i % header.maps.size();
-        if (picture >= header.pictures.size()) return "rows of no picture";
-        const uint64_t bytes = header.bytes_of_rows(picture, map);
+        if (set >= header.sets.size()) return "rows of no picture";
+        const uint64_t bytes = header.bytes_of_rows(set, map);
         if (bytes == 0 || bytes > header.height() * uint64_t{header.row_bytes(map)})
             return "more rows than a picture has, or none";
-        for (const MapFile& file : header.files("out/maps", picture, 1)) {
+        for (const MapFile& file : header.files("out/maps", set, 1)) {
             const auto folder = file.path.lexically_normal().parent_path();
             if (folder != "out" && folder != "out/maps") return "outside: " + file.path.string();
         }

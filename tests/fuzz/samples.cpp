@@ -89,12 +89,12 @@ std::vector<std::string> bake_part_samples() {
     one.maps.push_back({"normal", ".exr", {}});
     one.maps[0].writer = {.width = 64, .height = 32, .channels = {"R", "G", "B"}};
     one.maps[0].writer.numbers.push_back({"height_scale", 2});
-    one.pictures = {""};
+    one.sets = {""};
     one.last = one.bands();
     cli::PartHeader two = one;
     two.maps.push_back({"height", ".png", {}});
     two.maps[1].writer = {.width = 64, .height = 32, .channels = {"Y"}, .type = PixelType::u16};
-    two.pictures = {".1001", ".1002", ".1003"};
+    two.sets = {".1001", ".1002", ".1003"};
     two.shards = two.shard = 2;
     two.first = two.bands();
     two.last = two.done = 3 * uint64_t{two.bands()};

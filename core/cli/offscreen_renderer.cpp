@@ -1,4 +1,4 @@
-#include "cli/picture.h"
+#include "cli/offscreen_renderer.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -62,7 +62,7 @@ std::optional<Image> load_environment(const std::string& file, Diagnostics& diag
     return {};
 }
 
-std::optional<OffscreenRenderer> OffscreenRenderer::make(const PictureOptions& options,
+std::optional<OffscreenRenderer> OffscreenRenderer::make(const RenderOptions& options,
                                                          const Mesh& mesh,
                                                          Diagnostics& diagnostics) {
     auto context = gpu::Context::offscreen(diagnostics);
@@ -81,7 +81,7 @@ std::optional<OffscreenRenderer> OffscreenRenderer::make(const PictureOptions& o
 }
 
 OffscreenRenderer::OffscreenRenderer(gpu::Context context, gpu::Target target,
-                                     const PictureOptions& options, const Mesh& mesh)
+                                     const RenderOptions& options, const Mesh& mesh)
     : context_(std::move(context)), target_(std::move(target)), options_(options) {
     renderer_.set_mesh(mesh);
     renderer_.set_lighting(options.lighting);
@@ -120,21 +120,22 @@ bool OffscreenRenderer::set_material(const gpu::Material& material, const Textur
     return renderer_.set_material(material, diagnostics);
 }
 
-std::optional<Picture> OffscreenRenderer::draw(const Shader& shader, const TextureStore& textures,
-                                               Diagnostics& diagnostics) {
+std::optional<RenderedImage> OffscreenRenderer::draw(const Shader& shader,
+                                                     const TextureStore& textures,
+                                                     Diagnostics& diagnostics) {
     if (!can_compare(shader, diagnostics)) return {};
     if (!set_material(gpu::material_from(shader), textures, diagnostics)) return {};
     gpu::ViewOptions view;
     view.view = options_.view;
     view.against = options_.against;
     if (!renderer_.draw(scene_, view, target_, diagnostics)) return {};
-    Picture picture{target_.read_image(), {}};
-    if (options_.view != gpu::View::difference) return picture;
+    RenderedImage rendered{target_.read_image(), {}};
+    if (options_.view != gpu::View::difference) return rendered;
     const auto angles =
         renderer_.measure(scene_, options_.against, options_.width, options_.height, diagnostics);
     if (!angles) return {};
-    picture.angles = *angles;
-    return picture;
+    rendered.angles = *angles;
+    return rendered;
 }
 
 }  // namespace wrinkle::cli

@@ -13,7 +13,7 @@
 
 namespace wrinkle::cli {
 
-struct PictureOptions {
+struct RenderOptions {
     std::string mesh = "sphere";  // shape name or path (cli/meshes.h); determines the camera
     int width = 512;
     int height = 512;
@@ -43,7 +43,7 @@ std::optional<Image> load_environment(const std::string& file, Diagnostics& diag
 std::optional<Mesh> displaced_mesh(const Mesh& still, const MaterialRun& run,
                                    const TextureStore& textures, Diagnostics& diagnostics);
 
-struct Picture {
+struct RenderedImage {
     Image image;
     gpu::AngleStatistics angles;  // only in the difference view
 };
@@ -53,7 +53,7 @@ class OffscreenRenderer {
 public:
     // Returns std::nullopt and reports an error if GL is unavailable or the driver does not support
     // the size (exit_environment).
-    static std::optional<OffscreenRenderer> make(const PictureOptions& options, const Mesh& mesh,
+    static std::optional<OffscreenRenderer> make(const RenderOptions& options, const Mesh& mesh,
                                                  Diagnostics& diagnostics);
 
     // Replaces the mesh; the camera is unchanged.
@@ -61,11 +61,11 @@ public:
 
     // Precondition: the shader is a result of emit_function(). Returns std::nullopt and reports an
     // error of the graph on failure (exit_input).
-    std::optional<Picture> draw(const Shader& shader, const TextureStore& textures,
-                                Diagnostics& diagnostics);
+    std::optional<RenderedImage> draw(const Shader& shader, const TextureStore& textures,
+                                      Diagnostics& diagnostics);
 
 private:
-    OffscreenRenderer(gpu::Context context, gpu::Target target, const PictureOptions& options,
+    OffscreenRenderer(gpu::Context context, gpu::Target target, const RenderOptions& options,
                       const Mesh& mesh);
     bool can_compare(const Shader& shader, Diagnostics& diagnostics) const;
     bool set_material(const gpu::Material& material, const TextureStore& textures,
@@ -74,7 +74,7 @@ private:
     gpu::Context context_;  // destroyed last
     gpu::Target target_;
     gpu::Renderer renderer_;
-    PictureOptions options_;
+    RenderOptions options_;
     gpu::Scene scene_;
 };
 
