@@ -69,8 +69,8 @@ std::shared_ptr<const Prepared> prepared_once(const Graph::Parts& parts, bool ve
     return prepared;
 }
 
-// Calls work(parts, result); for an empty or unreadable graph, and for an exception, the result holds
-// only the problems.
+// Calls work(parts, result). For an empty or unreadable graph, and for an exception, the result
+// holds only the problems.
 template <class Result, class Work>
 Result guarded(const std::shared_ptr<const Graph::Parts>& parts, Work work) noexcept {
     Result result;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/file.h"
+#include "base/overwrite.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
@@ -138,8 +139,10 @@ std::optional<std::vector<std::string>> command_words(int argc, const char* cons
     return std::move(expansion.words);
 }
 
-const std::vector<std::string>& option_files() {
-    return opened;
+std::string overwrite_fault_of_run(std::span<const std::string> outputs,
+                                   std::vector<std::string> inputs) {
+    inputs.insert(inputs.end(), opened.begin(), opened.end());
+    return overwrite_fault(outputs, inputs);
 }
 
 }  // namespace wrinkle::cli

@@ -24,8 +24,9 @@ namespace wrinkle::cli {
 std::optional<std::vector<std::string>> command_words(int argc, const char* const* argv,
                                                       std::string& why);
 
-// Files that the last call of command_words() read: inputs of the run, like any other.
-const std::vector<std::string>& option_files();
+// As overwrite_fault(), where the files that the last call of command_words() read are inputs too.
+std::string overwrite_fault_of_run(std::span<const std::string> outputs,
+                                   std::vector<std::string> inputs);
 
 // Parses all of `text` as a number; returns false for anything else.
 template <class T>

@@ -1,5 +1,4 @@
 // wrinkle bake FILE --mesh NAME|PATH -o OUT: bakes a graph's maps onto the uv layout of a mesh.
-#include "base/overwrite.h"
 #include "cli/arguments.h"
 #include "cli/bake_run.h"
 #include "cli/output.h"
@@ -67,9 +66,7 @@ struct BakeCommand {
         std::string why;
         if (options.depfile.wanted) why = depfile_fault({{paths, job.inputs}}, options.depfile);
         if (options.depfile.wanted) paths.push_back(depfile_path());
-        std::vector<std::string> read = option_files();
-        read.insert(read.end(), job.inputs.begin(), job.inputs.end());
-        if (why.empty()) why = overwrite_fault(paths, read);
+        if (why.empty()) why = overwrite_fault_of_run(paths, job.inputs);
         if (!why.empty()) diagnostics.error(why);
         return why.empty();
     }

@@ -95,9 +95,7 @@ std::string conflict(const BakeOptions& options, const BakeRequest& request) {
     for (const WantedMap& map : request.maps)
         if (map.request.name.empty() || map.request.name.find('/') != map.request.name.npos)
             return "'" + map.request.name + "' cannot be the name of a map's file";
-    const Depfile& depfile = options.depfile;
-    if (!depfile.wanted && (depfile.phony || !(depfile.path + depfile.target).empty()))
-        return "-MF, -MT and -MP go with -MD";
+    if (!options.depfile.is_complete()) return "-MF, -MT and -MP go with -MD";
     if (request.one_file && !options.format.empty())
         return "--format is for maps in a folder; OUT itself says what one map is written as";
     return "";
@@ -146,9 +144,7 @@ void declare_bake_layout(CLI::App& sub, BakeOptions& c) {
 
 void declare_bake_options(CLI::App& sub, BakeOptions& c) {
     sub.add_option("FILE", c.file, "A graph; - reads standard input");
-    sub.add_option("--mesh", c.mesh, "What it is baked onto: " + mesh_help())
-        ->type_name("NAME|PATH")
-        ->check(check_mesh);
+    declare_mesh(sub, c.mesh, "What it is baked onto: ");
     sub.add_option("-o", c.output, "The map's file; of several, their folder")
         ->type_name("OUT")
         ->required();

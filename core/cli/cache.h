@@ -2,9 +2,9 @@
 // inputs.
 //
 // Entries are written atomically (base/temporary.h), so any number of processes and threads may
-// share a folder. An entry begins with the SHA-256 of its key and of the SHA-256 of its bytes. It is a
-// miss, and is replaced by the next store(), if it is damaged, was stored under another key, is not
-// a regular file, or is larger than the limit of its folder.
+// share a folder. An entry begins with the SHA-256 of its key and of the SHA-256 of its bytes. It
+// is a miss, and is replaced by the next store(), if it is damaged, was stored under another key,
+// is not a regular file, or is larger than the limit of its folder.
 //
 // Entries are in 16 folders by the first digit of their key, each limited to a sixteenth of the
 // total. Eviction is least recently used first. Files that are not named like entries are ignored.

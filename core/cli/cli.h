@@ -41,7 +41,7 @@ std::pair<CLI::App&, Command&> add_command(CLI::App& app, Run& run, const char* 
     return {sub, *command};
 }
 
-// Adds an option whose value is one of `names`; its initial value is the default, "" for none.
+// Adds an option that takes one of `names`; its initial value is the default, "" for none.
 template <class Names = std::initializer_list<const char*>>
 CLI::Option* add_choice(CLI::App& command, const char* option, std::string& value,
                         const Names& names, const std::string& doc) {
@@ -49,6 +49,13 @@ CLI::Option* add_choice(CLI::App& command, const char* option, std::string& valu
     return command.add_option(option, value, doc)
         ->check(CLI::IsMember(list))
         ->capture_default_str();
+}
+
+// Returns the names that an option takes, separated by commas; "" if it takes other values.
+inline std::string choices_of(const CLI::Option& option) {
+    const std::string type = option.get_type_name();  // "TEXT:{a,b}"
+    const size_t open = type.find('{');
+    return open == type.npos ? "" : type.substr(open + 1, type.find('}', open) - open - 1);
 }
 
 // Adds --diagnostics, the format of report().

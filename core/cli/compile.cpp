@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "base/file.h"
-#include "base/overwrite.h"
 #include "cli/arguments.h"
 #include "cli/compile_graph.h"
 #include "cli/output.h"
@@ -63,11 +62,9 @@ struct CompileCommand {
     }
 
     std::string wrong_usage() const {
-        const Depfile& depfile = outputs.depfile;
         if (outputs.files.empty()) return "compile needs a graph; - reads standard input";
         if (const std::string why = wrong_text(text); !why.empty()) return why;
-        if (!depfile.wanted && (depfile.phony || !(depfile.path + depfile.target).empty()))
-            return "-MF, -MT and -MP go with -MD";
+        if (!outputs.depfile.is_complete()) return "-MF, -MT and -MP go with -MD";
         if (text.json && !text.cost) return "--json goes with --cost";
         return "";
     }
@@ -77,8 +74,7 @@ struct CompileCommand {
     // first, unless no output exists yet.
     void refuse_overwriting(const Compilation& with, Diagnostics& diagnostics) const {
         const std::vector<std::string> paths = outputs.all_paths();
-        std::vector<std::string> read = option_files();
-        read.insert(read.end(), outputs.files.begin(), outputs.files.end());
+        std::vector<std::string> read = outputs.files;
         std::error_code ignored;
         const auto exists = [&](const std::string& path) { return fs::exists(path, ignored); };
         if (std::any_of(paths.begin(), paths.end(), exists)) {
@@ -87,7 +83,7 @@ struct CompileCommand {
             for (const std::vector<std::string>& inputs : found)
                 read.insert(read.end(), inputs.begin(), inputs.end());
         }
-        if (const std::string why = overwrite_fault(paths, read); !why.empty())
+        if (const std::string why = overwrite_fault_of_run(paths, read); !why.empty())
             diagnostics.error(why);
     }
 
@@ -167,11 +163,8 @@ struct CompileCommand {
     bool may_be_written(Outcome& outcome) const {
         std::string why;
         if (outputs.depfile.wanted) why = depfile_fault({outcome.rule}, outputs.depfile);
-        if (why.empty() && !outputs.several()) {
-            std::vector<std::string> read = option_files();
-            read.insert(read.end(), outcome.rule.from.begin(), outcome.rule.from.end());
-            why = overwrite_fault(outputs.all_paths(), read);
-        }
+        if (why.empty() && !outputs.several())
+            why = overwrite_fault_of_run(outputs.all_paths(), outcome.rule.from);
         if (!why.empty()) outcome.graph.diagnostics.error(why);
         return why.empty();
     }

@@ -1,6 +1,6 @@
-// wrinkle completion SHELL: prints a script that calls `wrinkle complete -- WORD...`, whose candidates
-// are made from the declared commands, the existing files and the nodes of the plugins that would be
-// found.
+// wrinkle completion SHELL: prints a script that calls `wrinkle complete -- WORD...`. Candidates
+// are made from the declared commands, the existing files and the nodes of the plugins that would
+// be found.
 #include <filesystem>
 #include <set>
 #include <span>
@@ -129,9 +129,7 @@ private:
     // Offers the names listed by the option's validator, else candidates by its type name.
     void offer_values(const CLI::Option& option, const std::string& typed) {
         const std::string kind = option.get_positional() ? option.get_name() : type_of(option);
-        const std::string type = option.get_type_name();
-        if (const size_t open = type.find('{'); open != type.npos) {
-            const std::string names = type.substr(open + 1, type.find('}', open) - open - 1);
+        if (const std::string names = choices_of(option); !names.empty()) {
             for (const std::string_view name : split(names, ','))
                 found_.emplace(name);
         } else if (option.check_lname("target")) {

@@ -13,6 +13,9 @@ struct Depfile {
     bool phony = false;  // adds an empty rule per input, so that one may be removed
     std::string path;    // "": the output path with ".d" appended
     std::string target;  // "": the outputs
+
+    // Returns false if the other options are given without -MD.
+    bool is_complete() const { return wanted || (!phony && path.empty() && target.empty()); }
 };
 
 void declare_depfile(CLI::App& command, Depfile& depfile);

@@ -141,9 +141,7 @@ void declare_eval(CLI::App& app, Run& run) {
                    "an array of them, @FILE, - for standard input, or a table FILE.csv|npy with "
                    "columns such as uv0.x,uv0.y,dx.uv0.x; with --mesh places, of which uv0 is read")
         ->type_name("JSON|FILE");
-    sub.add_option("--mesh", c.at.mesh, "Points of this: " + mesh_help())
-        ->type_name("NAME|PATH")
-        ->check(check_mesh);
+    declare_mesh(sub, c.at.mesh, "Points of this: ");
     sub.add_option("--uv", c.at.uv, "One place on it, in uv0")->type_name("U,V");
     sub.add_option("--size", c.at.size, "dx and dy are one texel of N x N of uv0")
         ->type_name("N")

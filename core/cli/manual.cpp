@@ -39,15 +39,10 @@ std::string head(const std::string& name, const std::string& summary) {
 
 // Value name of an option: the choices joined by |, or the type name without its validator.
 std::string value_of(const CLI::Option& option) {
+    std::string names = choices_of(option);
+    std::replace(names.begin(), names.end(), ',', '|');
     const std::string type = option.get_type_name();
-    const size_t open = type.find('{');
-    if (open != type.npos) {
-        std::string names = type.substr(open + 1, type.find('}', open) - open - 1);
-        for (char& c : names)
-            if (c == ',') c = '|';
-        return names;
-    }
-    return type.substr(0, type.find(':'));
+    return names.empty() ? type.substr(0, type.find(':')) : names;
 }
 
 // Names and value of an option. The compiler-style flags (-MD and so on) are not listed here: the

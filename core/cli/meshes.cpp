@@ -31,6 +31,13 @@ std::string check_mesh(const std::string& name_or_path) {
     return "'" + name_or_path + "' is none of " + mesh_help();
 }
 
+void declare_mesh(CLI::App& command, std::string& name_or_path, const std::string& doc) {
+    command.add_option("--mesh", name_or_path, doc + mesh_help())
+        ->type_name("NAME|PATH")
+        ->check(check_mesh)
+        ->capture_default_str();
+}
+
 std::optional<Mesh> open_mesh(const std::string& name_or_path, const CommonOptions& options,
                               Diagnostics& diagnostics, std::vector<std::string>* read,
                               bool* double_sided) {

@@ -19,8 +19,11 @@ std::string mesh_help();  // "sphere, plane, ..., or an OBJ or glTF file"
 
 bool is_mesh_path(const std::string& name_or_path);
 
-// CLI11 validator: returns an error message for an unknown shape name, otherwise "".
+// Returns an error message for an unknown shape name, otherwise "".
 std::string check_mesh(const std::string& name_or_path);
+
+// Adds --mesh; its initial value is the default. The list of shapes is appended to `doc`.
+void declare_mesh(CLI::App& command, std::string& name_or_path, const std::string& doc);
 
 // Returns the mesh, without tangents if --no-tangents is set; std::nullopt and errors that name the
 // file on failure. Appends the paths of all read files to `read`. For a glTF, sets `double_sided`

@@ -1,8 +1,8 @@
 // wrinkle plugins: lists the found plugins; tests one or writes its manifest.
 //
-// --test holds a plugin's nodes to the properties of the built-in nodes (core/certify) and prints a
-// report. Exit code: 1 if there are findings or the plugin is refused; else 3 if the GPU check could
-// not run and --no-gpu was not given; else 0.
+// --test tests a plugin's nodes for the properties of the built-in nodes (core/certify) and prints
+// a report. Exit code: 1 if there are findings or the plugin is refused; else 3 if the GPU check
+// could not run and --no-gpu was not given; else 0.
 #include <algorithm>
 #include <cstdio>
 #include <optional>

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "base/file.h"
-#include "base/overwrite.h"
 #include "base/printable.h"
 #include "cli/arguments.h"
 #include "cli/meshes.h"
@@ -32,7 +31,7 @@ struct RenderCommand {
             return fail(exit_usage, why);
         Diagnostics diagnostics;
         bool double_sided = false;
-        std::vector<std::string> read = option_files();
+        std::vector<std::string> read;
         const auto drawn_on = open_mesh(render.mesh, common, diagnostics, &read, &double_sided);
         if (!environment.empty()) read.push_back(environment);
         if (!environment.empty())
@@ -63,10 +62,10 @@ struct RenderCommand {
                             std::vector<std::string> read, Diagnostics& diagnostics) const {
         const std::vector<std::string> inputs = input_paths(project, nodes.registry);
         read.insert(read.end(), inputs.begin(), inputs.end());
-        std::vector<std::string> places;
+        std::vector<std::string> paths;
         for (size_t i = 0; i < overrides.runs; ++i)
-            places.push_back(path_of_run(output, overrides, i));
-        if (const std::string why = overwrite_fault(places, read); !why.empty())
+            paths.push_back(path_of_run(output, overrides, i));
+        if (const std::string why = overwrite_fault_of_run(paths, read); !why.empty())
             diagnostics.error(why);
     }
 
@@ -168,10 +167,7 @@ void declare_render(CLI::App& app, Run& run) {
     sub.add_option("-o", c.output, "The picture: .png, .jpg or .tif; - is standard output")
         ->type_name("OUT")
         ->required();
-    sub.add_option("--mesh", c.render.mesh, "What it is drawn on: " + mesh_help())
-        ->type_name("NAME|PATH")
-        ->check(check_mesh)
-        ->capture_default_str();
+    declare_mesh(sub, c.render.mesh, "What it is drawn on: ");
     sub.add_option("--size", c.size, "Of the picture")->type_name("WxH")->capture_default_str();
     add_choice(sub, "--view", c.view, gpu::view_names(), "What it shows");
     sub.add_flag("--displace", c.render.displace,

@@ -23,8 +23,8 @@ Form default_form(const Target& target);
 // are compatible.
 std::string form_conflict(const Target& target, Form form, Differentials differentials);
 
-// Call before compiling for a mesh with a double-sided material (glTF), whose bumps are dents when
-// seen from behind: if the graph does not set "back_faces", sets the rule `flip` and reports a
+// Call before compiling for a mesh with a double-sided material (glTF): seen from behind, a bump is
+// a dent. If the graph does not set "back_faces", sets the rule `flip` and reports a
 // warning at `mesh`.
 void follow_double_sided(Document& document, const std::string& mesh, Diagnostics& diagnostics);
 

@@ -33,8 +33,8 @@ struct CostReport {
 CostReport cost_report(const Shader& shader, const SpirvCount& count);
 
 // Measures the cost of an expanded module: emits GLSL 4.50 functions, compiles them, optimises as
-// `spirv-opt -O` and counts. All functions are inlined, so it takes milliseconds for a material of a
-// few nodes and seconds for one of thousands. Returns std::nullopt and sets `why` if the emitter
+// `spirv-opt -O` and counts. All functions are inlined, so it takes milliseconds for a material of
+// a few nodes and seconds for one of thousands. Returns std::nullopt and sets `why` if the emitter
 // reports a problem, or the compiler module (spirv/spirv.h) is missing or rejects the source.
 // Thread-safe.
 std::optional<CostReport> measure_cost(const Module& module, Differentials differentials,

@@ -16,9 +16,9 @@
 // Threads   Const members are thread-safe, on one object and on copies. The files of a graph are
 //           read when it is loaded, its images by the first evaluate(); images stay in memory until
 //           the last copy is destroyed. Load the graph again to read changed files.
-// Plugins   Their code runs in child processes, which the library starts and waits for, when plugins
-//           are found and when a graph with their nodes is compiled. A program must not reap these
-//           processes with waitpid(-1).
+// Plugins   Their code runs in child processes, which the library starts and waits for, when
+//           plugins are found and when a graph with their nodes is compiled. A program must not
+//           reap these processes with waitpid(-1).
 // Versions  The soname changes with every version outside 0.1.x, because structs grow. Source
 //           compatibility is kept. Requires C++17.
 #pragma once
