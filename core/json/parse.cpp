@@ -265,7 +265,7 @@ Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, Parse
     tree->file = std::move(file);
     tree->source = std::move(text);
     if (too_large(*tree, diagnostics)) return {};
-    tree->lines = std::make_unique<Lines>();
+    tree->is_parsed = true;
     tree->entries.reserve(std::min(tree->source.size() / bytes_an_entry, max_expected_entries));
     Handler handler(tree, diagnostics, limits);
     const bool complete =

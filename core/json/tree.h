@@ -6,8 +6,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,29 +31,13 @@ inline bool is_container(Kind kind) {
     return kind == Kind::array || kind == Kind::object;
 }
 
-// Offsets of the lines of a text, computed on the first request: texts without errors need none.
-class Lines {
-public:
-    // Returns the location of a byte, without the file. Precondition: the same text at every call.
-    Location location(std::string_view text, uint32_t offset);
-
-private:
-    void find_all(std::string_view text);
-    uint32_t characters_before(std::string_view text, uint32_t offset) const;
-
-    std::once_flag found_;          // values may be read by several threads
-    std::vector<uint32_t> begins_;  // offset of each line's first character
-    std::vector<uint32_t> blocks_;  // UTF-8 characters before each block of the text
-};
-
 struct Tree {
     std::string file;
     std::string source;
     std::string pool;
-    std::unique_ptr<Lines> lines;  // null for built values
+    bool is_parsed = false;  // false: a built value, without locations
     std::vector<Entry> entries;
 
-    bool was_read() const { return lines != nullptr; }
     // Returns the text of a number or a decoded string.
     std::string_view text(const Entry& entry) const {
         if (entry.pooled) return {pool.data() + entry.place, entry.length};
@@ -64,6 +46,7 @@ struct Tree {
     uint32_t after(uint32_t i) const {
         return is_container(entries[i].kind) ? entries[i].place : i + 1;
     }
+    // Returns the location of a byte of the source. Linear in the offset.
     Location location(uint32_t offset) const;
 };
 

@@ -1,5 +1,6 @@
 #include "json/value.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <charconv>
@@ -51,6 +52,15 @@ std::string pointer_step(std::string_view key) {
     return step;
 }
 
+Location Tree::location(uint32_t offset) const {
+    const uint32_t begin = std::min(begin_of(source), offset);
+    const std::string_view before = std::string_view(source).substr(begin, offset - begin);
+    const std::string_view line = before.substr(before.rfind('\n') + 1);
+    const auto is_character = [](char byte) { return (byte & 0xC0) != 0x80; };  // UTF-8
+    return {file, static_cast<uint32_t>(std::count(before.begin(), before.end(), '\n') + 1),
+            static_cast<uint32_t>(std::count_if(line.begin(), line.end(), is_character) + 1)};
+}
+
 Kind Value::kind() const {
     return entry_of(*this).kind;
 }
@@ -79,8 +89,18 @@ size_t Value::size() const {
     return is_container(entry.kind) ? entry.length : 0;
 }
 
-Children Value::children() const {
-    return Children(*this);
+std::vector<Member> Value::children() const {
+    std::vector<Member> children;
+    if (!is_container(kind())) return children;
+    const bool object = is(Kind::object);  // each child has two entries: key, value
+    children.reserve(size());
+    const uint32_t end = tree_->after(index_);
+    for (uint32_t i = index_ + 1; i < end; i = tree_->after(i + object)) {
+        const Entry& entry = tree_->entries[i];
+        if (entry.duplicate) continue;
+        children.push_back({object ? tree_->text(entry) : "", Value(tree_, i + object)});
+    }
+    return children;
 }
 
 Value Value::find(std::string_view key) const {
@@ -105,7 +125,7 @@ Value Value::at(size_t item) const {
 }
 
 bool Value::has_location() const {
-    return tree_ && tree_->was_read();
+    return tree_ && tree_->is_parsed;
 }
 
 uint32_t Value::offset() const {
@@ -163,28 +183,6 @@ bool operator==(const Value& a, const Value& b) {
         if (one.kind != Kind::number || number_of(text) != number_of(other)) return false;
     }
     return true;
-}
-
-Children::Iterator::Iterator(const Value& parent) : object_(parent.is(Kind::object)) {
-    if (object_ || parent.is(Kind::array)) {
-        current_.value = parent;
-        next_ = parent.index_ + 1;
-        end_ = parent.tree_->after(parent.index_);
-    }
-    step();
-}
-
-void Children::Iterator::step() {
-    while (next_ < end_) {
-        const Tree& tree = *current_.value.tree_;
-        const Entry& entry = tree.entries[next_];  // in an object, the key
-        current_.value.index_ = next_ + object_;
-        next_ = tree.after(current_.value.index_);
-        if (entry.duplicate) continue;
-        if (object_) current_.key = tree.text(entry);
-        return;
-    }
-    done_ = true;
 }
 
 }  // namespace wrinkle::json

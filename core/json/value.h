@@ -10,7 +10,6 @@
 
 #include <cstdint>
 #include <initializer_list>
-#include <iterator>
 #include <memory>
 #include <span>
 #include <string>
@@ -32,7 +31,6 @@ std::string pointer_step(std::string_view key);
 
 struct Tree;
 struct Member;
-class Children;
 
 class Value {
 public:
@@ -58,7 +56,7 @@ public:
     std::string_view as_string() const;  // decoded; valid as long as any value of the tree
 
     size_t size() const;                     // children of an array or object, else 0
-    Children children() const;               // range of Member; empty if not an array or object
+    std::vector<Member> children() const;    // empty if not an array or object
     Value find(std::string_view key) const;  // value of a member, linear; null if absent
     bool has(std::string_view key) const;
     Value at(size_t item) const;  // item of an array; linear
@@ -81,7 +79,6 @@ public:
     friend bool operator==(const Value&, const Value&);  // equal values; numbers by value
 
 private:
-    friend class Children;
     std::shared_ptr<const Tree> tree_;
     uint32_t index_ = 0;
 };
@@ -89,36 +86,6 @@ private:
 struct Member {
     std::string_view key;  // "" in an array
     Value value;
-};
-
-// `for (const Member& m : value.children())`
-class Children {
-public:
-    class Iterator {
-    public:
-        explicit Iterator(const Value& parent);               // at the first child
-        const Member& operator*() const { return current_; }  // valid until the next increment
-        Iterator& operator++() {
-            step();
-            return *this;
-        }
-        bool operator==(std::default_sentinel_t) const { return done_; }
-
-    private:
-        void step();  // to the next child at or after next_
-
-        Member current_;  // one reference to the tree for all children
-        uint32_t next_ = 0, end_ = 0;
-        bool object_;  // true if the parent is an object
-        bool done_ = false;
-    };
-
-    explicit Children(Value parent) : parent_(std::move(parent)) {}
-    Iterator begin() const { return Iterator(parent_); }
-    std::default_sentinel_t end() const { return {}; }
-
-private:
-    Value parent_;
 };
 
 }  // namespace wrinkle::json

@@ -77,16 +77,16 @@ public:
         if (output.from.kind != Input::Kind::link) return;
         const Link& link = output.from.link;
         const auto here = [&](std::string message, std::string expected) {
-            report(diagnose(document_, output, std::move(message), std::move(expected)));
+            return diagnose(document_, output, std::move(message), std::move(expected));
         };
         const auto from = source(link, types_.source(file_, link), here);
         if (!from) return;
         const PortType to = standard_output(output.name).value_or(*from);
         const std::string subject = "output " + in_quotes(output.name) + " ";
         if (conversion(*from, to) == Conversion::illegal)
-            here(mismatch(subject, link, *from, to), alternative(*from, to, registry_));
+            report(here(mismatch(subject, link, *from, to), alternative(*from, to, registry_)));
         else if (to == PortType::image_ && file_ == 0)
-            here(subject + "is an image", "sample it; an output is a value");
+            report(here(subject + "is an image", "sample it; an output is a value"));
     }
 
 private:
@@ -136,10 +136,7 @@ private:
         if (input.kind == Input::Kind::literal)
             literal(input.value, port, subject, node.id, here);
         else if (input.kind == Input::Kind::link)
-            wire(input.link, named.source, port, subject,
-                 [&](std::string message, std::string expected) {
-                     report(here(std::move(message), std::move(expected)));
-                 });
+            wire(input.link, named.source, port, subject, here);
     }
 
     void unknown_port(const Node& node, const NodeType& type, const Input& input) {
@@ -163,37 +160,38 @@ private:
                " is " + std::string(name_of(from));
     }
 
-    // `subject` returns the first words of a message.
-    template <class Subject, class Report>
-    void wire(const Link& link, LinkSource at, const Port& port, Subject subject, Report here) {
+    // `subject` returns the first words of a message, `here` a diagnostic at the wire.
+    template <class Subject, class Diagnose>
+    void wire(const Link& link, LinkSource at, const Port& port, Subject subject, Diagnose here) {
         if (port.is_option())
-            return here(subject() + "is known while compiling and takes no wire",
-                        "write a value in its place");
+            return report(here(subject() + "is known while compiling and takes no wire",
+                               "write a value in its place"));
         const auto from = source(link, at, here);
         if (from && conversion(*from, port.type) == Conversion::illegal)
-            here(mismatch(subject(), link, *from, port.type),
-                 alternative(*from, port.type, registry_));
+            report(here(mismatch(subject(), link, *from, port.type),
+                        alternative(*from, port.type, registry_)));
     }
 
     // Returns the type that a link carries; if there is none, std::nullopt, and an error unless
     // reading reported it.
-    template <class Report>
-    std::optional<PortType> source(const Link& link, LinkSource at, Report here) {
+    template <class Diagnose>
+    std::optional<PortType> source(const Link& link, LinkSource at, Diagnose here) {
         const auto type = types_.link(file_, link, at);
         if (type || only_count()) return type;
         if (link.is_surface()) {
             std::vector<std::string> names;
             for (const SurfaceProperty& property : surface_properties())
                 names.emplace_back(property.name);
-            here("the surface has no property " + in_quotes(link.port),
-                 did_you_mean(link.port, names, "it has " + join(names)));
+            report(here("the surface has no property " + in_quotes(link.port),
+                        did_you_mean(link.port, names, "it has " + join(names))));
         } else if (link.is_node()) {
             if (at.node == LinkSource::none || !types_.of(file_, at.node)) return {};
             if (is_broken_output(at.node, link.port)) return {};
             const std::vector<std::string> names = port_names(*types_.of(file_, at.node), true);
-            here("node " + in_quotes(link.node) + " has no output " + in_quotes(link.port),
-                 did_you_mean(link.port, names,
-                              names.empty() ? "it has no outputs" : "it has " + join(names)));
+            report(
+                here("node " + in_quotes(link.node) + " has no output " + in_quotes(link.port),
+                     did_you_mean(link.port, names,
+                                  names.empty() ? "it has no outputs" : "it has " + join(names))));
         }
         return {};
     }

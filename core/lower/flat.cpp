@@ -156,24 +156,17 @@ private:
     }
 
     Wire node_wire(uint32_t flat, PortType type, uint32_t output) {
-        Wire wire;
-        wire.kind = Wire::Kind::node;
-        wire.type = type;
-        wire.from = flat;
-        wire.output = static_cast<uint16_t>(output);
         if (!graph_.nodes[flat].is_passthrough())
             graph_.wires[graph_.nodes[flat].first_wire + output].kind = Wire::Kind::read;
-        return wire;
+        return {Wire::Kind::node, type, static_cast<uint16_t>(output), flat};
     }
 
-    Wire surface_wire(const Link& link) const {
-        Wire wire;
-        wire.kind = Wire::Kind::surface;
+    static Wire surface_wire(const Link& link) {
         const auto properties = surface_properties();
-        while (properties[wire.from].name != link.port)
-            ++wire.from;
-        wire.type = properties[wire.from].type;
-        return wire;
+        uint32_t index = 0;
+        while (properties[index].name != link.port)
+            ++index;
+        return {Wire::Kind::surface, properties[index].type, 0, index};
     }
 
     Wire input_wire(uint32_t use, const Link& link) {
@@ -181,11 +174,7 @@ private:
         const auto type = *types_.link(uses_[use].file, link);
         if (uses_[use].parent != FlatNode::none)
             return node_wire(input_passthrough(use, index), type, 0);
-        Wire wire;
-        wire.kind = Wire::Kind::graph_input;
-        wire.type = type;
-        wire.from = index;
-        return wire;
+        return {Wire::Kind::graph_input, type, 0, index};
     }
 
     // Returns the wire for a link of a use's document. An output of a sub-graph that needs no
@@ -306,11 +295,7 @@ private:
     }
 
     static Wire literal_wire(uint32_t file, const json::Value& value) {
-        Wire wire;
-        wire.kind = Wire::Kind::literal;
-        wire.from = file;
-        wire.literal = &value;
-        return wire;
+        return {Wire::Kind::literal, PortType::float_, 0, file, &value};
     }
 
     const Project& project_;

@@ -81,7 +81,8 @@ private:
             step();
         const bool inlining_required = functions_.any() && wants_normal_variance(result_.module);
         if (inlining_required && !diagnostics_.has_errors()) return lower_inlined();
-        report_problems(result_.module, project_, result_.places, diagnostics_);
+        const Module& m = result_.module;
+        report_problems(m.problems, m, project_, result_.places, diagnostics_);
         return std::move(result_);
     }
 
@@ -117,10 +118,9 @@ private:
         if (inputs) {
             frame->first_input = add_leaves(m, *inputs);
             frame->leaves = inputs->leaves;
-            frame->lowering.emplace(m, frame->graph, project_, files_, inputs->bound);
-        } else {
-            frame->lowering.emplace(m, frame->graph, project_, files_);
         }
+        frame->lowering.emplace(m, frame->graph, project_, files_,
+                                inputs ? &inputs->bound : nullptr);
         frames_.push_back(std::move(frame));
         return true;
     }
@@ -251,11 +251,6 @@ Lowered lower(const Project& project, const Registry& registry, const LowerOptio
 Diagnostic over_limit(const OverLimit& over, const Project& project,
                       const std::vector<NodePlace>& places) {
     return diagnose(project, places[over.node], over.path, over.message, over.expected);
-}
-
-void report_problems(const Module& module, const Project& project,
-                     const std::vector<NodePlace>& places, Diagnostics& diagnostics) {
-    report_problems(module.problems, module, project, places, diagnostics);
 }
 
 void report_problems(const std::vector<Problem>& problems, const Module& module,

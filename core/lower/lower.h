@@ -68,7 +68,5 @@ Diagnostic over_limit(const OverLimit& over, const Project& project,
 void report_problems(const std::vector<Problem>& problems, const Module& module,
                      const Project& project, const std::vector<NodePlace>& places,
                      Diagnostics& diagnostics);
-void report_problems(const Module& module, const Project& project,
-                     const std::vector<NodePlace>& places, Diagnostics& diagnostics);
 
 }  // namespace wrinkle

@@ -15,22 +15,19 @@ Type value_type(PortType type) {
 }
 
 Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& project,
-                   NamedFiles& files)
+                   NamedFiles& files, const std::vector<BoundInput>* inputs)
     : module_(module),
       graph_(graph),
       project_(project),
       back_faces_(project.top().back_face_rule()),
       files_(files),
       slots_(graph.wires.size(), unset),
-      graph_inputs_(project.top().inputs.size(), unset) {}
-
-Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& project,
-                   NamedFiles& files, std::span<const BoundInput> inputs)
-    : Lowering(module, graph, project, files) {
-    graph_inputs_.clear();
-    for (const BoundInput& input : inputs)
-        graph_inputs_.push_back(input.image ? add_image(input.image->literal, input.image->file)
-                                            : input.value);
+      graph_inputs_(inputs ? inputs->size() : project.top().inputs.size(), unset) {
+    for (size_t i = 0; inputs && i < inputs->size(); ++i) {
+        const BoundInput& input = (*inputs)[i];
+        graph_inputs_[i] =
+            input.image ? add_image(input.image->literal, input.image->file) : input.value;
+    }
 }
 
 Id Lowering::input(uint32_t node, uint32_t port) {

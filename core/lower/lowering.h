@@ -30,10 +30,9 @@ struct BoundInput {
 
 class Lowering {
 public:
-    Lowering(Module& module, const FlatGraph& graph, const Project& project, NamedFiles& files);
-    // For a function's body: `inputs` are its inputs, in the order of the file's.
+    // `inputs`: those of a function's body, in the order of the file's; null: the top graph.
     Lowering(Module& module, const FlatGraph& graph, const Project& project, NamedFiles& files,
-             std::span<const BoundInput> inputs);
+             const std::vector<BoundInput>* inputs);
 
     Module& module() { return module_; }
     const FlatGraph& graph() const { return graph_; }

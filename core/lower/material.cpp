@@ -41,7 +41,7 @@ void expand_into(Compiled& compiled, Module lowered, const ExpandOptions& expans
                  const Project& project, const MaterialOptions& options, Diagnostics& diagnostics) {
     try {
         Module module = expand(std::move(lowered), expansion);
-        report_problems(module, project, compiled.places, diagnostics);
+        report_problems(module.problems, module, project, compiled.places, diagnostics);
         if (diagnostics.has_errors()) return;
         if (options.given_differentials) module = explicit_lod(std::move(module));
         assert(verify(module).empty());

@@ -7,15 +7,9 @@
 namespace wrinkle {
 namespace {
 
-Value vec4(Value a, Value b) {
-    return {a.module, a.module->construct(Type::vec4_, {a.id, b.id})};
-}
-
-Value vec4(Value a, Value b, Value c, Value d) {
-    return {a.module, a.module->construct(Type::vec4_, {a.id, b.id, c.id, d.id})};
-}
-Value vec4(Value ab, Value c, Value d) {
-    return {ab.module, ab.module->construct(Type::vec4_, {ab.id, c.id, d.id})};
+template <class... Values>
+Value vec4(Value first, Values... rest) {
+    return {first.module, first.module->construct(Type::vec4_, {first.id, rest.id...})};
 }
 
 // Maps 0..1 to -1..1. The factor comes last: it cancels for a normal, which is normalized later.
