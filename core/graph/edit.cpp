@@ -117,10 +117,13 @@ Document with_table(const Document& document, Table<T> Document::*table, Table<T
     return changed;
 }
 
-bool equal(const std::vector<Extra>& a, const std::vector<Extra>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Extra& x, const Extra& y) {
-        return x.key == y.key && x.value == y.value;
-    });
+template <class T>
+Document with_member(const Document& document, T Document::*member, T value) {
+    if (document.*member == value) return document;
+    Document changed = document;
+    changed.*member = std::move(value);
+    mark_edited(changed);
+    return changed;
 }
 
 // Returns `value`; numbers equal to `old`, or to its element at the same index, retain its
@@ -136,6 +139,12 @@ Value with_old_spelling(const Value& value, const Value& old) {
         items.push_back(keep ? old.at(i) : item.value);
     }
     return Value::array(items);
+}
+
+bool equal(const std::vector<Extra>& a, const std::vector<Extra>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Extra& x, const Extra& y) {
+        return x.key == y.key && x.value == y.value;
+    });
 }
 
 Document set_box(const Document& document, Table<Box> Document::*table, Box box) {
@@ -222,19 +231,11 @@ Document remove_graph_input(const Document& document, std::string_view name) {
 }
 
 Document set_name(const Document& document, std::string_view name) {
-    if (document.name == name) return document;
-    Document changed = document;
-    changed.name = name;
-    mark_edited(changed);
-    return changed;
+    return with_member(document, &Document::name, std::string(name));
 }
 
 Document set_back_faces(const Document& document, std::optional<BackFaces> choice) {
-    if (document.back_faces == choice) return document;
-    Document changed = document;
-    changed.back_faces = choice;
-    mark_edited(changed);
-    return changed;
+    return with_member(document, &Document::back_faces, choice);
 }
 
 Document set_frame(const Document& document, Box frame) {

@@ -249,22 +249,19 @@ private:
 // Approximate for graphs; for other texts the tree grows as required.
 constexpr size_t bytes_an_entry = 6, max_expected_entries = 1'000'000;
 
-bool too_large(const Tree& tree, Diagnostics& diagnostics) {
-    if (tree.source.size() < std::numeric_limits<uint32_t>::max()) return false;
-    Diagnostic diagnostic;
-    diagnostic.where.file = tree.file;
-    diagnostic.message = "the text is larger than 4 GiB";
-    diagnostics.add(std::move(diagnostic));
-    return true;
-}
-
 }  // namespace
 
 Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, ParseLimits limits) {
     auto tree = std::make_shared<Tree>();
     tree->file = std::move(file);
     tree->source = std::move(text);
-    if (too_large(*tree, diagnostics)) return {};
+    if (tree->source.size() >= std::numeric_limits<uint32_t>::max()) {
+        Diagnostic diagnostic;
+        diagnostic.where.file = tree->file;
+        diagnostic.message = "the text is larger than 4 GiB";
+        diagnostics.add(std::move(diagnostic));
+        return {};
+    }
     tree->is_parsed = true;
     tree->entries.reserve(std::min(tree->source.size() / bytes_an_entry, max_expected_entries));
     Handler handler(tree, diagnostics, limits);

@@ -116,20 +116,17 @@ private:
 
     // Returns false if a value is poison, does not exist or is out of scope.
     bool usable(std::span<const wr_value> values) {
-        const Id size = module_.size();
-        const int depth = module_.depth();
-        for (const wr_value value : values)
-            if (value == poison || value >= size || module_[value].level > depth)
-                return refuse_use(values), false;
-        return true;
-    }
-
-    [[gnu::cold]] void refuse_use(std::span<const wr_value> values) {
-        for (const wr_value value : values)
+        bool all = true;
+        for (const wr_value value : values) {
             if (value >= module_.size())
                 refuse("uses a value that does not exist");
             else if (value != poison && module_[value].level > module_.depth())
                 refuse("uses a value of a loop or a function outside of it");
+            else if (value != poison)
+                continue;
+            all = false;
+        }
+        return all;
     }
 
     Id input(uint32_t index) {

@@ -221,19 +221,19 @@ private:
     template <class Subject, class Diagnose>
     void image_file(std::string_view name, Subject subject, Diagnose here) {
         const NamedFiles::Found& found = files_.find(file_, name);
+        const auto fail = [&](const char* fault, std::string expected) {
+            report(
+                here(subject() + "names " + json_quoted(name) + ", " + fault, std::move(expected)));
+        };
         if (!found.path)
-            return report(here(subject() + "names " + json_quoted(name) + ", outside the root",
-                               "keep it below " + project_.root.string() +
-                                   ", or choose another root with --root"));
+            return fail("outside the root", "keep it below " + project_.root.string() +
+                                                ", or choose another root with --root");
         if (!fs::exists(fs::file_status(found.type)))
-            report(here(subject() + "names " + json_quoted(name) + ", which does not exist",
-                        "a path is relative to its graph's folder"));
+            fail("which does not exist", "a path is relative to its graph's folder");
         else if (found.type == fs::file_type::directory)
-            report(here(subject() + "names " + json_quoted(name) + ", which is a folder",
-                        "expected an image file"));
+            fail("which is a folder", "expected an image file");
         else if (found.type != fs::file_type::regular)
-            report(here(subject() + "names " + json_quoted(name) + ", which is no regular file",
-                        "expected an image file"));
+            fail("which is no regular file", "expected an image file");
     }
 
     void required(const Node& node, size_t index, const Port& port) {

@@ -107,12 +107,12 @@ private:
         return index;
     }
 
-    // Where a flat node's wires are written.
+    // Source of a flat node's wires in the project.
     struct Origin {
         enum class Kind : uint8_t { node, input, output } kind;
-        uint32_t use = FlatNode::none;    // of the document with the node, or with the output
+        uint32_t use = FlatNode::none;    // use with the node, or with the output
         uint32_t inner = FlatNode::none;  // input: the use that has it
-        uint32_t index = FlatNode::none;  // of that input or output
+        uint32_t index = FlatNode::none;  // index of that input or output
     };
 
     uint32_t add_node(FlatNode node, uint32_t wires, Origin origin) {

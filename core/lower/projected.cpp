@@ -57,14 +57,14 @@ void warn_of_projection(const Document& document, const Node& node, const Regist
     if (!type || !makes_bump(*type) || !is_unit_by_default(*type)) return;
     const Node* projection = projection_behind(document, &node, registry);
     if (!projection) return;
-    Diagnostic said =
+    Diagnostic warning =
         diagnose(document, node,
                  "'" + projection->id +
                      "' projects the position, and with the scale 'unit' the map is not "
                      "the bump that triplanar nodes make of it",
                  "\"scale\": \"surface\" makes it that bump; \"scale\": \"unit\" keeps this one");
-    said.severity = Severity::warning;
-    diagnostics.add(std::move(said));
+    warning.severity = Severity::warning;
+    diagnostics.add(std::move(warning));
 }
 
 }  // namespace wrinkle
