@@ -15,10 +15,10 @@
 #include "editor/model/document/compile_state.h"
 #include "editor/model/document/history.h"
 #include "editor/model/document/intent.h"
-#include "editor/model/document/journal.h"
 #include "editor/model/document/model.h"
 #include "editor/model/document/persistence.h"
 #include "editor/model/document/plugins.h"
+#include "editor/model/document/recovery_file.h"
 #include "editor/model/document/used_files.h"
 #include "editor/model/document/watch.h"
 #include "editor/model/images/images.h"
@@ -43,8 +43,8 @@ struct OpenGraph {
     uint64_t saved_serial = 0;
     std::string save_refused;  // why the file must not be overwritten; "": it may be
     DiskCopy disk;
-    Journal journal;
-    uint64_t journalled = 0;  // serial of the last state in the journal, if there is one
+    RecoveryFile recovery_file;
+    uint64_t recovery_serial = 0;  // serial of the state in the recovery file, if there is one
 
     const Document& document() const { return history.now(); }
     bool dirty() const { return history.serial() != saved_serial; }

@@ -87,9 +87,9 @@ bool tend(State& state) {
     if (now - state.keeping.looked < 1) return read;
     state.keeping.looked = now;
     state.keeping.try_again = true;
-    state.journal.sync();
+    state.recovery_file.sync();
     for (OpenGraph& parent : state.parent_graphs)
-        parent.journal.sync();
+        parent.recovery_file.sync();
     keep_settings(state);
     const bool busy = state.gesture.kind != Gesture::Kind::none || state.question.open() ||
                       state.popup.kind != Popup::Kind::none;
@@ -109,7 +109,7 @@ void use_settings(State& state, const Settings& settings) {
 }
 
 void finish(State& state) {
-    state.journal.drop();
+    state.recovery_file.remove();
     close_outer(state);
     keep_settings(state);
 }

@@ -1,5 +1,5 @@
 // Benchmark of an edit, its undo and its redo on the UI thread, with the compiler on its own
-// thread: the command and refresh(), the write to the recovery journal, and later the refresh()
+// thread: the command and refresh(), the write to the recovery file, and later the refresh()
 // that takes the compiler's result. Processor and wall time, median and 95th percentile.
 #include <imgui.h>
 #include <unistd.h>
@@ -119,7 +119,7 @@ void measure_all(const Registry& registry, const Fonts& fonts, int count, int ti
     std::printf("%d nodes, compiled in %.1f: processor, wall\n", count, state.built.milliseconds);
     for (const Edit& edit : edits)
         measure(state, compiler, edit, times);
-    state.journal.drop();
+    state.recovery_file.remove();
     std::filesystem::remove_all(folder);
 }
 

@@ -23,11 +23,11 @@ size_t taps() {
 }
 
 // Returns the newest unsaved text of the only open graph and the number of its edits; std::nullopt
-// if there is no journal.
+// if there is no recovery file.
 std::optional<Recoverable> kept(const std::filesystem::path& folder) {
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(folder / "journal", ignored))
-        if (auto found = read_journal(entry.path())) return found;
+        if (auto found = read_recovery_file(entry.path())) return found;
     return std::nullopt;
 }
 
@@ -55,7 +55,8 @@ protected:
         return "mousemove " + std::to_string(static_cast<int>(rect->middle_x())) + " " +
                std::to_string(static_cast<int>(rect->y0 + 8)) + " click 1 ";
     }
-    // Waits until the journal has this many edits; after a time limit returns the last text read.
+    // Waits until the recovery file has this many edits; after a time limit returns the last text
+    // read.
     std::optional<Recoverable> wait_for(size_t edits) const {
         const auto patience = Clock::now() + std::chrono::seconds(40 + taps() / 3);
         std::optional<Recoverable> found;

@@ -70,7 +70,7 @@ void let_work(RunningEditor& victim, int round, std::mt19937& random) {
 }
 
 struct Toll {
-    int reached = 10;  // number in the file or in a journal
+    int reached = 10;  // number in the file or in a recovery file
     int recovered = 0, stray = 0, edits = 0;
 };
 

@@ -195,7 +195,7 @@ TEST_F(Levels, WhatCannotBeSavedStaysOpen) {
     EXPECT_EQ(state.parent_graphs.size(), 1U);
 }
 
-TEST_F(Levels, EachLevelHasItsJournal) {
+TEST_F(Levels, EachLevelHasItsRecoveryFile) {
     open_strap();
     play("click node:number\nkey M\nwait 2");
     EXPECT_EQ(journals(), 1U);
@@ -205,7 +205,7 @@ TEST_F(Levels, EachLevelHasItsJournal) {
     EXPECT_EQ(journals(), 3U);
     std::set<std::string> graphs;
     for (const auto& entry : fs::directory_iterator(state.keeping.folders.state / "journal")) {
-        const auto found = read_journal(entry.path());
+        const auto found = read_recovery_file(entry.path());
         ASSERT_TRUE(found);
         graphs.insert(found->graph.filename().string());
         EXPECT_NE(found->text.find("\"muted\": true"), std::string::npos) << found->graph;
@@ -217,8 +217,8 @@ TEST_F(Levels, EachLevelHasItsJournal) {
     EXPECT_EQ(journals(), 0U);
 }
 
-// The journals of a process that died inside a sub-graph are offered when the parent graph and the
-// sub-graph are opened.
+// The recovery files of a process that died inside a sub-graph are offered when the parent graph
+// and the sub-graph are opened.
 TEST_F(Levels, RecoveryHasAllLevels) {
     open_strap();
     play("click node:number\nkey M\ndouble node:weave+0,24\nclick node:noise\nkey M\nwait 2");

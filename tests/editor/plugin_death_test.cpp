@@ -54,7 +54,7 @@ TEST_F(PluginDeath, IsAProblemOfTheGraph) {
     play("assert errors 0");
 }
 
-// The editor is killed twice; the second run recovers the journal in the `--state` folder.
+// The editor is killed twice; the second run recovers the edits in the `--state` folder.
 TEST(PluginDeathInAnEditor, LeavesTheWindowTheEditsAndTheirRecovery) {
     const VirtualScreen screen;
     if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";

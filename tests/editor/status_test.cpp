@@ -36,7 +36,7 @@ TEST_F(Headless, TheStatusSaysWhetherWorkIsKept) {
     EXPECT_GT(state.targets.find("status:saved")->x0, state.view.extent.x);
     play("key Ctrl+S");
     EXPECT_EQ(kept_words(state), "Saved");
-    state.journal.drop();
+    state.recovery_file.remove();
     state.keeping.folders = {};
     play("click node:noise\nkey Delete");
     EXPECT_EQ(kept_words(state), "Not saved");

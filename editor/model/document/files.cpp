@@ -20,7 +20,7 @@ std::string name_of(const fs::path& path) {
 }
 
 void begin(Session& session, const fs::path& path, Document document) {
-    session.journal.drop();  // saved or discarded
+    session.recovery_file.remove();  // saved or discarded
     session.path = path;
     session.save_refused.clear();
     session.history = History(std::move(document));
@@ -164,7 +164,7 @@ bool save_file_as(Session& session, const fs::path& path, OutsideFiles files) {
     session.commit("Name files from " + path.parent_path().string(), std::move(moved.document));
     session.status = saved;
     session.saved_serial = session.history.serial();
-    session.journal.drop();  // it refers to the other file
+    session.recovery_file.remove();  // it refers to the other file
     session.path = path;
     session.save_refused.clear();
     session.fresh = false;

@@ -135,17 +135,17 @@ void answer_path(Session& session) {
 }
 
 void answer_recover(Session& session) {
-    const fs::path journal = session.question.file;
+    const fs::path file = session.question.file;
     session.question = {};
     for (const Recoverable& found : session.keeping.recoverable)
-        if (found.journal == journal) return recover(session, found);
+        if (found.file == file) return recover(session, found);
 }
 
 void answer_forget(Session& session) {
-    const fs::path journal = session.question.file;
+    const fs::path file = session.question.file;
     session.question = {};
     for (const Recoverable& found : session.keeping.recoverable)
-        if (found.journal == journal) return forget(session, found);
+        if (found.file == file) return forget(session, found);
 }
 
 void answer_stop(Session& session) {

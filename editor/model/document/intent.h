@@ -13,7 +13,7 @@ struct Session;
 struct PendingAction {
     enum class Kind : uint8_t { nothing, quit, new_graph, open, recover, leave };
     Kind kind = Kind::nothing;
-    std::filesystem::path file;  // for open; for recover, the journal
+    std::filesystem::path file;  // for open; for recover, the recovery file
     size_t depth = 0;            // for leave: index in State::outer of the graph to return to
 };
 
@@ -25,7 +25,7 @@ struct Question {
         changed,  // the file on disk was changed by another program
         replace,  // save as would overwrite `file`
         outside,  // files that the graph names are not below the folder of `file`: copy them?
-        recover,  // the edits in the journal `file`?
+        recover,  // the edits in the recovery file `file`?
         running,  // stop the running task and quit?
         failed,   // the file could not be written (`trouble`): use another name?
         open,     // which file? The file browser (panels/browser.h) draws this and the next

@@ -64,9 +64,9 @@ void open_group(Session& session, const Node& node) {
 
 void leave_subgraphs(Session& session, size_t depth) {
     if (depth >= session.parent_graphs.size()) return;
-    session.journal.drop();
+    session.recovery_file.remove();
     for (size_t i = depth + 1; i < session.parent_graphs.size(); ++i)
-        session.parent_graphs[i].journal.drop();
+        session.parent_graphs[i].recovery_file.remove();
     exchange(session, session.parent_graphs[depth]);
     session.parent_graphs.resize(depth);
     reset_derived(session, GraphSwitch::left);
@@ -76,7 +76,7 @@ void leave_subgraphs(Session& session, size_t depth) {
 
 void close_outer(Session& session) {
     for (OpenGraph& parent : session.parent_graphs)
-        parent.journal.drop();
+        parent.recovery_file.remove();
     session.parent_graphs.clear();
 }
 

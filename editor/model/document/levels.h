@@ -1,5 +1,5 @@
 // Enters and leaves sub-graphs. The parent graphs of the one on the canvas stay open with their
-// history, view and journal; each is a separate file, saved separately.
+// history, view and recovery file; each is a separate file, saved separately.
 #pragma once
 
 #include <filesystem>

@@ -26,24 +26,25 @@ bool keep_edits_now(Session& session) {
     Persistence& keeping = session.keeping;
     if (keeping.folders.state.empty()) return false;
     const uint64_t serial = session.history.serial();
-    if (session.journal.exists() && session.journalled == serial) return true;
+    if (session.recovery_file.exists() && session.recovery_serial == serial) return true;
     const fs::path graph = session.path.empty() ? session.folder() / "" : session.path;
-    const std::error_code error = session.journal.keep(keeping.folders.state, graph,
-                                                       session.save_refused, session.document());
+    const std::error_code error = session.recovery_file.write(
+        keeping.folders.state, graph, session.save_refused, session.document());
     if (error) {
         say_failure(session, error);
         return false;
     }
     keeping.unkept.clear();
-    session.journalled = serial;
+    session.recovery_serial = serial;
     keeping.kept_at = std::time(nullptr);
     return true;
 }
 
 void keep_edits(Session& session, bool dragging) {
     Persistence& keeping = session.keeping;
-    if (!session.dirty()) return session.journal.drop();
-    const bool kept = session.journal.exists() && session.journalled == session.history.serial();
+    if (!session.dirty()) return session.recovery_file.remove();
+    const bool kept =
+        session.recovery_file.exists() && session.recovery_serial == session.history.serial();
     if (kept || (session.history.merging() && dragging)) return;
     const bool wait = !keeping.unkept.empty() && !keeping.try_again;
     keeping.try_again = false;
@@ -54,7 +55,7 @@ std::string kept_words(const Session& session) {
     const Persistence& keeping = session.keeping;
     if (!session.dirty()) return session.path.empty() ? "" : "Saved";
     if (!keeping.unkept.empty()) return "Edits are in memory alone";
-    if (!session.journal.exists()) return "Not saved";
+    if (!session.recovery_file.exists()) return "Not saved";
     char text[40] = "All edits kept";
     if (const tm* local = std::localtime(&keeping.kept_at))
         std::strftime(text, sizeof text, "All edits kept %H:%M", local);
@@ -71,7 +72,7 @@ void offer_recovery(Session& session) {
     if (session.question.open()) return;
     for (const Recoverable& found : session.keeping.recoverable) {
         if (!session.path.empty() && !same_file(found.graph, session.path)) continue;
-        session.question = {.kind = Question::Kind::recover, .file = found.journal};
+        session.question = {.kind = Question::Kind::recover, .file = found.file};
         return;
     }
 }
@@ -94,7 +95,7 @@ void recover(Session& session, const Recoverable& found) {
 
 void forget(Session& session, const Recoverable& found) {
     std::error_code ignored;
-    fs::remove(found.journal, ignored);
+    fs::remove(found.file, ignored);
     look_for_recoverable(session);
 }
 

@@ -1,7 +1,7 @@
-// Journals the unsaved edits of the open document, and recovers those of a crashed program.
+// Stores the unsaved edits of the open document, and recovers those of a crashed program.
 #pragma once
 
-#include "editor/model/document/journal.h"
+#include "editor/model/document/recovery_file.h"
 
 namespace wrinkle::editor {
 
@@ -18,7 +18,7 @@ std::string kept_words(const Session& session);
 
 // Fills session.keeping.recoverable.
 void look_for_recoverable(Session& session);
-// Prompts for the latest journal of the open graph; if it has no file, for the latest of all.
+// Prompts for the latest recovery file of the open graph; if it has no file, for the latest of all.
 void offer_recovery(Session& session);
 // Opens its graph and commits the unsaved edits, so that undo returns to the file.
 void recover(Session& session, const Recoverable& found);

@@ -37,8 +37,7 @@ std::string_view no_plugins(const State& state) {
 }
 
 void ask_recover(State& state) {
-    request_action(state,
-                   {PendingAction::Kind::recover, state.keeping.recoverable.front().journal});
+    request_action(state, {PendingAction::Kind::recover, state.keeping.recoverable.front().file});
 }
 
 constexpr Command file_table[] = {

@@ -72,7 +72,7 @@ fs::path folder_to_have(const State& state, const std::vector<std::string>& file
 
 void have_folder(State& state, const fs::path& folder) {
     state.unsaved_folder = folder;
-    state.journal.drop();  // it refers to the other folder
+    state.recovery_file.remove();  // it refers to the other folder
     state.fresh = false;
 }
 

@@ -58,7 +58,7 @@ constexpr Answer cancelled{"Cancel", "answer:cancel", cancel};
 Sheet recovery_sheet(const Session& session) {
     Sheet sheet;
     for (const Recoverable& found : session.keeping.recoverable) {
-        if (found.journal != session.question.file) continue;
+        if (found.file != session.question.file) continue;
         const std::string file =
             found.graph.empty() ? "a graph without a file" : found.graph.filename().string();
         char when[64] = "";
