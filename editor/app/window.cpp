@@ -298,7 +298,7 @@ bool Window::listen(State& state, bool playing) {
         glfwWaitEventsTimeout(state.help.waiting || state.tasks.running ? 0.1 : 0.5);
     if (state.help.waiting || state.thumbnails.waiting() || state.tasks.running)
         h.awake = std::max(h.awake, 1);
-    if (tend(state)) h.awake = 3;
+    if (autosave_and_check_files(state)) h.awake = 3;
     if (!h.queue.empty() || state.gesture.panning) h.awake = 3;
     if (woken.exchange(false)) h.awake = std::max(h.awake, 1);  // one frame shows a result
     if (glfwWindowShouldClose(h.window)) {

@@ -17,13 +17,13 @@ std::string file_name_of(const fs::path& path) {
 }
 
 const Costs* Session::costs() const {
-    if (follow.came < follow.first || !built.uniform) return nullptr;
+    if (follow.finished_version < follow.first || !built.uniform) return nullptr;
     if (follow.is_counted()) return &follow.counted->costs;
     return built.costs ? &*built.costs : nullptr;
 }
 
 const Document& Session::costs_of() const {
-    return follow.is_counted() ? follow.counted->document : follow.built_of;
+    return follow.is_counted() ? follow.counted->document : follow.built_snapshot;
 }
 
 fs::path Session::folder() const {

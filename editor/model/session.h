@@ -11,16 +11,16 @@
 #include <vector>
 
 #include "editor/model/code/code.h"
-#include "editor/model/document/clip.h"
 #include "editor/model/document/compile_state.h"
 #include "editor/model/document/history.h"
 #include "editor/model/document/intent.h"
 #include "editor/model/document/model.h"
-#include "editor/model/document/persistence.h"
 #include "editor/model/document/plugins.h"
+#include "editor/model/document/recovery.h"
 #include "editor/model/document/recovery_file.h"
 #include "editor/model/document/used_files.h"
 #include "editor/model/document/watch.h"
+#include "editor/model/document/wiring.h"
 #include "editor/model/images/images.h"
 #include "editor/model/tasks/task.h"
 
@@ -50,6 +50,13 @@ struct OpenGraph {
     bool dirty() const { return history.serial() != saved_serial; }
 };
 
+// The most recent copy: its clipboard text and the data that the text does not contain.
+struct Clip {
+    std::string text;                // as put on the clipboard
+    std::filesystem::path document;  // path of the source document
+    std::vector<Connection> outer;   // wires into the copied nodes that are not in the text
+};
+
 // How another graph became the current one.
 enum class GraphSwitch : uint8_t {
     opened,   // without parent graphs
@@ -76,7 +83,7 @@ struct Session : OpenGraph {
     Model model;
     Build built;
     CompileState follow;
-    bool fresh = false;  // false: refresh() rebuilds the model and requests a build
+    bool is_synced = false;  // false: refresh() rebuilds the model and requests a build
     Counters counters;
 
     // Called after another graph became the current one; the view shows it.

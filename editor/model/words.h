@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/diagnostics.h"
 
@@ -20,5 +21,8 @@ std::string first_error(const Diagnostics& problems);
 std::string grouped(size_t number);                    // "1,024"
 std::string counted(size_t number, const char* what);  // "1 node", "2,000 nodes"
 std::string milliseconds(double time);                 // "0.7 ms", "1,115 ms"
+
+std::string nodes_in_words(size_t count);                   // "1 node", "2 nodes"
+std::string listed(const std::vector<std::string>& names);  // "a.json, b.json and c.json"
 
 }  // namespace wrinkle::editor

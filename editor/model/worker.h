@@ -58,7 +58,7 @@ public:
         const std::lock_guard lock(mutex_);
         return !working_ && !job_ && !result_;
     }
-    void settle() {  // waits until busy() is false
+    void wait_idle() {  // waits until busy() is false
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [this] { return !working_ && !job_; });
     }

@@ -36,7 +36,7 @@ WindowFiles window_files(const State& state) {
     const bool shape = std::any_of(shapes().begin(), shapes().end(),
                                    [&](const Shape& each) { return each.name == view.mesh; });
     WindowFiles files{shape ? "" : view.mesh, view.environment, {}};
-    for (const Arrival& each : state.dropped.waiting)
+    for (const DropEvent& each : state.dropped.waiting)
         files.dropped.insert(files.dropped.end(), each.files.begin(), each.files.end());
     return files;
 }
@@ -80,7 +80,7 @@ State::State() {
     on_switch = [this](GraphSwitch how) { show_graph(*this, how); };
 }
 
-bool tend(State& state) {
+bool autosave_and_check_files(State& state) {
     keep_edits(state, ImGui::IsAnyMouseDown());
     const bool read = follow_all_files(state);
     const double now = seconds_now();

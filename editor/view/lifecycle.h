@@ -9,7 +9,7 @@ namespace wrinkle::editor {
 // Called once a frame, and occasionally while nothing is drawn: stores the unsaved edits; at most
 // once a second, writes the settings and checks the disk. Returns true if the window must be
 // redrawn.
-bool tend(State& state);
+bool autosave_and_check_files(State& state);
 
 // Called at the start and before the end of the program.
 void use_settings(State& state, const Settings& settings);

@@ -10,14 +10,14 @@ namespace wrinkle::editor {
 namespace {
 
 // Requests a count only if the source differs; a changed value does not change it.
-void ask_costs(State& state) {
+void request_costs(State& state) {
     CompileState& follow = state.follow;
     if (!follow.counter || !state.built.uniform) return;
     const std::string& text = state.built.uniform->source;
     if (follow.counting_of >= follow.first && follow.counting == text) return;
     follow.counting = text;
-    follow.counting_of = follow.came;
-    follow.counter->post({follow.came, state.built.module, follow.built_of});
+    follow.counting_of = follow.finished_version;
+    follow.counter->post({follow.finished_version, state.built.module, follow.built_snapshot});
 }
 
 void poll_costs(CompileState& follow) {
@@ -27,23 +27,24 @@ void poll_costs(CompileState& follow) {
 
 void take(State& state, Compilation compilation) {
     CompileState& follow = state.follow;
-    if (compilation.version < follow.first || compilation.version <= follow.came) return;
-    follow.came = compilation.version;
+    if (compilation.version < follow.first || compilation.version <= follow.finished_version)
+        return;
+    follow.finished_version = compilation.version;
     ++state.counters.builds;
     state.built = std::move(compilation.build);
-    follow.built_of = std::move(compilation.document);
-    ask_costs(state);
+    follow.built_snapshot = std::move(compilation.document);
+    request_costs(state);
     apply_latest_build(state);
 }
 
-void ask(State& state) {
+void request_build(State& state) {
     CompileState& follow = state.follow;
-    follow.asked_of = state.document();
-    follow.asked_for = wanted_request(state);
-    CompileJob job{++follow.asked, state.model, state.document(), material_name(state.path),
-                   follow.asked_for};
+    follow.requested_snapshot = state.document();
+    follow.requested = wanted_request(state);
+    CompileJob job{++follow.requested_version, state.model, state.document(),
+                   material_name(state.path), follow.requested};
     if (follow.compiler)
-        follow.compiler->ask(std::move(job));
+        follow.compiler->submit(std::move(job));
     else
         take(state, compile(std::move(job), *state.registry));
 }
@@ -53,39 +54,39 @@ void rebuild_model(State& state) {
 }
 
 void begin(State& state) {
-    state.fresh = true;
+    state.is_synced = true;
     state.layout_stale = true;
-    state.follow.first = state.follow.asked + 1;
+    state.follow.first = state.follow.requested_version + 1;
     state.follow.running.reset();
     rebuild_model(state);
-    ask(state);
+    request_build(state);
 }
 
 void follow_document(State& state) {
     CompileState& follow = state.follow;
-    const Change difference = change(follow.asked_of, state.document());
-    if (difference.renamed) rename_in_request(state, follow.asked_of);
+    const Change difference = change(follow.requested_snapshot, state.document());
+    if (difference.renamed) rename_in_request(state, follow.requested_snapshot);
     if (difference.renamed || difference.kind == Change::Kind::structure) rebuild_model(state);
     switch (difference.kind) {
         case Change::Kind::none:
         case Change::Kind::cosmetic:
-            follow.asked_of = state.document();
+            follow.requested_snapshot = state.document();
             break;
         case Change::Kind::names:
-            follow.asked_of = state.document();
-            follow.asked_for = wanted_request(state);
-            if (!state.built.problems.list().empty()) ask(state);  // problems name nodes
+            follow.requested_snapshot = state.document();
+            follow.requested = wanted_request(state);
+            if (!state.built.problems.list().empty()) request_build(state);  // problems name nodes
             break;
         case Change::Kind::values: {
             const bool sent = send_values(state);
             // While a value is dragged only the uniform changes; the build follows at the end of
             // the drag.
-            if (!sent || state.gesture.kind != Gesture::Kind::value) ask(state);
+            if (!sent || state.gesture.kind != Gesture::Kind::value) request_build(state);
             break;
         }
         case Change::Kind::structure:
-            ask(state);
-            if (state.timings) state.timings->structure(follow.asked);
+            request_build(state);
+            if (state.timings) state.timings->structure(follow.requested_version);
             break;
     }
 }
@@ -109,13 +110,13 @@ void forget_what_is_gone(State& state) {
 void refresh(State& state) {
     CompileState& follow = state.follow;
     forget_what_is_gone(state);
-    if (!state.fresh)
+    if (!state.is_synced)
         begin(state);
-    else if (!same_document(follow.asked_of, state.document()))
+    else if (!same_document(follow.requested_snapshot, state.document()))
         follow_document(state);
-    if (follow.asked_for != wanted_request(state)) {
-        ask(state);
-        if (state.timings) state.timings->structure(follow.asked);
+    if (follow.requested != wanted_request(state)) {
+        request_build(state);
+        if (state.timings) state.timings->structure(follow.requested_version);
     }
     if (follow.compiler)
         if (auto result = follow.compiler->take()) take(state, std::move(*result));
@@ -127,9 +128,9 @@ void refresh(State& state) {
 
 bool is_settled(const State& state) {
     const bool held = state.gesture.kind == Gesture::Kind::value;
-    return state.fresh && state.dropped.waiting.empty() && !state.follow.building() &&
+    return state.is_synced && state.dropped.waiting.empty() && !state.follow.building() &&
            (!state.preview || state.preview->idle()) &&
-           (held || same_document(state.follow.asked_of, state.document()));
+           (held || same_document(state.follow.requested_snapshot, state.document()));
 }
 
 }  // namespace wrinkle::editor

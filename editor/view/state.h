@@ -11,7 +11,7 @@
 #include "editor/model/session.h"
 #include "editor/view/canvas/card.h"
 #include "editor/view/canvas/gesture.h"
-#include "editor/view/drop/dropped.h"
+#include "editor/view/drop/drop_state.h"
 #include "editor/view/input/targets.h"
 #include "editor/view/look/fonts.h"
 #include "editor/view/look/look.h"
@@ -44,7 +44,7 @@ struct Dialogs {
     Start start;
     Help help;
     Problems problems;
-    Dropped dropped;
+    DropState dropped;
     Offer offer;
     BoxText box_text;
     int field_wait = 0;  // frames left in which typing waits for a field (panels/fields.h)

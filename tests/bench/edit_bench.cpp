@@ -77,7 +77,7 @@ const Edit edits[] = {
 void measure(State& state, Compiler& compiler, const Edit& edit, int times) {
     Times commit, keep, undo, redo, arrival;
     const auto settle = [&] {
-        compiler.settle();
+        compiler.wait_idle();
         arrival.add([&] { refresh(state); });
     };
     const auto step = [&](Times& of, const std::function<void()>& what) {
@@ -114,7 +114,7 @@ void measure_all(const Registry& registry, const Fonts& fonts, int count, int ti
     // From here on the text is canonical; an unedited document is written back byte by byte.
     state.commit("first", move_node(state.document(), "n0", 8, 8));
     refresh(state);
-    compiler.settle();
+    compiler.wait_idle();
     refresh(state);
     std::printf("%d nodes, compiled in %.1f: processor, wall\n", count, state.built.milliseconds);
     for (const Edit& edit : edits)

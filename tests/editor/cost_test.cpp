@@ -210,7 +210,7 @@ protected:
     Counted() { state.follow.counter = &counter; }
     ~Counted() override { state.follow.counter = nullptr; }
     void settle() {
-        counter.settle();
+        counter.wait_idle();
         frame();
     }
     Price price_of(std::string_view node) const {

@@ -28,7 +28,7 @@ class Events : public Headless {
 protected:
     // Checks that the document has the same text whenever the history returns to a state.
     void look() {
-        if (!state.fresh) return;  // another file is loaded in the next frame
+        if (!state.is_synced) return;  // another file is loaded in the next frame
         if (state.follow.first != opened_) texts_.clear();
         opened_ = state.follow.first;
         state.quit = false;

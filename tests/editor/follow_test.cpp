@@ -67,7 +67,7 @@ TEST_F(Follows, ACompilerThreadHandsOverTheNewestText) {
     Compiler compiler(built_in_registry());
     state.follow.compiler = &compiler;
     open(small_graph);
-    compiler.settle();
+    compiler.wait_idle();
     frame();
     EXPECT_TRUE(text_has("softer_amount"));
     for (int i = 0; i < 40; ++i) {
@@ -77,7 +77,7 @@ TEST_F(Follows, ACompilerThreadHandsOverTheNewestText) {
     }
     edit(set_output(state.document(), "occlusion", {"noise", "value"}));
     EXPECT_TRUE(state.follow.building() || text_has("_occlusion("));
-    compiler.settle();
+    compiler.wait_idle();
     refresh(state);
     EXPECT_TRUE(is_settled(state));
     EXPECT_TRUE(text_has("_occlusion("));
@@ -104,7 +104,7 @@ TEST_F(Follows, AResultOfAnotherFileIsDropped) {
     const auto other = folder.write("other.json", R"({"wrinkle": 1, "nodes": {}})");
     open_file(state, other);
     refresh(state);
-    compiler.settle();
+    compiler.wait_idle();
     refresh(state);
     EXPECT_TRUE(is_settled(state));
     EXPECT_FALSE(text_has("softer"));
@@ -121,11 +121,11 @@ TEST_F(Follows, ValuesThatChangeWhileTextsAreMadeArrive) {
     state.gesture.kind = Gesture::Kind::value;
     edit(with_amount(state.document(), 0.125));
     const uint64_t sent = state.counters.uniforms;
-    compiler.settle();
+    compiler.wait_idle();
     refresh(state);
     refresh(state);
     EXPECT_GE(state.counters.uniforms, sent);
-    EXPECT_TRUE(same_document(state.follow.sent, state.document()));
+    EXPECT_TRUE(same_document(state.follow.sent_snapshot, state.document()));
     state.gesture.kind = Gesture::Kind::none;
     state.follow.compiler = nullptr;
 }

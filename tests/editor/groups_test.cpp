@@ -1,6 +1,6 @@
 // Tests of sub-graphs made from selected nodes: group and ungroup.
-#include "editor/model/document/each_wire.h"
 #include "editor/model/document/group.h"
+#include "editor/model/document/wiring.h"
 #include "editor/view/edit/group.h"
 #include "graph/read.h"
 #include "graph/write.h"

@@ -295,7 +295,7 @@ TEST_F(Headless, FiguresOfARefreshAfterUndo) {
         refresh(state);
         std::printf("5,000 nodes, %s: undo %.3f ms, refresh %.1f ms\n", what, step,
                     milliseconds_since(start));
-        EXPECT_TRUE(same_document(state.follow.asked_of, state.document()));
+        EXPECT_TRUE(same_document(state.follow.requested_snapshot, state.document()));
     };
     measure("value", set_value(state.document(), "n99", "b", json::Value::number(3)));
     measure("move", move_node(state.document(), "n99", 1, 2));

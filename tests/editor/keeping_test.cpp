@@ -28,7 +28,7 @@ std::string with_name(const std::string& name) {
 // Runs the check that the program runs once a second.
 void look(State& state) {
     state.keeping.looked = 0;
-    tend(state);
+    autosave_and_check_files(state);
 }
 
 TEST_F(Headless, NewAndOpenAskAboutUnsavedWork) {

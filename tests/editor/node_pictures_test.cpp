@@ -114,7 +114,7 @@ TEST_F(Headless, ThumbnailsAreMadeBeforeThereIsAnOutput) {
     state.node_feed.maker = &maker;
     open(R"({ "wrinkle": 1, "nodes": { "noise": { "type": "gradient_noise" } } })");
     frame();
-    maker.settle();
+    maker.wait_idle();
     frame();
     EXPECT_TRUE(state.node_feed.pictures.places.contains("noise"));
     state.node_feed.maker = nullptr;
@@ -125,13 +125,13 @@ TEST_F(Headless, ThumbnailsOfTheFormerGraphAreForgotten) {
     state.node_feed.maker = &maker;
     open(small_graph);
     frame();
-    maker.settle();
+    maker.wait_idle();
     frame();
     EXPECT_EQ(state.node_feed.pictures.places.size(), 2U);
     open(R"({ "wrinkle": 1, "nodes": { "normal": { "type": "no_such_node" } } })");
     EXPECT_TRUE(state.node_feed.pictures.places.empty());
     frame();
-    maker.settle();
+    maker.wait_idle();
     frame();
     EXPECT_TRUE(state.node_feed.pictures.places.empty());
     state.node_feed.maker = nullptr;
@@ -178,7 +178,7 @@ TEST_F(Headless, PicturesFollowWhatChangesThemAndNothingElse) {
     state.node_feed.maker = &maker;
     const auto newest = [&] {
         frame();
-        maker.settle();
+        maker.wait_idle();
         frame();
         return state.node_feed.pictures;
     };

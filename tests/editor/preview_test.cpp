@@ -53,7 +53,7 @@ TEST_F(WithPreview, TheNewestOfManyJobsIsShownAndHeldTexturesStay) {
         state.view.preview_view.yaw = 0.02F * static_cast<float>(i);
         preview_->show(state.view.preview_view, "", {}, side, side);
     }
-    preview_->settle();
+    preview_->wait_idle();
     EXPECT_EQ(pixels_of(first.texture), before) << "it is still being looked at";
     EXPECT_EQ(preview_->picture().version, preview_->asked());
     EXPECT_NE(pixels_of(preview_->shown().texture), before);
@@ -328,7 +328,7 @@ TEST(Worker, DoesTheNewestJobAndEndsWithOneWaiting) {
                                 [&] { finished = true; });
         for (int i = 1; i <= 1000; ++i)
             worker.post(i);
-        worker.settle();
+        worker.wait_idle();
         EXPECT_EQ(worker.take(), 1000);
         EXPECT_FALSE(worker.take());
         EXPECT_TRUE(worker.idle());

@@ -50,7 +50,7 @@ std::string RandomEvents::any_node() {
 }
 
 std::string RandomEvents::any_port(const std::string& node, Port::Kind kind) {
-    const NodeType* type = node.empty() || !state_.fresh ? nullptr : state_.type_of(node);
+    const NodeType* type = node.empty() || !state_.is_synced ? nullptr : state_.type_of(node);
     std::vector<std::string> names;
     for (const Port& port : type ? type->ports : std::vector<Port>())
         if ((port.kind == Port::Kind::output) == (kind == Port::Kind::output))

@@ -136,7 +136,7 @@ TEST_F(ReadOnly, AStateFolderIsSaidOnceAndWorkGoesOn) {
             state.keeping.looked = 0;
             keep_edits(state, false);
             all += state.status + "\n";
-            tend(state);
+            autosave_and_check_files(state);
             all += state.status + "\n";
         }
         save_file(state);

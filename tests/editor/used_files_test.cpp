@@ -95,14 +95,14 @@ TEST_F(Watching, TheThreadLooksToo) {
     FileLooker looker([](FileQuestion&& question) { return look_at_files(question); }, {});
     state.used.looker = &looker;
     open(one_map);
-    looker.settle();
+    looker.wait_idle();
     look();
-    looker.settle();
+    looker.wait_idle();
     look();
     replace(image, textures() / "rivets_normal.png");
     for (int i = 0; i < 3; ++i) {
         look();
-        looker.settle();
+        looker.wait_idle();
     }
     frame();
     EXPECT_EQ(state.used.changes, 1U);
@@ -140,7 +140,7 @@ TEST_F(Watching, APluginIsLoadedAnewAndItsLostNodesAreKept) {
     look();
     EXPECT_EQ(state.type_of("s"), nullptr) << state.status;
     state.registry = &built_in_registry();
-    state.fresh = false;
+    state.is_synced = false;
 }
 
 // A failed rebuild, as left by an interrupted linker or a wrong interface.
@@ -167,7 +167,7 @@ TEST_F(Watching, ABrokenRebuildOfAPluginKeepsTheLastGoodOne) {
     EXPECT_EQ(state.type_of("s"), nullptr) << "a good one without that node";
     EXPECT_NE(state.registry->find("smaller"), nullptr);
     state.registry = &built_in_registry();
-    state.fresh = false;
+    state.is_synced = false;
 }
 
 TEST_F(Watching, APluginThatIsRefusedIsAProblemWithItsWholeReason) {

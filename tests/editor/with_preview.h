@@ -38,7 +38,7 @@ protected:
         refresh(state);
         preview_->show(state.view.preview_view, other_normal(state), state.view.compare, side,
                        side);
-        preview_->settle();
+        preview_->wait_idle();
         refresh(state);
         return preview_->shown();
     }

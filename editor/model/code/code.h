@@ -65,7 +65,7 @@ public:
         : registry_(&registry),
           worker_([this](CodeJob&& job) { return make_code(job, *registry_); }, std::move(wake)) {}
     void use(const Registry& registry) { registry_ = &registry; }  // see Compiler::use()
-    void ask(CodeJob job) { worker_.post(std::move(job)); }
+    void submit(CodeJob job) { worker_.post(std::move(job)); }
     std::optional<CodeText> take() { return worker_.take(); }
 
 private:
@@ -82,10 +82,10 @@ struct Code {
     std::string hovered;         // node of the line under the pointer
 
     // The latest request.
-    bool asked = false;
-    uint64_t asked_file = 0;
-    Document asked_of;
-    CodeOptions asked_options;
+    bool requested = false;
+    uint64_t requested_file = 0;
+    Document requested_snapshot;
+    CodeOptions requested_options;
     std::string scrolled_to;  // node that was last scrolled into view
 };
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "compile/shader.h"
+#include "editor/model/document/compiler.h"
 #include "editor/model/words.h"
 #include "graph/order.h"
 #include "lower/check.h"
@@ -110,6 +111,14 @@ Build build(const Model& model, const Document& document, const Registry& regist
     build_shown(model, drawn, registry, name, result);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     result.milliseconds = time.count();
+    return result;
+}
+
+Compilation compile(CompileJob job, const Registry& registry) {
+    Compilation result;
+    result.build = build(job.model, job.document, registry, job.name, job.request);
+    result.version = job.version;
+    result.document = std::move(job.document);
     return result;
 }
 

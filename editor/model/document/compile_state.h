@@ -10,21 +10,21 @@
 namespace wrinkle::editor {
 
 struct CompileState {
-    Compiler* compiler = nullptr;  // nullptr: refresh() compiles by itself, at once
-    uint64_t asked = 0;            // version of the newest job
-    uint64_t came = 0;             // version of the newest result
-    uint64_t first = 0;            // first of the open file; older results are discarded
-    Document asked_of, built_of;
-    PreviewRequest asked_for;
+    Compiler* compiler = nullptr;    // nullptr: refresh() compiles by itself, at once
+    uint64_t requested_version = 0;  // version of the newest job
+    uint64_t finished_version = 0;   // version of the newest result
+    uint64_t first = 0;              // first of the open file; older results are discarded
+    Document requested_snapshot, built_snapshot;
+    PreviewRequest requested;
 
     // Shader that the preview runs. Its nodes may have been renamed since; that does not change the
     // program.
     std::optional<Shader> running;
-    Document running_of;
+    Document running_snapshot;
     PreviewRequest running_for;
     std::map<std::string, std::string> copied;  // Build::copied of `running`
     std::shared_ptr<const Displacement> displacement;
-    Document sent;  // snapshot with the uniform values that the preview has
+    Document sent_snapshot;  // snapshot with the uniform values that the preview has
 
     // Costs of the newest source that was counted. nullptr: costs are only estimated.
     CostCounter* counter = nullptr;
@@ -34,9 +34,9 @@ struct CompileState {
     bool is_counting() const { return counter && !counter->idle(); }
     bool is_counted() const { return counted && counted->version >= first; }
 
-    uint64_t heard = 0;  // version of the newest preview with known problems
+    uint64_t diagnosed_version = 0;  // version of the newest preview with known problems
 
-    bool building() const { return came < asked; }
+    bool building() const { return finished_version < requested_version; }
 };
 
 }  // namespace wrinkle::editor

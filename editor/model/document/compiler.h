@@ -41,10 +41,10 @@ public:
     // ends.
     void use(const Registry& registry) { registry_ = &registry; }
 
-    void ask(CompileJob job) { worker_.post(std::move(job)); }
+    void submit(CompileJob job) { worker_.post(std::move(job)); }
     std::optional<Compilation> take() { return worker_.take(); }
     bool idle() const { return worker_.idle(); }
-    void settle() { worker_.settle(); }
+    void wait_idle() { worker_.wait_idle(); }
 
 private:
     std::atomic<const Registry*> registry_;

@@ -7,7 +7,7 @@
 #include "base/file.h"
 #include "editor/model/document/levels.h"
 #include "editor/model/document/recovery.h"
-#include "editor/model/document/words.h"
+#include "editor/model/words.h"
 #include "graph/read.h"
 #include "graph/write.h"
 
@@ -83,7 +83,7 @@ void reset_derived(Session& session, GraphSwitch how) {
     session.images.paths.clear();
     ++session.images.changes;
     session.built = Build();
-    session.fresh = false;
+    session.is_synced = false;
     if (session.on_switch) session.on_switch(how);
 }
 
@@ -167,7 +167,7 @@ bool save_file_as(Session& session, const fs::path& path, OutsideFiles files) {
     session.recovery_file.remove();  // it refers to the other file
     session.path = path;
     session.save_refused.clear();
-    session.fresh = false;
+    session.is_synced = false;
     remember_recent(session.keeping.folders, session.keeping.settings, path);
     return true;
 }
@@ -183,7 +183,7 @@ void reload_from_disk(Session& session) {
     session.commit("Load " + name_of(session.path) + " again", read_text(session, *bytes));
     session.saved_serial = session.history.serial();
     session.save_refused = session.document().lost;
-    session.fresh = false;
+    session.is_synced = false;
     session.status = name_of(session.path) + " was changed by another program and is read again.";
 }
 

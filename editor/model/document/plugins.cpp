@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "editor/model/words.h"
 #include "editor/model/session.h"
+#include "editor/model/words.h"
 #include "nodes/all.h"
 #include "registry/plugin_loader.h"
 
@@ -44,7 +44,7 @@ void reload_plugins(Session& session) {
     load_plugins(session);
     if (session.follow.compiler) session.follow.compiler->use(*session.registry);
     if (session.code.maker) session.code.maker->use(*session.registry);
-    session.fresh = false;
+    session.is_synced = false;
     session.status =
         session.plugins.problems.list().empty()
             ? "Plugins are loaded anew: " + counted(from_plugins(*session.registry), "node") +

@@ -39,7 +39,7 @@ bool has_changed(UsedFiles::Known& known, const UsedFile& file) {
 void read_again(Session& session, const UsedFile& file, bool came_or_went) {
     // The problem of an image appears or disappears with it.
     if (file.use == Use::subgraph || (file.use == Use::image && came_or_went))
-        session.fresh = false;
+        session.is_synced = false;
     const std::string name = file.path.filename().string();
     if (file.use != Use::plugin)  // plugins are reloaded together
         session.status = file.stamp.there ? name + " was changed and is read again."
@@ -103,7 +103,7 @@ std::vector<UsedFile> follow_files(Session& session, const WindowFiles& window) 
         if (const auto files = used.looker->take()) changed = take(session, *files, window);
     const double now = seconds_now();
     const bool other = used.looked_of != session.model.project;
-    if (!session.fresh || (now - used.looked < 1 && !other)) return changed;
+    if (!session.is_synced || (now - used.looked < 1 && !other)) return changed;
     if (used.looker && used.looker->busy()) return changed;
     used.looked = now;
     used.looked_of = session.model.project;

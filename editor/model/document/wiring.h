@@ -2,6 +2,7 @@
 // adds a connection between types that do not convert.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <string>
@@ -72,5 +73,22 @@ std::set<std::string> with_downstream(const Document& document, const std::set<s
 
 // Returns true if no wire is connected to the node.
 bool is_unconnected(const Document& document, const std::string& id);
+
+// Visits all wires of a document, those to its outputs last.
+template <class Visit>
+void each_wire(const Document& document, Visit visit) {
+    for (const NodePtr& node : document.nodes)
+        for (const Input& input : node->inputs)
+            if (input.kind == Input::Kind::link)
+                visit(Connection{input.link, node->id, input.port});
+    for (const Output& output : document.outputs)
+        if (output.from.kind == Input::Kind::link)
+            visit(Connection{output.from.link, "", output.name});
+}
+
+// Removes the wires into and from these nodes with types that do not convert: a reroute that lost
+// its source carries a float.
+Document without_invalid_links(const Document& document, const std::set<std::string>& ids,
+                               const std::filesystem::path& folder, const Registry& registry);
 
 }  // namespace wrinkle::editor

@@ -109,7 +109,7 @@ void poll_images(Session& session) {
         if (!images.wanted.empty() && images.examiner->idle())
             images.examiner->post(images.wanted.front());
     }
-    if (!session.fresh) return;
+    if (!session.is_synced) return;
     if (images.remarks_at == images.changes && same_document(images.remarks_of, session.document()))
         return;
     images.remarks_at = images.changes;

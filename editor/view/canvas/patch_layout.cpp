@@ -65,8 +65,8 @@ public:
 
     std::optional<Difference> make() {
         const Document &was = state_.layout_of, &now = state_.document();
-        const bool calm = layout_.types && layout_.dragged.x == 0 && layout_.dragged.y == 0;
-        if (!calm || layout_.wires.size() != layout_.links || !was.inputs.same(now.inputs) ||
+        const bool is_unmoved = layout_.types && layout_.dragged.x == 0 && layout_.dragged.y == 0;
+        if (!is_unmoved || layout_.wires.size() != layout_.links || !was.inputs.same(now.inputs) ||
             !same_outputs(was.outputs, now.outputs) || !find_nodes() ||
             !find_places(was.positions, now.positions) || !has_fitting_types() ||
             !has_fitting_links() || !leaves_no_loose_end())

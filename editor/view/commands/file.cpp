@@ -15,7 +15,7 @@ void reload(State& state) {
         state.preview->forget_mesh();
         state.preview->forget_light();
     }
-    state.fresh = false;
+    state.is_synced = false;
     state.status = "Images, meshes and sub-graphs are read again.";
 }
 

@@ -156,7 +156,7 @@ void place_chosen(State& state, Picture picture) {
         add_on_ground(state, picture);
 }
 
-void place(State& state, Arrival& arrival, const fs::path& file, const Examined& examined) {
+void place(State& state, DropEvent& arrival, const fs::path& file, const Examined& examined) {
     Picture picture;
     picture.file = path_in_graph(state, file);
     if (!examined.problem.empty() || picture.file.empty()) {
@@ -179,9 +179,9 @@ void place(State& state, Arrival& arrival, const fs::path& file, const Examined&
 
 // Places files in order until one is not examined yet. All files of one drop are one undo step.
 void place_arrivals(State& state) {
-    std::vector<Arrival>& waiting = state.dropped.waiting;
+    std::vector<DropEvent>& waiting = state.dropped.waiting;
     while (!waiting.empty()) {
-        Arrival& next = waiting.front();
+        DropEvent& next = waiting.front();
         while (!next.files.empty()) {
             const fs::path file = next.files.front();
             const Examined* found = examined(state, file);
@@ -193,7 +193,7 @@ void place_arrivals(State& state) {
     }
 }
 
-void await(State& state, Arrival arrival) {
+void await(State& state, DropEvent arrival) {
     for (auto file = arrival.files.rbegin(); file != arrival.files.rend(); ++file)
         want_image(state, *file, stamp_of(*file), true);  // reversed: the first ends up in front
     if (state.images.busy() && !arrival.files.empty())
@@ -237,7 +237,7 @@ void set_picture(State& state, const std::string& id, const std::string& name,
 }  // namespace
 
 void add_pictures(State& state, const FileDrop& drop, const std::vector<std::string>& files) {
-    Arrival arrival;
+    DropEvent arrival;
     arrival.at = to_canvas(state.view, {drop.x, drop.y});
     arrival.merge = "drop " + std::to_string(state.history.serial());
     for (const std::string& file : files)
@@ -246,7 +246,7 @@ void add_pictures(State& state, const FileDrop& drop, const std::vector<std::str
 }
 
 void add_picture(State& state, const std::string& file) {
-    Arrival arrival;
+    DropEvent arrival;
     arrival.chosen = true;
     arrival.files = {canonical_or_same(state.folder() / file)};
     await(state, std::move(arrival));

@@ -5,7 +5,7 @@
 
 #include "base/file.h"
 #include "editor/model/document/folders.h"
-#include "editor/model/document/words.h"
+#include "editor/model/words.h"
 #include "editor/view/drop/drop.h"
 #include "editor/view/panels/panels.h"
 #include "lower/named_images.h"
@@ -37,7 +37,7 @@ std::string copied(State& state, const fs::path& file) {
 // Adds the files after the answer; files that are still outside could not be copied.
 void add_answered(State& state, const FileDrop& drop, const std::vector<std::string>& files) {
     if (!state.dropped.by_name) return add_pictures(state, drop, files);
-    const Dropped to = state.dropped;
+    const DropState to = state.dropped;
     for (const std::string& file : files)
         use_picture(state, to.node, to.port, file);
 }
@@ -73,7 +73,7 @@ fs::path folder_to_have(const State& state, const std::vector<std::string>& file
 void have_folder(State& state, const fs::path& folder) {
     state.unsaved_folder = folder;
     state.recovery_file.remove();  // it refers to the other folder
-    state.fresh = false;
+    state.is_synced = false;
 }
 
 bool may_write(const fs::path& folder) {
@@ -126,7 +126,7 @@ std::string words_on_outside(const State& state, const fs::path& copies, const f
 // Draws the dialog that offers to copy outside files into the graph's folder, or to make their
 // folder the graph's.
 void draw_copy_question(State& state) {
-    Dropped& dropped = state.dropped;
+    DropState& dropped = state.dropped;
     if (dropped.asked && !ImGui::IsPopupOpen("##copy")) ImGui::OpenPopup("##copy");
     if (!ImGui::BeginPopupModal("##copy", nullptr,
                                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize))

@@ -4,8 +4,8 @@
 
 #include "base/file.h"
 #include "editor/model/document/copies.h"
-#include "editor/model/document/invalid_links.h"
-#include "editor/model/document/words.h"
+#include "editor/model/document/wiring.h"
+#include "editor/model/words.h"
 #include "editor/view/canvas/boxes.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/canvas/new_cards.h"

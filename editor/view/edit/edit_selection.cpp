@@ -1,7 +1,7 @@
 // Edits of the selected nodes.
 #include "editor/model/document/copies.h"
 #include "editor/model/document/wiring.h"
-#include "editor/model/document/words.h"
+#include "editor/model/words.h"
 #include "editor/view/canvas/boxes.h"
 #include "editor/view/canvas/new_cards.h"
 #include "editor/view/edit/edits.h"

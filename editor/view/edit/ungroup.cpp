@@ -1,7 +1,6 @@
 // Inlines a sub-graph: replaces its node by the nodes of its file.
 #include "editor/model/document/copies.h"
-#include "editor/model/document/each_wire.h"
-#include "editor/model/document/invalid_links.h"
+#include "editor/model/document/wiring.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/canvas/new_cards.h"
 #include "editor/view/edit/edits.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "editor/model/bake/bake.h"
-#include "editor/model/document/words.h"
+#include "editor/model/words.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"

@@ -50,10 +50,10 @@ void take(Code& code, CodeText text) {
 
 bool is_asked(const State& state) {
     const Code& code = state.code;
-    if (!code.asked || code.asked_file != state.follow.first) return false;
-    if (code.asked_options != code.options) return false;
-    if (same_document(code.asked_of, state.document())) return true;
-    const Change difference = change(code.asked_of, state.document());
+    if (!code.requested || code.requested_file != state.follow.first) return false;
+    if (code.requested_options != code.options) return false;
+    if (same_document(code.requested_snapshot, state.document())) return true;
+    const Change difference = change(code.requested_snapshot, state.document());
     return !difference.renamed &&
            (difference.kind == Change::Kind::none || difference.kind == Change::Kind::cosmetic);
 }
@@ -63,18 +63,18 @@ void follow(State& state) {
     Code& code = state.code;
     if (code.maker)
         if (auto text = code.maker->take()) take(code, std::move(*text));
-    const bool other_file = code.asked_file != state.follow.first;
-    if (!state.fresh || is_asked(state)) return;
+    const bool other_file = code.requested_file != state.follow.first;
+    if (!state.is_synced || is_asked(state)) return;
     if (!other_file && state.gesture.kind == Gesture::Kind::value) return;
     if (other_file) code.text = {};
-    code.asked = true;
-    code.asked_file = state.follow.first;
-    code.asked_of = state.document();
-    code.asked_options = code.options;
+    code.requested = true;
+    code.requested_file = state.follow.first;
+    code.requested_snapshot = state.document();
+    code.requested_options = code.options;
     CodeJob job{state.model, state.document(), identifier(state.path.stem().string()),
                 code.options};
     if (code.maker)
-        code.maker->ask(std::move(job));
+        code.maker->submit(std::move(job));
     else
         take(code, make_code(job, *state.registry));
 }

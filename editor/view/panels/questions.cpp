@@ -7,7 +7,7 @@
 #include "base/file.h"
 #include "editor/model/document/files.h"
 #include "editor/model/document/levels.h"
-#include "editor/model/document/words.h"
+#include "editor/model/words.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
 #include "editor/view/panels/panels.h"

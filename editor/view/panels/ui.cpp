@@ -113,7 +113,7 @@ void draw_ui(State& state) {
     poll_images(state);
     draw_panels(state);
     handle_drops(state);
-    tend(state);
+    autosave_and_check_files(state);
 }
 
 }  // namespace wrinkle::editor

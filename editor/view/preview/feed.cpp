@@ -14,8 +14,8 @@ namespace {
 std::vector<const UniformInfo*> uniforms_at(const CompileState& follow,
                                             const Change::Place& place) {
     std::vector<const UniformInfo*> found;
-    if (!follow.running || place.index >= follow.running_of.nodes.size()) return found;
-    const std::string& node = follow.running_of.nodes[place.index]->id;
+    if (!follow.running || place.index >= follow.running_snapshot.nodes.size()) return found;
+    const std::string& node = follow.running_snapshot.nodes[place.index]->id;
     for (const UniformInfo& uniform : follow.running->reflection.uniforms) {
         if (uniform.graph_input || uniform.port != place.port) continue;
         const auto copy = follow.copied.find(uniform.node);
@@ -72,11 +72,11 @@ void forget_images(State& state) {
 
 bool send_values(State& state) {
     CompileState& follow = state.follow;
-    const Change difference = change(follow.sent, state.document());
+    const Change difference = change(follow.sent_snapshot, state.document());
     if (!all_are_uniforms(follow, difference)) return false;
     for (const Change::Place& place : difference.values)
         send(state, place);
-    follow.sent = state.document();
+    follow.sent_snapshot = state.document();
     return true;
 }
 
@@ -87,12 +87,13 @@ void apply_latest_build(State& state) {
     if (!built.running()) return;
     const bool same_kind = follow.running && follow.running_for == built.request &&
                            !follow.displacement && !built.displacement;
-    if (same_kind && all_are_uniforms(follow, change(follow.running_of, follow.built_of))) {
+    if (same_kind &&
+        all_are_uniforms(follow, change(follow.running_snapshot, follow.built_snapshot))) {
         send_values(state);
         return;
     }
     follow.running = built.running();
-    follow.running_of = follow.sent = follow.built_of;
+    follow.running_snapshot = follow.sent_snapshot = follow.built_snapshot;
     follow.running_for = built.request;
     follow.copied = built.copied;
     follow.displacement = built.displacement;
@@ -100,7 +101,7 @@ void apply_latest_build(State& state) {
     state.preview->set_material(
         std::make_shared<const gpu::Material>(gpu::material_from(*follow.running)),
         follow.displacement);
-    if (state.timings) state.timings->compiled(follow.came, state.preview->asked() + 1);
+    if (state.timings) state.timings->compiled(follow.finished_version, state.preview->asked() + 1);
     send_values(state);
 }
 
@@ -135,8 +136,8 @@ Diagnostic at_node(const Diagnostic& refusal, const Reflection& reflection,
 void poll_preview_diagnostics(State& state) {
     if (!state.preview) return;
     const PreviewPicture& picture = state.preview->picture();
-    if (picture.version == state.follow.heard) return;
-    state.follow.heard = picture.version;
+    if (picture.version == state.follow.diagnosed_version) return;
+    state.follow.diagnosed_version = picture.version;
     state.counters.programs = picture.programs;
     state.preview_problems = Diagnostics();
     for (const Diagnostic& problem : picture.problems.list())

@@ -16,9 +16,9 @@ bool is_asked(const State& state) {
     const NodeFeed& feed = state.node_feed;
     const auto shown = std::count_if(state.layout.cards.begin(), state.layout.cards.end(),
                                      [](const Card& card) { return card.picture_y >= 0; });
-    return feed.has_asked() && static_cast<size_t>(shown) == feed.asked_nodes.size() &&
-           feed.images == feed.asked_images && state.registry == feed.asked_registry &&
-           same_document(feed.asked_of, state.document());
+    return feed.has_asked() && static_cast<size_t>(shown) == feed.requested_nodes.size() &&
+           feed.images == feed.requested_images && state.registry == feed.requested_registry &&
+           same_document(feed.requested_snapshot, state.document());
 }
 
 std::set<std::string> wanted_nodes(const State& state) {
@@ -48,17 +48,18 @@ void feed_node_previews(State& state) {
     if (busy || is_asked(state)) return;
     std::set<std::string> wanted = wanted_nodes(state);
     const Document& now = state.document();
-    const bool same = feed.has_asked() && wanted == feed.asked_nodes &&
-                      feed.images == feed.asked_images && state.registry == feed.asked_registry &&
-                      looks_the_same(feed.asked_of, now);
-    feed.asked_of = now;
+    const bool same = feed.has_asked() && wanted == feed.requested_nodes &&
+                      feed.images == feed.requested_images &&
+                      state.registry == feed.requested_registry &&
+                      looks_the_same(feed.requested_snapshot, now);
+    feed.requested_snapshot = now;
     if (same) return;
-    feed.asked_nodes = wanted;
-    feed.asked_images = feed.images;
-    feed.asked_registry = state.registry;
+    feed.requested_nodes = wanted;
+    feed.requested_images = feed.images;
+    feed.requested_registry = state.registry;
     if (!wanted.empty())
-        feed.maker->ask(
-            {++feed.asked, state.registry, state.model, now, std::move(wanted), feed.images});
+        feed.maker->submit({++feed.requested_version, state.registry, state.model, now,
+                            std::move(wanted), feed.images});
 }
 
 }  // namespace wrinkle::editor

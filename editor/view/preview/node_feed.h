@@ -15,21 +15,21 @@ struct State;
 struct NodeFeed {
     NodePictureMaker* maker = nullptr;  // nullptr: no node previews
     PictureAtlas atlas;
-    NodePreviews pictures;  // the newest; its texels are in the atlas
-    uint64_t asked = 0;     // version of the newest job
-    uint64_t first = 1;     // first version of the open graph; older previews are another graph's
-    uint64_t images = 0;    // when it changes, image files are read again
+    NodePreviews pictures;           // the newest; its texels are in the atlas
+    uint64_t requested_version = 0;  // version of the newest job
+    uint64_t first = 1;   // first version of the open graph; older previews are another graph's
+    uint64_t images = 0;  // when it changes, image files are read again
     // Inputs of that job.
-    Document asked_of;
-    std::set<std::string> asked_nodes;
-    const Registry* asked_registry = nullptr;
-    uint64_t asked_images = 0;
+    Document requested_snapshot;
+    std::set<std::string> requested_nodes;
+    const Registry* requested_registry = nullptr;
+    uint64_t requested_images = 0;
 
-    bool has_asked() const { return asked >= first; }
+    bool has_asked() const { return requested_version >= first; }
     // Called when another graph is opened or the textures are lost.
     void forget() {
         pictures = {};
-        first = asked + 1;
+        first = requested_version + 1;
     }
     bool idle() const { return !maker || maker->idle(); }
 };

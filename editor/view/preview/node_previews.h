@@ -64,10 +64,10 @@ public:
               [painter = NodePainter()](NodePictureJob&& job) mutable { return painter.draw(job); },
               std::move(wake)) {}
 
-    void ask(NodePictureJob job) { worker_.post(std::move(job)); }
+    void submit(NodePictureJob job) { worker_.post(std::move(job)); }
     std::optional<NodePreviews> take() { return worker_.take(); }
     bool idle() const { return worker_.idle(); }
-    void settle() { worker_.settle(); }
+    void wait_idle() { worker_.wait_idle(); }
 
 private:
     Worker<NodePictureJob, NodePreviews> worker_;

@@ -82,7 +82,7 @@ void Preview::draw_still(std::shared_ptr<ImageRequest> still) {
     // Cancels the previous request.
     if (job_.still) job_.still->answer(std::nullopt, Diagnostics());
     job_.still = std::move(still);
-    ask();
+    submit();
 }
 
 void Preview::show(const PreviewView& view, const std::string& against, const CompareView& compare,
@@ -100,10 +100,10 @@ void Preview::show(const PreviewView& view, const std::string& against, const Co
     job_.width = width;
     job_.height = height;
     changed_ = false;
-    ask();
+    submit();
 }
 
-void Preview::ask() {
+void Preview::submit() {
     ++job_.version;
     if (worker_) return worker_->post(job_);
     if (!painter_) painter_ = std::make_unique<PreviewPainter>();
@@ -123,8 +123,8 @@ bool Preview::idle() const {
     return !worker_ || worker_->idle();
 }
 
-void Preview::settle() {
-    if (worker_) worker_->settle();
+void Preview::wait_idle() {
+    if (worker_) worker_->wait_idle();
 }
 
 }  // namespace wrinkle::editor

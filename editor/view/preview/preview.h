@@ -51,13 +51,13 @@ public:
     const PreviewPicture& shown() const { return picture_; }  // the last result, without polling
     uint64_t asked() const { return job_.version; }
     bool idle() const;  // no job is pending; none is posted while no preview is visible
-    void settle();
+    void wait_idle();
     bool has_thread() const { return worker_ != nullptr; }
     ~Preview();
 
 private:
     void begin();
-    void ask();
+    void submit();
 
     PreviewJob job_;
     std::function<void()> wake_;

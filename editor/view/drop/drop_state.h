@@ -1,4 +1,4 @@
-// Dropped files that wait for processing.
+// DropState files that wait for processing.
 #pragma once
 
 #include <imgui.h>
@@ -12,7 +12,7 @@
 namespace wrinkle::editor {
 
 // Images being added to the graph, while they are examined.
-struct Arrival {
+struct DropEvent {
     std::vector<std::filesystem::path> files;  // canonical; the first one is added next
     ImVec2 at{0, 0};                           // canvas units
     bool chosen = false;                       // chosen by name: without a position
@@ -20,14 +20,14 @@ struct Arrival {
     std::string merge;
 };
 
-struct Dropped {
+struct DropState {
     std::vector<FileDrop> arrived;  // since the last frame
     FileDrop outside;               // some files are outside the graph's folder: copy them?
     bool asked = false;             // that dialog is open
     bool by_name = false;           // chosen by name for `node` and `port`, "" for a new node
     std::string node, port;
-    std::vector<Arrival> waiting;  // the first one is added first
-    std::string for_preview;       // a mesh or an environment; the preview takes it and clears it
+    std::vector<DropEvent> waiting;  // the first one is added first
+    std::string for_preview;         // a mesh or an environment; the preview takes it and clears it
 };
 
 }  // namespace wrinkle::editor
