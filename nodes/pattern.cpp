@@ -96,8 +96,8 @@ static constinit Node pattern_list[] = {
             return relief_of(tile(edges, inside, tops * tops), amplitude);
         }),
 
-    // The bump of M. Bailey's Surface Local Coordinates: in the middle of each square cell of (s, t)
-    // a pyramid with four flat sides, which join on the diagonals, and a flat border around it.
+    // The bump of M. Bailey's Surface Local Coordinates: in the middle of each square cell of
+    // (s, t) a pyramid with four flat sides, which join on the diagonals, and a flat border.
     relief(
         pattern_on_uv("pyramids", "Pyramids",
                       "A four-sided pyramid in the middle of each cell of a grid, flat around it.",

@@ -1,6 +1,6 @@
 #include "bake/map_values.h"
 
-#include "base/slope_limit.h"
+#include "base/normals.h"
 #include "ir/gradient_frame.h"
 #include "ir/surface.h"
 

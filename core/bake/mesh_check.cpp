@@ -1,6 +1,6 @@
 #include "bake/mesh_check.h"
 
-#include "base/file_problem.h"
+#include "base/diagnostics.h"
 #include "cpu/columns.h"
 
 namespace wrinkle {

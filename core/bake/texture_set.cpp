@@ -1,6 +1,6 @@
 #include "bake/texture_set.h"
 
-#include "base/file_problem.h"
+#include "base/diagnostics.h"
 #include "base/text.h"
 
 namespace wrinkle {

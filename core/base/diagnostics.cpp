@@ -19,10 +19,7 @@ void Diagnostics::add(Diagnostic diagnostic) {
 }
 
 void Diagnostics::error(std::string message, std::string expected) {
-    Diagnostic diagnostic;
-    diagnostic.message = std::move(message);
-    diagnostic.expected = std::move(expected);
-    add(std::move(diagnostic));
+    add({.message = std::move(message), .expected = std::move(expected)});
 }
 
 void Diagnostics::append(const Diagnostics& other) {
@@ -38,6 +35,14 @@ void Diagnostics::append_once(const Diagnostics& other) {
     std::set<std::string> seen;
     for (const Diagnostic& diagnostic : other.list_)
         if (seen.insert(to_text(diagnostic)).second) add(diagnostic);
+}
+
+Diagnostic file_problem(Severity severity, std::string file, std::string message,
+                        std::string expected) {
+    return {.severity = severity,
+            .where = {std::move(file)},
+            .message = std::move(message),
+            .expected = std::move(expected)};
 }
 
 std::string to_text(const Diagnostic& diagnostic) {
@@ -89,8 +94,7 @@ std::string to_json(const Diagnostics& diagnostics) {
     std::string text = "{\"version\": 1, \"diagnostics\": [";
     const char* separator = "\n  ";
     for (const Diagnostic& d : diagnostics.list()) {
-        text += separator;
-        text += "{\"severity\": ";
+        text += separator + std::string("{\"severity\": ");
         text += d.severity == Severity::error ? "\"error\"" : "\"warning\"";
         text += ", \"file\": " + json_quoted(d.where.file);
         text += ", \"line\": " + std::to_string(d.where.line);

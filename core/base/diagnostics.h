@@ -25,11 +25,11 @@ struct Location {
 
 struct Diagnostic {
     Severity severity = Severity::error;
-    Location where;
-    std::string pointer;   // JSON pointer of the token, "" for the document
-    std::string node;      // node id; in a sub-graph "outer/inner"; "" when no node is at fault
-    std::string message;   // one sentence: the problem
-    std::string expected;  // hint: the valid form or the nearest name; may be empty
+    Location where{};
+    std::string pointer{};   // JSON pointer of the token, "" for the document
+    std::string node{};      // node id; in a sub-graph "outer/inner"; "" when no node is at fault
+    std::string message{};   // one sentence: the problem
+    std::string expected{};  // hint: the valid form or the nearest name; may be empty
 };
 
 class Diagnostics {
@@ -55,6 +55,10 @@ private:
     size_t error_count_ = 0;
     size_t dropped_ = 0;
 };
+
+// Returns a diagnostic about a file in general (a mesh, a graph), named as by the user.
+Diagnostic file_problem(Severity severity, std::string file, std::string message,
+                        std::string expected);
 
 // Returns one line, escaped by printable(): "graph.json:12:7: error: node 'weave': unknown port
 // 'amout' (did you mean 'amount'?)".

@@ -12,8 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/system_error.h"
-
 namespace wrinkle {
 namespace fs = std::filesystem;
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/words.h"
+#include "base/text.h"
 
 namespace wrinkle {
 namespace {

@@ -1,5 +1,3 @@
-#include "base/overwrite.h"
-
 #include <sys/stat.h>
 
 #include <map>

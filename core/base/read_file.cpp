@@ -7,7 +7,7 @@
 
 #include "base/file.h"
 #include "base/limits.h"
-#include "base/words.h"
+#include "base/text.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;

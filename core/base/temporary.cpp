@@ -12,8 +12,6 @@
 #include <string>
 #include <utility>
 
-#include "base/system_error.h"
-
 namespace wrinkle {
 namespace fs = std::filesystem;
 

@@ -6,6 +6,7 @@
 // most 48 bytes long.
 #pragma once
 
+#include <cerrno>
 #include <filesystem>
 #include <optional>
 #include <string_view>
@@ -13,6 +14,11 @@
 #include <utility>
 
 namespace wrinkle {
+
+// Returns the error code of the last failed system call (errno).
+inline std::error_code last_error() {
+    return {errno, std::generic_category()};
+}
 
 class Temporary {
 public:

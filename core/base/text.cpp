@@ -1,11 +1,11 @@
 #include "base/text.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <iterator>
 
 #include "base/printable.h"
 
@@ -40,20 +40,12 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-// Character class of a byte in an identifier.
-enum class Part : uint8_t { none, word, joint };
+bool is_word(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || is_digit(c);
+}
 
-Part part_of(char c) {
-    static constexpr auto table = [] {
-        std::array<Part, 256> parts{};
-        for (unsigned char byte = 0; byte < 26; ++byte)
-            parts['a' + byte] = parts['A' + byte] = Part::word;
-        for (unsigned char byte = '0'; byte <= '9'; ++byte)
-            parts[byte] = Part::word;
-        parts['_'] = Part::joint;
-        return parts;
-    }();
-    return table[static_cast<unsigned char>(c)];
+std::string line_at(const std::vector<std::string_view>& lines, size_t i) {
+    return i < lines.size() ? "'" + std::string(lines[i]) + "'" : "the end";
 }
 
 }  // namespace
@@ -65,16 +57,8 @@ std::string shortest(float value) {
     return spelled(value);
 }
 
-// Small integers, the most common constants, skip the search for the fewest digits.
 void append_shortest(std::string& text, float value) {
-    constexpr float no_shorter_exponent = 10000;
-    char buffer[64];
-    const auto whole = static_cast<int>(std::clamp(value, 0.0F, no_shorter_exponent));
-    const bool small =
-        static_cast<float>(whole) == value && whole < no_shorter_exponent && !std::signbit(value);
-    const auto end = small ? std::to_chars(buffer, buffer + sizeof buffer, whole).ptr
-                           : std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-    text.append(buffer, end);
+    text += spelled(value);
 }
 
 // Escapes non-printable characters too, so that JSON printed to a terminal cannot forge a line.
@@ -106,27 +90,18 @@ std::string json_quoted(std::string_view text) {
 }
 
 std::string identifier(std::string_view text) {
-    std::string name(text.size(), '_');
-    size_t end = 0;
+    std::string name;
     for (const char c : text)
-        if (part_of(c) == Part::word)
-            name[end++] = c;
-        else if (end == 0 || name[end - 1] != '_')
-            name[end++] = '_';
-    name.resize(end);
+        if (is_word(c))
+            name += c;
+        else if (!name.ends_with('_'))
+            name += '_';
     if (name.empty() || is_digit(name[0])) name.insert(0, "n");
     return name;
 }
 
 bool is_identifier(std::string_view text) {
-    if (text.empty() || is_digit(text[0])) return false;
-    Part before = Part::word;
-    for (const char c : text) {
-        const Part part = part_of(c);
-        if (part == Part::none || (part == Part::joint && before == Part::joint)) return false;
-        before = part;
-    }
-    return true;
+    return identifier(text) == text;
 }
 
 std::string nearest(std::string_view word, std::span<const std::string> candidates) {
@@ -169,6 +144,50 @@ bool is_utf8(std::string_view text) {
         text.remove_prefix(character.bytes);
     }
     return true;
+}
+
+std::string_view trimmed(std::string_view text) {
+    const size_t begin = std::min(text.find_first_not_of(" \t\r"), text.size());
+    const size_t end = text.find_last_not_of(" \t\r");
+    return text.substr(begin, end == text.npos ? 0 : end + 1 - begin);
+}
+
+std::optional<uint64_t> whole_number(std::string_view text) {
+    uint64_t number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size()) return {};
+    return number;
+}
+
+std::string rough_count(double count) {
+    const char* const units[] = {"", "k", "M", "G"};
+    size_t unit = 0;
+    while (count >= 1000 && unit + 1 < std::size(units)) {
+        count /= 1000;
+        ++unit;
+    }
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g %s", count, units[unit]);
+    return text;
+}
+
+std::string rough_duration(double seconds) {
+    const auto whole = static_cast<uint64_t>(std::clamp(seconds + 0.5, 0.0, 1e9));
+    if (whole < 100) return std::to_string(whole) + " s";
+    const uint64_t minutes = (whole + 30) / 60;
+    if (minutes < 100) return std::to_string(minutes) + " min";
+    return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
+}
+
+std::string text_difference(const std::string& expected, const std::string& got) {
+    if (expected == got) return "";
+    const auto wanted = split(expected, '\n');
+    const auto found = split(got, '\n');
+    size_t i = 0;
+    while (i < wanted.size() && i < found.size() && wanted[i] == found[i])
+        ++i;
+    return "line " + std::to_string(i + 1) + ": expected " + line_at(wanted, i) + ", got " +
+           line_at(found, i);
 }
 
 }  // namespace wrinkle

@@ -1,6 +1,8 @@
-// Text helpers: locale-independent numbers, identifiers, suggestions.
+// Text helpers: locale-independent numbers, identifiers, suggestions, parts and lines.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,6 +32,31 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
                          std::string otherwise = {});
 
 std::vector<std::string_view> split(std::string_view text, char separator);
+
+// Joins the texts of the elements of a list.
+template <class List, class Text>
+std::string joined(const List& list, std::string_view separator, Text text_of) {
+    std::string text;
+    bool is_first = true;
+    for (const auto& each : list) {
+        if (!is_first) text += separator;
+        is_first = false;
+        text += text_of(each);
+    }
+    return text;
+}
+
+// Returns `text` without spaces, tabs and carriage returns at its ends.
+std::string_view trimmed(std::string_view text);
+
+// Parses all of `text` as a decimal number; std::nullopt for anything else or beyond 64 bits.
+std::optional<uint64_t> whole_number(std::string_view text);
+
+std::string rough_count(double count);       // "5.2 M", "800 ": for use before a unit
+std::string rough_duration(double seconds);  // "12 s", "3 min", "1 h 20 min"
+
+// Describes the first line that differs; returns "" for equal texts.
+std::string text_difference(const std::string& expected, const std::string& got);
 
 // Returns true if the bytes are well-formed UTF-8 (no surrogates, no overlong forms).
 bool is_utf8(std::string_view text);

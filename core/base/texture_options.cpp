@@ -1,16 +1,10 @@
 #include "base/texture_options.h"
 
 #include <algorithm>
-#include <array>
+#include <span>
 
 namespace wrinkle {
-
 namespace {
-
-constexpr std::array<std::string_view, 7> encodings = {
-    "linear", "srgb", "normal_gl", "normal_dx", "normal_rg", "normal_ag", "derivative"};
-constexpr std::array<std::string_view, 3> wraps = {"repeat", "clamp", "mirror"};
-constexpr std::array<std::string_view, 2> filters = {"linear", "nearest"};
 
 template <typename Enum>
 std::optional<Enum> named(std::span<const std::string_view> names, std::string_view name) {
@@ -21,40 +15,16 @@ std::optional<Enum> named(std::span<const std::string_view> names, std::string_v
 
 }  // namespace
 
-std::span<const std::string_view> encoding_names() {
-    return encodings;
-}
-
-std::span<const std::string_view> wrap_names() {
-    return wraps;
-}
-
-std::span<const std::string_view> filter_names() {
-    return filters;
-}
-
-std::string_view name_of(Encoding encoding) {
-    return encodings[static_cast<size_t>(encoding)];
-}
-
-std::string_view name_of(Wrap wrap) {
-    return wraps[static_cast<size_t>(wrap)];
-}
-
-std::string_view name_of(Filter filter) {
-    return filters[static_cast<size_t>(filter)];
-}
-
 std::optional<Encoding> encoding_named(std::string_view name) {
-    return named<Encoding>(encodings, name);
+    return named<Encoding>(encoding_names, name);
 }
 
 std::optional<Wrap> wrap_named(std::string_view name) {
-    return named<Wrap>(wraps, name);
+    return named<Wrap>(wrap_names, name);
 }
 
 std::optional<Filter> filter_named(std::string_view name) {
-    return named<Filter>(filters, name);
+    return named<Filter>(filter_names, name);
 }
 
 }  // namespace wrinkle

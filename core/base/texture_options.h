@@ -10,9 +10,9 @@
 // The order of the enumerators is part of the plugin ABI: append only.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string_view>
 
 namespace wrinkle {
@@ -38,13 +38,20 @@ struct TextureOptions {
 };
 
 // Names as spelled in graph files, in the order of the enumerators.
-std::span<const std::string_view> encoding_names();
-std::span<const std::string_view> wrap_names();
-std::span<const std::string_view> filter_names();
+inline constexpr std::array<std::string_view, 7> encoding_names = {
+    "linear", "srgb", "normal_gl", "normal_dx", "normal_rg", "normal_ag", "derivative"};
+inline constexpr std::array<std::string_view, 3> wrap_names = {"repeat", "clamp", "mirror"};
+inline constexpr std::array<std::string_view, 2> filter_names = {"linear", "nearest"};
 
-std::string_view name_of(Encoding encoding);
-std::string_view name_of(Wrap wrap);
-std::string_view name_of(Filter filter);
+constexpr std::string_view name_of(Encoding encoding) {
+    return encoding_names[static_cast<size_t>(encoding)];
+}
+constexpr std::string_view name_of(Wrap wrap) {
+    return wrap_names[static_cast<size_t>(wrap)];
+}
+constexpr std::string_view name_of(Filter filter) {
+    return filter_names[static_cast<size_t>(filter)];
+}
 
 // Return std::nullopt for an unknown name.
 std::optional<Encoding> encoding_named(std::string_view name);

@@ -29,6 +29,22 @@ std::string findings(const Report& report) {
 
 }  // namespace
 
+void Report::add(Finding finding) {
+    const auto same = [&](const Finding& other) {
+        return other.check == finding.check && other.port == finding.port;
+    };
+    if (std::none_of(findings.begin(), findings.end(), same))
+        findings.push_back(std::move(finding));
+}
+
+Diagnostic to_diagnostic(const Finding& finding, const Report& report, const std::string& file) {
+    const std::string port = finding.port.empty() ? "" : "port '" + finding.port + "': ";
+    return {.where = {file},
+            .node = report.node,
+            .message = finding.check + ": " + port + finding.message,
+            .expected = finding.remedy};
+}
+
 std::span<const std::string_view> check_names() {
     static constexpr std::string_view names[] = {
         "descriptor", "text",    "deterministic", "round_trip", "derivative",
@@ -36,17 +52,17 @@ std::span<const std::string_view> check_names() {
     return names;
 }
 
-Report certify(const NodeType& type, const CertifyContext& bench) {
+Report certify(const NodeType& type, const CertifyContext& context) {
     Report report;
     report.node = type.id;
     check_descriptor(type, report);
-    check_text(type, bench, report);
+    check_text(type, context, report);
     const auto hopeless = [](const Finding& finding) {
         return finding.check == "text" || finding.check == "deterministic";
     };
     if (std::any_of(report.findings.begin(), report.findings.end(), hopeless)) return report;
     for (const auto check : {check_derivatives, check_uniforms, check_finite, check_parity})
-        check(type, bench, report);
+        check(type, context, report);
     return report;
 }
 

@@ -14,7 +14,7 @@ namespace wrinkle::certify {
 std::span<const std::string_view> check_names();
 
 // Runs every check of checks.h. If "text" or "deterministic" fails, the numeric checks are skipped.
-Report certify(const NodeType& type, const CertifyContext& bench);
+Report certify(const NodeType& type, const CertifyContext& context);
 
 // Returns a line "ok" with the number of compared values, or "failed" followed by the findings:
 //   ripples  ok: 1200 values in float, double and on the GPU, 2400 derivatives

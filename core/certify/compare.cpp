@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
-#include "base/angle.h"
+#include "base/normals.h"
 #include "base/text.h"
 #include "certify/points.h"
 #include "gpu/point_runner.h"
@@ -54,8 +55,7 @@ bool is_normal(const Module& module, size_t output) {
 
 std::string allowed_words(bool normal, double range) {
     if (normal) return shortest(normal_tolerance_deg) + " degrees";
-    return shortest(static_cast<float>(value_tolerance * range)) + ", 1e-4 of the range " +
-           shortest(static_cast<float>(range));
+    return brief(value_tolerance * range) + ", 1e-4 of the range " + brief(range);
 }
 
 std::vector<float> floats(const std::vector<double>& values) {
@@ -163,10 +163,12 @@ Comparison Judge::compare(const Values& a, const Values& b) const {
     return result;
 }
 
+std::string brief(double value) {
+    return shortest(static_cast<float>(value));
+}
+
 std::string words(const double* values, size_t lanes) {
-    std::string text;
-    for (size_t i = 0; i < lanes; ++i)
-        text += (i > 0 ? ", " : "") + shortest(static_cast<float>(values[i]));
+    const std::string text = joined(std::span(values, lanes), ", ", brief);
     return lanes == 1 ? text : "(" + text + ")";
 }
 

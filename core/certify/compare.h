@@ -59,6 +59,7 @@ struct Judge {
 std::optional<Judge> make_judge(const Module& module, const PointSet& points, const ImageOf& images,
                                 std::string& why);
 
+std::string brief(double value);  // in single precision
 // Returns "0.25", or "(1, 0, 0)" for several components.
 std::string words(const double* values, size_t lanes);
 

@@ -3,7 +3,6 @@
 #include <limits>
 #include <utility>
 
-#include "base/text.h"
 #include "certify/checks.h"
 #include "certify/compare.h"
 #include "certify/points.h"
@@ -53,9 +52,9 @@ enum Column : size_t { value, derived, bump, columns };
 // Returns a module with three outputs per number output (a normal is constant under
 // differentiation): the value, its derivative per pixel in x, and the same derivative with detached
 // values constant, as in bumps.
-Module with_derivatives(const Subject& subject, const CertifyContext& bench) {
+Module with_derivatives(const Subject& subject, const CertifyContext& context) {
     Diagnostics diagnostics;
-    Module lowered = lower(subject.project, bench.registry, {}, diagnostics).module;
+    Module lowered = lower(subject.project, context.registry, {}, diagnostics).module;
     const std::vector<ModuleOutput> outputs = std::exchange(lowered.outputs, {});
     for (const ModuleOutput& output : outputs) {
         if (!is_number(output)) continue;
@@ -88,13 +87,13 @@ std::optional<Around> around(const Module& module, std::string& why) {
 
 class DerivativeCheck {
 public:
-    DerivativeCheck(const NodeType& type, const CertifyContext& bench, Report& report)
-        : type_(type), bench_(bench), report_(report) {}
+    DerivativeCheck(const NodeType& type, const CertifyContext& context, Report& report)
+        : type_(type), context_(context), report_(report) {}
 
     void run(Inputs inputs) {
-        const Subject subject = compile_harness(type_, inputs, 31, bench_);
+        const Subject subject = compile_harness(type_, inputs, 31, context_);
         if (!subject.compiled.ok || !subject.compiled.module.resources.empty()) return;
-        const Module module = with_derivatives(subject, bench_);
+        const Module module = with_derivatives(subject, context_);
         if (module.outputs.empty()) return;
         std::string why;
         const auto values = around(module, why);
@@ -144,7 +143,6 @@ private:
     };
     void differs(const std::string& check, const std::string& port, const Wrong& wrong,
                  double found, Inputs inputs, const Subject& subject) {
-        const auto brief = [](double x) { return shortest(static_cast<float>(x)); };
         const std::string remedy =
             check == "detach"
                 ? "a bump leaves out what is detached or given a slope of its own: detach() only "
@@ -152,7 +150,7 @@ private:
                 : "floor, ceil, step and integers have derivative 0: use them on what is constant "
                   "around a point";
         report_.add({check, port,
-                     std::string(words(inputs)) + ", at point " + std::to_string(wrong.point) +
+                     words(inputs) + ", at point " + std::to_string(wrong.point) +
                          ", it changes by " + brief(wrong.differences) +
                          " a pixel, its derivative is " + brief(found) + "; " +
                          brief(wrong.allowed) + " apart are allowed",
@@ -162,8 +160,7 @@ private:
     void jumps(const std::string& port, size_t kinks, size_t all, Inputs inputs,
                const Subject& subject) {
         report_.add({"derivative", port,
-                     std::string(words(inputs)) + ", " + std::to_string(kinks) + " of " +
-                         std::to_string(all) +
+                     words(inputs) + ", " + std::to_string(kinks) + " of " + std::to_string(all) +
                          " numbers lie on a jump or a kink, where there is no slope; one in " +
                          std::to_string(min_smooth_share) + " is allowed",
                      "make it smooth, or fade it out where it is finer than a pixel: fwidth()",
@@ -171,14 +168,14 @@ private:
     }
 
     const NodeType& type_;
-    const CertifyContext& bench_;
+    const CertifyContext& context_;
     Report& report_;
 };
 
 }  // namespace
 
-void check_derivatives(const NodeType& type, const CertifyContext& bench, Report& report) {
-    DerivativeCheck check(type, bench, report);
+void check_derivatives(const NodeType& type, const CertifyContext& context, Report& report) {
+    DerivativeCheck check(type, context, report);
     for (const Inputs inputs : {Inputs::defaults, Inputs::numbers, Inputs::wires, Inputs::mixed})
         check.run(inputs);
 }

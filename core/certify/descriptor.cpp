@@ -7,13 +7,6 @@
 namespace wrinkle::certify {
 namespace {
 
-bool is_snake_case(const std::string& name) {
-    return !name.empty() && std::islower(static_cast<unsigned char>(name[0])) &&
-           std::all_of(name.begin(), name.end(), [](unsigned char c) {
-               return std::islower(c) || std::isdigit(c) || c == '_';
-           });
-}
-
 bool mentions(const std::string& doc, std::initializer_list<std::string_view> words) {
     std::string lower = doc;
     for (char& c : lower)
@@ -44,7 +37,7 @@ private:
     }
 
     void names() {
-        if (!is_snake_case(port_.name))
+        if (!is_name(port_.name))
             fault("its name is not lower_snake_case", "letters a-z, digits and _");
         if (port_.kind == Port::Kind::choice && port_.choices.size() < 2)
             fault("a choice of one", "give it two names, or remove it");
@@ -97,8 +90,7 @@ void check_descriptor(const NodeType& type, Report& report) {
     const auto fault = [&](std::string message, std::string remedy) {
         report.add({"descriptor", "", std::move(message), std::move(remedy), {}});
     };
-    if (!is_snake_case(type.id))
-        fault("its id is not lower_snake_case", "letters a-z, digits and _");
+    if (!is_name(type.id)) fault("its id is not lower_snake_case", "letters a-z, digits and _");
     if (type.title.empty()) fault("it has no title", "what a user reads in the palette");
     if (type.family.empty()) fault("it has no family", "where it stands in the palette");
     if (type.doc.empty() || !type.doc.ends_with('.'))

@@ -42,9 +42,8 @@ private:
         return "{\"from\": " + json_quoted(node + "." + port) + "}";
     }
     static std::string list(const std::vector<double>& numbers) {
-        std::string text;
-        for (const double each : numbers)
-            text += (text.empty() ? "" : ", ") + shortest(static_cast<float>(each));
+        const std::string text =
+            joined(numbers, ", ", [](double each) { return shortest(static_cast<float>(each)); });
         return numbers.size() == 1 ? text : "[" + text + "]";
     }
 
@@ -68,8 +67,8 @@ private:
         constexpr std::string_view files[] = {"a.exr", "b.exr"};
         const std::string file = json_quoted(std::string(pick(files)));
         if (inputs_ == Inputs::defaults) return file;
-        return "{\"file\": " + file + ", \"encoding\": \"" + std::string(pick(encoding_names())) +
-               "\", \"wrap\": \"" + std::string(pick(wrap_names())) + "\", \"filter\": \"" +
+        return "{\"file\": " + file + ", \"encoding\": \"" + std::string(pick(encoding_names)) +
+               "\", \"wrap\": \"" + std::string(pick(wrap_names)) + "\", \"filter\": \"" +
                (random_() % 4 ? "linear" : "nearest") + "\"}";
     }
 
@@ -98,11 +97,12 @@ private:
         nodes_ += json_quoted(id) + ": {\"type\": \"" + type + "\", \"in\": {" + in + "}}, ";
         return link(id, output);
     }
-    std::string varying_number(const Port& port) {
+    // Applies a node of two vectors to the position and a random vector.
+    std::string of_position(const Port& port, const std::string& type, const std::string& output) {
         const std::string b = list({number(-1, 1), number(-1, 1), number(-1, 1)});
-        return add(port, "dot", "\"a\": " + link("surface", "position") + ", \"b\": " + b,
-                   "result");
+        return add(port, type, "\"a\": " + link("surface", "position") + ", \"b\": " + b, output);
     }
+    std::string varying_number(const Port& port) { return of_position(port, "dot", "result"); }
     // A field is evaluated at other uvs, so it must depend on uv.
     std::string varying_field(const Port& port) {
         const std::string split =
@@ -117,9 +117,7 @@ private:
 
     // Two results are not parallel, so that a pair of axes or of positions is not degenerate.
     std::string skewed_position(const Port& port) {
-        const std::string b = list({number(-1, 1), number(-1, 1), number(-1, 1)});
-        return add(port, "vec3_multiply", "\"a\": " + link("surface", "position") + ", \"b\": " + b,
-                   "vector");
+        return of_position(port, "vec3_multiply", "vector");
     }
     std::string bump(const Port& port) {
         if (random_() % 2)
@@ -165,20 +163,12 @@ private:
 
 }  // namespace
 
-std::string_view words(Inputs inputs) {
-    switch (inputs) {
-        case Inputs::defaults:
-            return "with default inputs";
-        case Inputs::numbers:
-            return "with numbers at its inputs";
-        case Inputs::zeros:
-            return "with zeros at its inputs";
-        case Inputs::wires:
-            return "with inputs that vary over the surface";
-        case Inputs::mixed:
-            break;
-    }
-    return "with numbers at some inputs and wires at others";
+std::string words(Inputs inputs) {
+    constexpr const char* texts[] = {"with default inputs", "with numbers at its inputs",
+                                     "with zeros at its inputs",
+                                     "with inputs that vary over the surface",
+                                     "with numbers at some inputs and wires at others"};
+    return texts[static_cast<size_t>(inputs)];
 }
 
 std::string harness_graph(const NodeType& type, Inputs inputs, std::mt19937& random) {

@@ -17,7 +17,7 @@ enum class Inputs : uint8_t {
     wires,
     mixed,
 };
-std::string_view words(Inputs inputs);  // "with default inputs", ...
+std::string words(Inputs inputs);  // "with default inputs", ...
 
 // Returns the JSON of the graph. Images are named "a.exr" and "b.exr"; linked nodes are built-in
 // nodes.

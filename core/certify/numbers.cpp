@@ -1,16 +1,11 @@
 #include <cmath>
 
-#include "base/text.h"
 #include "certify/checks.h"
 #include "certify/compare.h"
 #include "certify/points.h"
 
 namespace wrinkle::certify {
 namespace {
-
-std::string brief(double value) {
-    return shortest(static_cast<float>(value));
-}
 
 // Reports the first non-finite number of each output; `side` names the back end.
 void expect_finite(const Values& values, const char* side, const Subject& subject, Inputs inputs,
@@ -22,9 +17,8 @@ void expect_finite(const Values& values, const char* side, const Subject& subjec
             const size_t point = k / lanes_of(module, output);
             const std::string number = std::isnan(values[output][k]) ? "not a number" : "infinite";
             report.add({"finite", port_of(module.outputs[output].name),
-                        std::string(words(inputs)) + ", where " +
-                            std::string(degenerate_words(point)) + ", it is " + number + " (" +
-                            side + ")",
+                        words(inputs) + ", where " + std::string(degenerate_words(point)) +
+                            ", it is " + number + " (" + side + ")",
                         "guard what can be 0: divide(), safe roots and normalize() of the SDK do; "
                         "operator / does not",
                         subject.text});
@@ -32,8 +26,8 @@ void expect_finite(const Values& values, const char* side, const Subject& subjec
         }
 }
 
-void finite(const NodeType& type, Inputs inputs, const CertifyContext& bench, Report& report) {
-    const Subject subject = compile_harness(type, inputs, 17, bench);
+void finite(const NodeType& type, Inputs inputs, const CertifyContext& context, Report& report) {
+    const Subject subject = compile_harness(type, inputs, 17, context);
     if (!subject.compiled.ok) return;
     static const PointSet points = degenerate_points();
     const Module& module = subject.compiled.module;
@@ -44,14 +38,14 @@ void finite(const NodeType& type, Inputs inputs, const CertifyContext& bench, Re
     };
     add(on_cpu<float>(module, points, test_image, why), "in float");
     add(on_cpu<double>(module, points, test_image, why), "in double");
-    if (bench.gpu) add(on_gpu(given_text(module), points, test_image, why), "on the GPU");
+    if (context.gpu) add(on_gpu(given_text(module), points, test_image, why), "on the GPU");
 }
 
-void uniforms(const NodeType& type, Inputs inputs, const CertifyContext& bench, Report& report) {
-    const Subject subject = compile_harness(type, inputs, 43, bench);
+void uniforms(const NodeType& type, Inputs inputs, const CertifyContext& context, Report& report) {
+    const Subject subject = compile_harness(type, inputs, 43, context);
     Diagnostics diagnostics;
     if (!subject.compiled.ok) return;
-    const Compiled baked = compile(subject.project, bench, {.uniform = false}, diagnostics);
+    const Compiled baked = compile(subject.project, context, {.uniform = false}, diagnostics);
     if (!baked.ok) return;  // reported by check_text()
     static const PointSet points = random_points(60, 37);
     std::string why;
@@ -64,7 +58,7 @@ void uniforms(const NodeType& type, Inputs inputs, const CertifyContext& bench, 
             const double allowed = 1e-9 * (1 + std::fabs(y));
             if (std::fabs(x - y) <= allowed) continue;
             report.add({"uniform", port_of(baked.module.outputs[output].name),
-                        std::string(words(inputs)) + ", at point " +
+                        words(inputs) + ", at point " +
                             std::to_string(k / lanes_of(baked.module, output)) + ", it is " +
                             brief(x) + " with its numbers in the text, " + brief(y) +
                             " with uniforms; " + brief(allowed) + " apart are allowed",
@@ -76,14 +70,14 @@ void uniforms(const NodeType& type, Inputs inputs, const CertifyContext& bench, 
 
 }  // namespace
 
-void check_finite(const NodeType& type, const CertifyContext& bench, Report& report) {
+void check_finite(const NodeType& type, const CertifyContext& context, Report& report) {
     for (const Inputs inputs : {Inputs::defaults, Inputs::zeros, Inputs::wires})
-        finite(type, inputs, bench, report);
+        finite(type, inputs, context, report);
 }
 
-void check_uniforms(const NodeType& type, const CertifyContext& bench, Report& report) {
+void check_uniforms(const NodeType& type, const CertifyContext& context, Report& report) {
     for (const Inputs inputs : {Inputs::defaults, Inputs::zeros, Inputs::mixed})
-        uniforms(type, inputs, bench, report);
+        uniforms(type, inputs, context, report);
 }
 
 }  // namespace wrinkle::certify

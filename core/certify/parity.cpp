@@ -12,11 +12,11 @@ constexpr size_t min_stable_share = 2;
 
 class ParityCheck {
 public:
-    ParityCheck(const NodeType& type, const CertifyContext& bench, Report& report)
-        : type_(type), bench_(bench), report_(report) {}
+    ParityCheck(const NodeType& type, const CertifyContext& context, Report& report)
+        : type_(type), context_(context), report_(report) {}
 
     void run(Inputs inputs, unsigned seed) {
-        const Subject subject = compile_harness(type_, inputs, seed, bench_);
+        const Subject subject = compile_harness(type_, inputs, seed, context_);
         if (!subject.compiled.ok) return;
         static const PointSet points = random_points(parity_points, 7);
         const Module& module = subject.compiled.module;
@@ -32,7 +32,7 @@ public:
             differs("precision", "float", "double", *comparison.first, inputs, subject);
         if (min_stable_share * comparison.unstable > comparison.values)
             unstable(comparison, inputs, subject);
-        if (bench_.gpu) gpu(*judge, cpu, points, inputs, subject);
+        if (context_.gpu) gpu(*judge, cpu, points, inputs, subject);
     }
 
 private:
@@ -49,9 +49,8 @@ private:
 
     void differs(const char* check, const std::string& a, const std::string& b,
                  const Difference& first, Inputs inputs, const Subject& subject) {
-        std::string message = std::string(words(inputs)) + ", at point " +
-                              std::to_string(first.point) + ", it is " + first.a + " in " + a +
-                              ", " + first.b + " in " + b;
+        std::string message = words(inputs) + ", at point " + std::to_string(first.point) +
+                              ", it is " + first.a + " in " + a + ", " + first.b + " in " + b;
         if (first.precise != first.b) message += ", precisely " + first.precise;
         report_.add({check, port_of(subject.compiled.module.outputs[first.output].name),
                      message + "; " + first.allowed + " apart are allowed",
@@ -62,8 +61,8 @@ private:
 
     void unstable(const Comparison& comparison, Inputs inputs, const Subject& subject) {
         report_.add({"precision", "",
-                     std::string(words(inputs)) + ", " + std::to_string(comparison.unstable) +
-                         " of " + std::to_string(comparison.values) +
+                     words(inputs) + ", " + std::to_string(comparison.unstable) + " of " +
+                         std::to_string(comparison.values) +
                          " values hang on the last bits of their inputs; one in " +
                          std::to_string(min_stable_share) + " is allowed",
                      "move jumps away from where inputs often are, or make them smooth",
@@ -71,14 +70,14 @@ private:
     }
 
     const NodeType& type_;
-    const CertifyContext& bench_;
+    const CertifyContext& context_;
     Report& report_;
 };
 
 }  // namespace
 
-void check_parity(const NodeType& type, const CertifyContext& bench, Report& report) {
-    ParityCheck check(type, bench, report);
+void check_parity(const NodeType& type, const CertifyContext& context, Report& report) {
+    ParityCheck check(type, context, report);
     unsigned seed = 1;
     for (const Inputs inputs : {Inputs::defaults, Inputs::numbers, Inputs::wires, Inputs::mixed})
         check.run(inputs, seed++);

@@ -54,28 +54,29 @@ const MipChain& test_image(const std::string& file) {
     return fs::path(file).filename() == picture_names[0] ? a : b;
 }
 
-Compiled compile(const Project& project, const CertifyContext& bench, Options options,
+Compiled compile(const Project& project, const CertifyContext& context, Options options,
                  Diagnostics& diagnostics) {
     MaterialOptions material;
     material.uniform_parameters = options.uniform;
     material.given_differentials = options.given;
-    return compile_material(project, bench.registry, material, diagnostics);
+    return compile_material(project, context.registry, material, diagnostics);
 }
 
-Project project_of(const std::string& text, const CertifyContext& bench, Diagnostics& diagnostics) {
-    return load_project(read_document(text, "subject.json", diagnostics), bench.pictures, {},
+Project project_of(const std::string& text, const CertifyContext& context,
+                   Diagnostics& diagnostics) {
+    return load_project(read_document(text, "subject.json", diagnostics), context.pictures, {},
                         diagnostics);
 }
 
 Subject compile_harness(const NodeType& type, Inputs inputs, unsigned seed,
-                        const CertifyContext& bench) {
+                        const CertifyContext& context) {
     std::mt19937 random(seed);
     Subject subject;
     for (int attempt = 0; attempt < max_attempts; ++attempt) {
         subject.text = harness_graph(type, inputs, random);
         Diagnostics diagnostics;
-        subject.project = project_of(subject.text, bench, diagnostics);
-        subject.compiled = compile(subject.project, bench, {}, diagnostics);
+        subject.project = project_of(subject.text, context, diagnostics);
+        subject.compiled = compile(subject.project, context, {}, diagnostics);
         if (subject.compiled.ok) {
             subject.problem.clear();
             return subject;

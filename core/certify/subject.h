@@ -52,7 +52,7 @@ struct Subject {
 
 // Generates up to 50 random graphs until one compiles (a frame must match its scale).
 Subject compile_harness(const NodeType& type, Inputs inputs, unsigned seed,
-                        const CertifyContext& bench);
+                        const CertifyContext& context);
 
 // project_of() reads the text as a document; compile() compiles it. `uniform`: parameters are
 // uniforms instead of literals. `given`: differentials are given.
@@ -60,9 +60,10 @@ struct Options {
     bool uniform = true;
     bool given = true;
 };
-Compiled compile(const Project& project, const CertifyContext& bench, Options options,
+Compiled compile(const Project& project, const CertifyContext& context, Options options,
                  Diagnostics& diagnostics);
-Project project_of(const std::string& text, const CertifyContext& bench, Diagnostics& diagnostics);
+Project project_of(const std::string& text, const CertifyContext& context,
+                   Diagnostics& diagnostics);
 
 // Returns the node's port of a graph output: "height" for "out_height".
 std::string port_of(const std::string& output);

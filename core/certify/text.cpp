@@ -1,4 +1,4 @@
-#include "base/difference.h"
+#include "base/text.h"
 #include "certify/checks.h"
 #include "certify/compare.h"
 #include "gpu/program.h"
@@ -47,11 +47,11 @@ std::string text_of(const Module& module) {
 
 class TextCheck {
 public:
-    TextCheck(const NodeType& type, const CertifyContext& bench, Report& report)
-        : type_(type), bench_(bench), report_(report) {}
+    TextCheck(const NodeType& type, const CertifyContext& context, Report& report)
+        : type_(type), context_(context), report_(report) {}
 
     void run(Inputs inputs) {
-        const Subject subject = compile_harness(type_, inputs, 3, bench_);
+        const Subject subject = compile_harness(type_, inputs, 3, context_);
         if (!subject.compiled.ok)
             return add("text", "no graph around it compiles: " + subject.problem,
                        "the smallest one is shown; 'wrinkle check' says more", subject);
@@ -69,7 +69,7 @@ private:
             for (const bool given : {false, true}) {
                 Diagnostics diagnostics;
                 const Compiled compiled =
-                    compile(subject.project, bench_, {uniform, given}, diagnostics);
+                    compile(subject.project, context_, {uniform, given}, diagnostics);
                 if (!compiled.ok) {
                     const std::string why = diagnostics.list().front().message;
                     add("text", "it does not compile: " + why, "", subject);
@@ -84,8 +84,8 @@ private:
         for (const Problem& problem : shader.problems)
             add("text", "it has no text: " + problem.message, "", subject);
         if (!shader.problems.empty()) return;
-        std::string errors = bench_.text_errors ? bench_.text_errors(shader) : "";
-        if (errors.empty() && bench_.gpu) errors = driver_errors(shader);
+        std::string errors = context_.text_errors ? context_.text_errors(shader) : "";
+        if (errors.empty() && context_.gpu) errors = driver_errors(shader);
         if (!errors.empty())
             add("text", "the generated text is refused: " + errors,
                 "this is a fault of Wrinkle: please report it with the graph", subject);
@@ -94,7 +94,7 @@ private:
     bool deterministic(const Subject& subject) {
         Diagnostics diagnostics;
         if (type_.code) type_.code->build_again();
-        const Compiled again = compile(subject.project, bench_, {}, diagnostics);
+        const Compiled again = compile(subject.project, context_, {}, diagnostics);
         const std::string difference =
             again.ok ? text_difference(text_of(subject.compiled.module), text_of(again.module))
                      : diagnostics.list().front().message;
@@ -106,9 +106,9 @@ private:
     void round_trip(const Subject& subject) {
         Diagnostics diagnostics;
         const std::string canonical = canonical_text(subject.project.top());
-        const Project project = project_of(canonical, bench_, diagnostics);
+        const Project project = project_of(canonical, context_, diagnostics);
         const std::string written = canonical_text(project.top());
-        const Compiled again = compile(project, bench_, {}, diagnostics);
+        const Compiled again = compile(project, context_, {}, diagnostics);
         std::string difference = text_difference(canonical, written);
         if (difference.empty() && !again.ok) difference = diagnostics.list().front().message;
         if (difference.empty())
@@ -119,14 +119,14 @@ private:
     }
 
     const NodeType& type_;
-    const CertifyContext& bench_;
+    const CertifyContext& context_;
     Report& report_;
 };
 
 }  // namespace
 
-void check_text(const NodeType& type, const CertifyContext& bench, Report& report) {
-    TextCheck check(type, bench, report);
+void check_text(const NodeType& type, const CertifyContext& context, Report& report) {
+    TextCheck check(type, context, report);
     for (const Inputs inputs : {Inputs::defaults, Inputs::numbers, Inputs::wires, Inputs::mixed})
         check.run(inputs);
 }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/file.h"
-#include "base/overwrite.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;

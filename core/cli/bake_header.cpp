@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "base/sha256.h"
+#include "base/checksum.h"
 #include "base/text.h"
 #include "cli/arguments.h"
 #include "json/parse.h"

@@ -1,8 +1,8 @@
 #include "cli/bake_job.h"
 
 #include "bake/mesh_check.h"
+#include "base/checksum.h"
 #include "base/file.h"
-#include "base/sha256.h"
 #include "cli/identity.h"
 #include "cli/meshes.h"
 #include "mesh/uv_survey.h"

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "base/diagnostics.h"
 #include "base/file.h"
-#include "base/file_problem.h"
 #include "cli/bake_run.h"
 
 namespace wrinkle::cli {

@@ -6,8 +6,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "base/diagnostics.h"
 #include "base/file.h"
-#include "base/file_problem.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;

@@ -16,9 +16,9 @@
 #include <string>
 #include <vector>
 
+#include "base/checksum.h"
 #include "base/diagnostics.h"
 #include "base/file.h"
-#include "base/xxh64.h"
 #include "cli/bake_header.h"
 #include "cli/bake_job.h"
 

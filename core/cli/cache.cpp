@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/checksum.h"
 #include "base/file.h"
-#include "base/sha256.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;

@@ -2,9 +2,9 @@
 
 #include <map>
 
+#include "base/checksum.h"
+#include "base/diagnostics.h"
 #include "base/file.h"
-#include "base/file_problem.h"
-#include "base/sha256.h"
 #include "cli/arguments.h"
 #include "cli/identity.h"
 #include "graph/write.h"

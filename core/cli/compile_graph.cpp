@@ -1,7 +1,7 @@
 #include "cli/compile_graph.h"
 
+#include "base/diagnostics.h"
 #include "base/dynamic_library.h"
-#include "base/file_problem.h"
 #include "base/printable.h"
 #include "base/text.h"
 #include "cli/cache_entry.h"

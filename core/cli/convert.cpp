@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "base/overwrite.h"
+#include "base/file.h"
 #include "cli/cli.h"
 #include "cli/output.h"
 #include "image/load.h"

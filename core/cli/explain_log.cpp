@@ -1,7 +1,6 @@
 // wrinkle explain-log GRAPH LOG: maps the messages of a shader compiler log to graph nodes.
 #include "base/printable.h"
 #include "base/text.h"
-#include "base/words.h"
 #include "cli/compile_graph.h"
 #include "cli/output.h"
 #include "glsl/log.h"

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cstring>
 
+#include "base/checksum.h"
 #include "base/file.h"
-#include "base/sha256.h"
 
 namespace wrinkle::cli {
 namespace {

@@ -10,8 +10,8 @@
 #include "cli/output.h"
 #include "cli/texts.h"
 #include "nodes/all.h"
+#include "registry/port_type.h"
 #include "registry/registry.h"
-#include "registry/standard.h"
 
 namespace wrinkle::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "bake/displace.h"
-#include "base/file_problem.h"
+#include "base/diagnostics.h"
 #include "cli/arguments.h"
 #include "cli/evaluation.h"
 #include "gpu/material.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/file_problem.h"
+#include "base/diagnostics.h"
 
 namespace wrinkle::cli {
 

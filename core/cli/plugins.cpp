@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "base/overwrite.h"
+#include "base/file.h"
 #include "base/printable.h"
 #include "certify/certify.h"
 #include "cli/output.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <memory>
 
-#include "base/file_problem.h"
+#include "base/diagnostics.h"
 #include "base/text.h"
 #include "cli/arguments.h"
 #include "cli/meshes.h"

@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "base/text.h"
-#include "base/words.h"
 #include "cli/arguments.h"
 #include "cli/npy.h"
 #include "ir/op.h"

@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <utility>
 
-#include "base/progress_text.h"
 #include "base/text.h"
 
 namespace wrinkle::cli {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "base/angle.h"
+#include "base/normals.h"
 #include "base/text.h"
 #include "cli/test_run.h"
 #include "json/write.h"

@@ -3,9 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "base/difference.h"
 #include "base/file.h"
-#include "base/overwrite.h"
 #include "base/printable.h"
 #include "base/text.h"
 #include "cli/eval_text.h"

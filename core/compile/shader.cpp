@@ -1,7 +1,7 @@
 #include "compile/shader.h"
 
-#include "base/file_problem.h"
-#include "base/sha256.h"
+#include "base/checksum.h"
+#include "base/diagnostics.h"
 #include "base/text.h"
 #include "cost/limits.h"
 #include "cpu/texture_store.h"

@@ -89,8 +89,8 @@ void remove_steps(std::vector<CpuInst>& steps, F is_removed) {
 // and removes their steps.
 void hoist_constants(Program& program);
 
-// Sets CpuInst::lod_of and CpuInst::channels. Precondition: each register is written once, except loop
-// state.
+// Sets CpuInst::lod_of and CpuInst::channels. Precondition: each register is written once, except
+// loop state.
 void mark_live_channels(Program& program, size_t registers);
 
 // Fuses steps, so that several ops share a pass over memory.

@@ -11,8 +11,8 @@ namespace {
 
 constexpr uint32_t not_packable = ~0u;
 
-// Returns three times each byte in ten bits each; `not_packable` if a value is not byte / 255 or the
-// texel is not opaque.
+// Returns three times each byte in ten bits each; `not_packable` if a value is not byte / 255 or
+// the texel is not opaque.
 uint32_t packed_texel(const float* values, const Image& image) {
     const auto texel = expand_texel(values, image.channels, image.has_alpha);
     if (texel[3] != 1) return not_packable;

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/slope_limit.h"
+#include "base/normals.h"
 #include "ir/gradient_sum.h"
 #include "ir/normal_variance.h"
 #include "ir/open_function.h"

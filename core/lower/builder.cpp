@@ -12,7 +12,7 @@
 #include "lower/op_constraints.h"
 #include "lower/sampling.h"
 #include "registry/library.h"
-#include "registry/standard.h"
+#include "registry/port_type.h"
 
 namespace wrinkle {
 namespace {

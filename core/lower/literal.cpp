@@ -118,11 +118,11 @@ void image_problems(const json::Value& value, Problems& problems) {
             {value.has("file") ? file : value, "names no file", "expected \"file\": a path"});
     for (const json::Member& member : value.children()) {
         if (member.key == "encoding")
-            word_problems<Encoding>(member, encoding_names(), encoding_named, problems);
+            word_problems<Encoding>(member, encoding_names, encoding_named, problems);
         else if (member.key == "wrap")
-            word_problems<Wrap>(member, wrap_names(), wrap_named, problems);
+            word_problems<Wrap>(member, wrap_names, wrap_named, problems);
         else if (member.key == "filter")
-            word_problems<Filter>(member, filter_names(), filter_named, problems);
+            word_problems<Filter>(member, filter_names, filter_named, problems);
         else if (member.key != "file")
             problems.push_back({member.value, "has the unknown key " + json_quoted(member.key),
                                 remedy(member.key, keys)});

@@ -17,7 +17,6 @@
 #include <vector>
 
 #include "registry/registry.h"
-#include "registry/standard.h"
 
 namespace wrinkle {
 

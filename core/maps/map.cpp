@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "base/slope_limit.h"
+#include "base/normals.h"
 
 namespace wrinkle::maps {
 

@@ -7,7 +7,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
 
-#include "base/file_problem.h"
+#include "base/diagnostics.h"
 #include "mesh/gltf_parts.h"
 #include "mesh/vertex_frames.h"
 

@@ -1,7 +1,7 @@
 #include "mesh/gltf_parts.h"
 
+#include "base/diagnostics.h"
 #include "base/file.h"
-#include "base/file_problem.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/diagnostics.h"
 #include "base/file.h"
-#include "base/file_problem.h"
 #include "mesh/readers.h"
 #include "mesh/vertex_frames.h"
 

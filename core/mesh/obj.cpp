@@ -1,4 +1,4 @@
-#include "base/file_problem.h"
+#include "base/diagnostics.h"
 #include "mesh/readers.h"
 #include "mesh/weld.h"
 

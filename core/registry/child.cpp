@@ -62,14 +62,14 @@ public:
         if (output_ >= 0) close(output_);
     }
 
-    ChildResult finish(std::chrono::milliseconds limit) {
-        ChildResult result;
+    ProbeResult finish(std::chrono::milliseconds limit) {
+        ProbeResult result;
         const auto end = Clock::now() + limit;
         bool open = true;
         while (!has_ended(result)) {
-            result.late = Clock::now() >= end;
-            result.too_large = result.output.size() > max_child_output;
-            if (result.late || result.too_large) break;
+            result.timed_out = Clock::now() >= end;
+            result.output_too_large = result.output.size() > max_child_output;
+            if (result.timed_out || result.output_too_large) break;
             pollfd waiting{open ? output_ : -1, POLLIN, 0};
             poll(&waiting, 1, static_cast<int>(short_while.count()));
             open = open && take(result.output);
@@ -86,7 +86,7 @@ public:
 private:
     // If this program ignores SIGCHLD the exit status is lost (ECHILD); the result then depends
     // only on the output.
-    bool has_ended(ChildResult& result) const {
+    bool has_ended(ProbeResult& result) const {
         siginfo_t how{};
         const int failed =
             waitid(P_PID, static_cast<id_t>(process_), &how, WEXITED | WNOHANG | WNOWAIT);
@@ -119,7 +119,7 @@ std::string signal_text(int number) {
 
 }  // namespace
 
-std::optional<ChildResult> run_child(std::span<const std::string> words,
+std::optional<ProbeResult> run_child(std::span<const std::string> words,
                                      std::chrono::milliseconds limit, std::string& why) {
     const std::string program = probe_program();
     Process process(program, words);
@@ -128,9 +128,9 @@ std::optional<ChildResult> run_child(std::span<const std::string> words,
     return std::nullopt;
 }
 
-std::string ending(const ChildResult& result, const std::string& doing,
+std::string ending(const ProbeResult& result, const std::string& doing,
                    std::chrono::milliseconds limit) {
-    if (result.late)
+    if (result.timed_out)
         return "hung " + doing + ": it was ended after " +
                shortest(std::chrono::duration<double>(limit).count()) + " s";
     if (result.signal != 0) return "crashed " + doing + ": " + signal_text(result.signal);

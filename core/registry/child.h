@@ -24,23 +24,25 @@ enum ChildExit : int {
     child_output_too_large = 114,
 };
 
-struct ChildResult {
+struct ProbeResult {
     std::string output;
-    bool late = false;
-    bool too_large = false;
+    bool timed_out = false;
+    bool output_too_large = false;
     int signal = 0;  // signal that ended it; 0: it exited
     int exit_code = 0;
 
-    bool is_whole() const { return !late && !too_large && signal == 0 && exit_code == 0; }
+    bool is_whole() const {
+        return !timed_out && !output_too_large && signal == 0 && exit_code == 0;
+    }
 };
 
 // Returns std::nullopt and sets `why` if the process cannot be started.
-std::optional<ChildResult> run_child(std::span<const std::string> words,
+std::optional<ProbeResult> run_child(std::span<const std::string> words,
                                      std::chrono::milliseconds limit, std::string& why);
 
 // Describes how a process without a result ended: "crashed in build(): SIGSEGV (Segmentation
 // fault)" with `doing` = "in build()".
-std::string ending(const ChildResult& result, const std::string& doing,
+std::string ending(const ProbeResult& result, const std::string& doing,
                    std::chrono::milliseconds limit);
 
 }  // namespace wrinkle

@@ -1,8 +1,7 @@
 #include "registry/describe.h"
 
+#include "base/checksum.h"
 #include "base/file.h"
-#include "base/sha256.h"
-#include "registry/elf.h"
 #include "registry/library.h"
 #include "registry/probe.h"
 
@@ -14,17 +13,15 @@ namespace {
 constexpr const char* manifest_remedy = "`wrinkle plugins --manifest` writes it anew";
 
 void warn(Diagnostics& diagnostics, const Location& where, std::string message) {
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.where = where;
-    warning.message = std::move(message);
-    warning.expected = manifest_remedy;
-    diagnostics.add(std::move(warning));
+    diagnostics.add({.severity = Severity::warning,
+                     .where = where,
+                     .message = std::move(message),
+                     .expected = manifest_remedy});
 }
 
-std::optional<PluginListing> from_manifest(const PluginFile& file, const std::string& sum,
+std::optional<PluginListing> from_manifest(const PluginFile& file, const std::string& hash,
                                            Diagnostics& diagnostics) {
-    const std::string name = manifest_of(file.origin), path = manifest_of(file.place);
+    const std::string name = manifest_of(file.origin), path = manifest_of(file.original);
     std::error_code error;
     if (!fs::exists(path, error)) return std::nullopt;
     std::string why;
@@ -40,19 +37,19 @@ std::optional<PluginListing> from_manifest(const PluginFile& file, const std::st
         warn(diagnostics, first.where, "the manifest is ignored: " + first.message);
         return std::nullopt;
     }
-    if (listing->sha256 == sum) return listing;
+    if (listing->sha256 == hash) return listing;
     warn(diagnostics, {name}, "the manifest is ignored: the plugin was built anew since");
     return std::nullopt;
 }
 
 std::optional<PluginListing> from_cache(const fs::path& file, const std::string& origin,
-                                        const std::string& sum) {
+                                        const std::string& hash) {
     std::string why;
     Diagnostics ignored;
     auto text = read_file(file, why);
     if (!text) return std::nullopt;
     auto listing = read_listing(std::move(*text), file.string(), origin, ignored);
-    if (!listing || listing->sha256 != sum) return std::nullopt;
+    if (!listing || listing->sha256 != hash) return std::nullopt;
     return listing;
 }
 
@@ -65,7 +62,7 @@ void keep(const fs::path& file, const PluginListing& listing) {
 }
 
 // Returns the hash of a file that may be loaded; std::nullopt with a fault otherwise.
-std::optional<std::string> sum_of(const PluginFile& file, Diagnostics& diagnostics) {
+std::optional<std::string> hash_of(const PluginFile& file, Diagnostics& diagnostics) {
     std::string why;
     const auto bytes = read_file(file.path, why);
     why = bytes ? elf_fault(*bytes) : "it " + why;
@@ -82,24 +79,24 @@ std::string manifest_of(const std::string& path) {
 
 std::optional<Described> describe_plugin(const PluginFile& file, const DescribeOptions& options,
                                          Diagnostics& diagnostics) {
-    const auto sum = sum_of(file, diagnostics);
-    if (!sum) return std::nullopt;
-    if (auto listing = from_manifest(file, *sum, diagnostics))
+    const auto hash = hash_of(file, diagnostics);
+    if (!hash) return std::nullopt;
+    if (auto listing = from_manifest(file, *hash, diagnostics))
         return Described{std::move(*listing), DescribedBy::manifest};
-    const fs::path cached = options.cache.empty() ? fs::path() : options.cache / (*sum + ".json");
+    const fs::path cached = options.cache.empty() ? fs::path() : options.cache / (*hash + ".json");
     if (!cached.empty())
-        if (auto listing = from_cache(cached, file.origin, *sum))
+        if (auto listing = from_cache(cached, file.origin, *hash))
             return Described{std::move(*listing), DescribedBy::cache};
-    auto listing = probe_plugin(file.path, *sum, file.origin, options.limit, diagnostics);
+    auto listing = probe_plugin(file.path, *hash, file.origin, options.limit, diagnostics);
     if (!listing) return std::nullopt;
     if (!cached.empty()) keep(cached, *listing);
     return Described{std::move(*listing), DescribedBy::probe};
 }
 
 std::optional<PluginListing> read_from_code(const std::string& path, Diagnostics& diagnostics) {
-    const auto sum = sum_of({path, path, path, {}}, diagnostics);
-    if (!sum) return std::nullopt;
-    return probe_plugin(path, *sum, path, probe_limit, diagnostics);
+    const auto hash = hash_of({path, path, path, {}}, diagnostics);
+    if (!hash) return std::nullopt;
+    return probe_plugin(path, *hash, path, probe_limit, diagnostics);
 }
 
 }  // namespace wrinkle

@@ -24,10 +24,10 @@ struct Described {
 };
 
 struct PluginFile {
-    std::string path;    // file that is read and loaded
-    std::string place;   // original location, with the manifest; differs from `path` for a copy
-    std::string origin;  // name in diagnostics, as given by the user
-    std::shared_ptr<const void> kept{};  // owner of the file at `path`
+    std::string path;      // file that is read and loaded
+    std::string original;  // location, with the manifest; differs from `path` for a copy
+    std::string origin;    // name in diagnostics, as given by the user
+    std::shared_ptr<const void> owner{};  // owner of the file at `path`
 };
 
 struct DescribeOptions {

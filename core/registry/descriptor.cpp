@@ -1,5 +1,5 @@
-#include "registry/descriptor.h"
-#include "registry/standard.h"
+#include "registry/listing.h"
+#include "registry/port_type.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,9 +23,9 @@ static_assert(Port::Default{WR_DEFAULT_NONE} == Port::Default::none &&
               Port::Default{WR_DEFAULT_CONSTANT} == Port::Default::constant &&
               Port::Default{WR_DEFAULT_SURFACE} == Port::Default::surface);
 
-constexpr uint32_t most_nodes = 10'000;
+constexpr uint32_t max_nodes = 10'000;
 constexpr uint32_t max_ports = 256;  // also the limit of choices and renames
-constexpr size_t longest_text = 4096;
+constexpr size_t max_text = 4096;
 constexpr size_t max_faults = 20;  // per plugin; reading stops there
 
 // Size of a struct in the first version of the ABI; later versions have more members.
@@ -69,9 +69,7 @@ public:
         std::string ignored;
         text(copy.id, "the plugin's id", ignored);
         text(copy.version, "the plugin's version", ignored);
-        if (copy.node_count > most_nodes)
-            return fault("it claims " + std::to_string(copy.node_count) + " nodes",
-                         "at most " + std::to_string(most_nodes));
+        if (copy.node_count > max_nodes) return too_many(copy.node_count, " nodes", max_nodes);
         if (copy.node_count > 0 && !copy.nodes) return fault("its list of nodes is null");
         return true;
     }
@@ -107,12 +105,10 @@ private:
     // Returns false, for use in a return statement.
     bool fault(std::string message, std::string expected = {}) {
         ++faults_;
-        Diagnostic diagnostic;
-        diagnostic.where.file = origin_;
-        diagnostic.node = node_;
-        diagnostic.message = port_.empty() ? std::move(message) : port_ + ": " + message;
-        diagnostic.expected = std::move(expected);
-        diagnostics_.add(std::move(diagnostic));
+        diagnostics_.add({.where = {origin_},
+                          .node = node_,
+                          .message = port_.empty() ? std::move(message) : port_ + ": " + message,
+                          .expected = std::move(expected)});
         return false;
     }
 
@@ -120,13 +116,17 @@ private:
         return fault(what + " has the impossible size " + std::to_string(size));
     }
 
+    bool too_many(uint32_t count, const char* what, uint32_t max) {
+        return fault("it claims " + std::to_string(count) + what, "at most " + std::to_string(max));
+    }
+
     // Reads one line of text. `copy` is always printable; "" if the result is false.
-    bool text(const char* source, const char* what, std::string& copy, size_t most = longest_text) {
+    bool text(const char* source, const char* what, std::string& copy, size_t max_size = max_text) {
         copy.clear();
         if (!source) return fault(std::string(what) + " is null");
-        const std::string_view found(source, strnlen(source, most + 1));
-        if (found.size() > most)
-            return fault(std::string(what) + " has no end within " + std::to_string(most) +
+        const std::string_view found(source, strnlen(source, max_size + 1));
+        if (found.size() > max_size)
+            return fault(std::string(what) + " has no end within " + std::to_string(max_size) +
                          " bytes");
         if (!is_utf8(found)) return fault(std::string(what) + " is not valid UTF-8");
         if (printable(found) != found)
@@ -141,8 +141,7 @@ private:
 
     void ports(const wr_node& node, NodeType& type) {
         if (node.port_count > max_ports)
-            return void(fault("it claims " + std::to_string(node.port_count) + " ports",
-                              "at most " + std::to_string(max_ports)));
+            return void(too_many(node.port_count, " ports", max_ports));
         if (node.port_count > 0 && !node.ports) return void(fault("its list of ports is null"));
         bool has_output = false;
         for (uint32_t i = 0; i < node.port_count; ++i) {
@@ -185,8 +184,8 @@ private:
     }
 
     bool ranges(const wr_port& source, Port& port) {
-        const bool known = source.soft_min <= source.soft_max && source.hard_min <= source.hard_max;
-        if (!known) return fault("a range ends before it begins");
+        if (!(source.soft_min <= source.soft_max && source.hard_min <= source.hard_max))
+            return fault("a range ends before it begins");
         port.soft_min = source.soft_min;
         port.soft_max = source.soft_max;
         port.hard_min = source.hard_min;
@@ -263,8 +262,7 @@ private:
     bool choices(const wr_port& source, Port& port) {
         if (source.choice_count == 0 || !source.choices) return fault("it has no choices");
         if (source.choice_count > max_ports)
-            return fault("it claims " + std::to_string(source.choice_count) + " choices",
-                         "at most " + std::to_string(max_ports));
+            return too_many(source.choice_count, " choices", max_ports);
         for (uint32_t i = 0; i < source.choice_count; ++i) {
             std::string name;
             if (!this->name(source.choices[i], "the name of a choice", name)) return false;

@@ -1,4 +1,4 @@
-#include "registry/elf.h"
+#include "registry/library.h"
 
 #include <elf.h>
 

@@ -7,7 +7,8 @@
 #include <filesystem>
 
 #include "base/printable.h"
-#include "registry/descriptor.h"
+#include "base/text.h"
+#include "registry/listing.h"
 #include "wrinkle/plugin.h"
 
 namespace wrinkle {
@@ -60,10 +61,7 @@ std::string plugin_text(std::string_view text) {
 }
 
 std::string sentence_of(const Diagnostics& problems) {
-    std::string text;
-    for (const Diagnostic& problem : problems.list())
-        text += (text.empty() ? "" : "; ") + problem.message;
-    return text;
+    return joined(problems.list(), "; ", [](const Diagnostic& each) { return each.message; });
 }
 
 std::string words_of_exception() {
@@ -78,11 +76,7 @@ std::string words_of_exception() {
 
 void add_fault(Diagnostics& diagnostics, const std::string& origin, std::string message,
                std::string expected) {
-    Diagnostic diagnostic;
-    diagnostic.where.file = origin;
-    diagnostic.message = std::move(message);
-    diagnostic.expected = std::move(expected);
-    diagnostics.add(std::move(diagnostic));
+    diagnostics.add(file_problem(Severity::error, origin, std::move(message), std::move(expected)));
 }
 
 std::optional<PluginListing> load_library(const std::string& path, const std::string& origin,

@@ -19,6 +19,11 @@ using OnStage = void (*)(const char* stage);
 std::optional<PluginListing> load_library(const std::string& path, const std::string& origin,
                                           Diagnostics& diagnostics, OnStage on_stage = nullptr);
 
+// Checks the bytes of a shared object before it is loaded: the dynamic loader may crash on a
+// truncated file, and reports one for another machine as "not found". Returns "" if the file may be
+// loaded, else the reason: "the file is cut short".
+std::string elf_fault(std::string_view bytes);
+
 // First words of a message that the system refused to load a file.
 inline constexpr std::string_view cannot_be_loaded = "it cannot be loaded";
 

@@ -7,8 +7,7 @@
 #include "base/text.h"
 #include "json/parse.h"
 #include "json/write.h"
-#include "registry/descriptor.h"
-#include "registry/port_text.h"
+#include "registry/reference.h"
 #include "wrinkle/plugin.h"
 
 namespace wrinkle {
@@ -24,20 +23,14 @@ std::string node_json(const NodeType& type) {
         "{\"id\": " + json_quoted(type.id) + ", \"title\": " + json_quoted(type.title) +
         ", \"doc\": " + json_quoted(type.doc) + ", \"family\": " + json_quoted(type.family) +
         ", \"version\": " + std::to_string(type.version);
-    const char* separator = ", \"renames\": [";
-    for (const Rename& rename : type.renames) {
-        text += separator + ("{\"version\": " + std::to_string(rename.version)) +
-                ", \"old\": " + json_quoted(rename.old_name) +
-                ", \"new\": " + json_quoted(rename.new_name) + "}";
-        separator = ", ";
-    }
-    if (!type.renames.empty()) text += "]";
-    separator = ", \"ports\": [";
-    for (const Port& port : type.ports) {
-        text += separator + port_json(port);
-        separator = ", ";
-    }
-    return text + "]}";
+    const auto rename_json = [](const Rename& rename) {
+        return "{\"version\": " + std::to_string(rename.version) +
+               ", \"old\": " + json_quoted(rename.old_name) +
+               ", \"new\": " + json_quoted(rename.new_name) + "}";
+    };
+    if (!type.renames.empty())
+        text += ", \"renames\": [" + joined(type.renames, ", ", rename_json) + "]";
+    return text + ", \"ports\": [" + joined(type.ports, ", ", port_json) + "]}";
 }
 
 Value member(const Value& object, std::string_view key) {
@@ -63,13 +56,13 @@ public:
     }
 
     const std::string& problem() const { return problem_; }
-    const Value& place() const { return place_; }
+    const Value& problem_value() const { return problem_value_; }
 
 private:
     void wrong(const Value& at, std::string message) {
         if (!problem_.empty()) return;
         problem_ = std::move(message);
-        place_ = at;
+        problem_value_ = at;
     }
 
     // Returns null if absent; another kind is an error.
@@ -201,7 +194,7 @@ private:
     }
 
     std::string problem_;
-    Value place_;
+    Value problem_value_;
     wr_plugin plugin_{};
     std::vector<const wr_node*> node_list_;
     std::deque<std::string> texts_;
@@ -216,28 +209,22 @@ private:
 }  // namespace
 
 std::string to_json(const PluginListing& listing) {
-    std::string text =
+    const std::string text =
         "{\"wrinkle_plugin\": " + shortest(listing_form) + ", \"abi\": " + std::to_string(WR_ABI) +
         ", \"sha256\": " + json_quoted(listing.sha256) + ", \"id\": " + json_quoted(listing.id) +
-        ", \"version\": " + json_quoted(listing.version) + ", \"nodes\": [";
-    const char* separator = "";
-    for (const NodeType& type : listing.types) {
-        text += separator + node_json(type);
-        separator = ", ";
-    }
+        ", \"version\": " + json_quoted(listing.version) + ", \"nodes\": [" +
+        joined(listing.types, ", ", node_json) + "]}";
     Diagnostics none;
-    return json::pretty(json::parse(text + "]}", "", none).root) + "\n";
+    return json::pretty(json::parse(text, "", none).root) + "\n";
 }
 
 std::optional<PluginListing> read_listing(std::string text, const std::string& name,
                                           const std::string& origin, Diagnostics& diagnostics) {
     const auto refuse = [&](const Value& at, std::string message, std::string expected = {}) {
-        Diagnostic diagnostic;
-        diagnostic.where = at.location();
-        diagnostic.where.file = name;
-        diagnostic.message = std::move(message);
-        diagnostic.expected = std::move(expected);
-        diagnostics.add(std::move(diagnostic));
+        const Location where = at.location();
+        diagnostics.add({.where = {name, where.line, where.column},
+                         .message = std::move(message),
+                         .expected = std::move(expected)});
         return std::nullopt;
     };
     Diagnostics problems;
@@ -250,11 +237,12 @@ std::optional<PluginListing> read_listing(std::string text, const std::string& n
                       "\"wrinkle_plugin\": " + shortest(listing_form));
     Descriptors descriptors;
     const wr_plugin* plugin = descriptors.plugin(parsed.root);
-    if (!descriptors.problem().empty()) return refuse(descriptors.place(), descriptors.problem());
-    const Value sum = member(parsed.root, "sha256");
-    if (!sum.is(Kind::string)) return refuse(parsed.root, "\"sha256\" is missing");
+    if (!descriptors.problem().empty())
+        return refuse(descriptors.problem_value(), descriptors.problem());
+    const Value hash = member(parsed.root, "sha256");
+    if (!hash.is(Kind::string)) return refuse(parsed.root, "\"sha256\" is missing");
     PluginListing listing;
-    listing.sha256 = sum.as_string();
+    listing.sha256 = hash.as_string();
     if (!read_descriptors(plugin, name, listing.types, diagnostics)) return std::nullopt;
     listing.id = plugin->id;
     listing.version = plugin->version;

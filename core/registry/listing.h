@@ -29,4 +29,14 @@ std::string to_json(const PluginListing& listing);
 std::optional<PluginListing> read_listing(std::string text, const std::string& name,
                                           const std::string& origin, Diagnostics& diagnostics);
 
+// Validates the C descriptors of a plugin and converts them to node types. A struct is copied up to
+// its `size`; one smaller than in the first version of the ABI is refused. Every fault is a
+// diagnostic at `origin` with the node's id. Returns false on any fault; `types` then holds what
+// could be read.
+bool read_descriptors(const wr_plugin* plugin, std::string_view origin,
+                      std::vector<NodeType>& types, Diagnostics& diagnostics);
+
+// Copies a struct, with zeros after its `size`. Returns false if it is too small for ABI 1.
+bool read_plugin(const wr_plugin* plugin, wr_plugin& copy);
+
 }  // namespace wrinkle

@@ -1,13 +1,13 @@
 #include "registry/plugin_code.h"
 
+#include "base/checksum.h"
 #include "base/file.h"
-#include "base/sha256.h"
 #include "registry/library.h"
 
 namespace wrinkle {
 namespace {
 
-constexpr size_t max_kept = size_t{64} << 20;  // bytes
+constexpr size_t max_cached_bytes = size_t{64} << 20;  // bytes
 
 }  // namespace
 
@@ -30,10 +30,10 @@ std::shared_ptr<const std::string> PluginCode::calls(size_t node, std::span<cons
         BuildRun run = probe_build(file_.path, {node, twice_}, options, limit_);
         reason.why = run.why;
         if (!run.started) return nullptr;
-        kept_ += run.calls ? run.calls->size() : 0;
-        if (kept_ > max_kept) {
+        cached_bytes_ += run.calls ? run.calls->size() : 0;
+        if (cached_bytes_ > max_cached_bytes) {
             runs_.clear();
-            kept_ = run.calls ? run.calls->size() : 0;
+            cached_bytes_ = run.calls ? run.calls->size() : 0;
         }
         found = runs_.emplace(std::move(key), std::move(run)).first;
     }
@@ -53,7 +53,7 @@ void PluginCode::build_again() {
     const std::lock_guard lock(mutex_);
     twice_ = !twice_;
     runs_.clear();
-    kept_ = 0;
+    cached_bytes_ = 0;
 }
 
 bool PluginCode::check(std::string& why) {

@@ -47,7 +47,7 @@ private:
     bool checked_;
     std::string why_;  // result of check_nodes()
     std::map<Key, BuildRun> runs_;
-    size_t kept_ = 0;  // bytes in runs_
+    size_t cached_bytes_ = 0;  // bytes in runs_
     bool twice_ = false;
 };
 

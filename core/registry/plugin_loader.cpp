@@ -53,7 +53,7 @@ public:
     Loader(Registry& registry, Diagnostics& diagnostics, const PluginOptions& options)
         : registry_(registry), diagnostics_(diagnostics), options_(options) {}
 
-    void place(const std::string& name) {
+    void load(const std::string& name) {
         std::error_code error;
         const fs::file_status status = fs::status(name, error);
         if (!fs::exists(status)) {
@@ -95,14 +95,14 @@ private:
         for (Diagnostic problem : problems.list()) {
             if (problem.severity == Severity::error) {
                 problem.severity = severity;
-                report.why += (report.why.empty() ? "" : "; ") + without_place(problem);
+                report.why += (report.why.empty() ? "" : "; ") + without_location(problem);
             }
             diagnostics_.add(std::move(problem));
         }
         reports_.push_back(std::move(report));
     }
 
-    static std::string without_place(Diagnostic problem) {
+    static std::string without_location(Diagnostic problem) {
         problem.where = {};
         const std::string text = to_text(problem);
         return text.substr(text.find(": ") + 2);
@@ -122,8 +122,8 @@ private:
             problems.append(of_the_copy);
             return true;
         }
-        const bool in_its_place = of_the_copy.list().back().message.starts_with(cannot_be_loaded);
-        if (in_its_place) return take({real, real, report.path, {}}, report, problems);
+        const bool only_there = of_the_copy.list().back().message.starts_with(cannot_be_loaded);
+        if (only_there) return take({real, real, report.path, {}}, report, problems);
         problems.append(of_the_copy);
         return false;
     }
@@ -245,7 +245,7 @@ std::vector<PluginReport> load_plugins(Registry& registry, std::span<const std::
                                        Diagnostics& diagnostics, const PluginOptions& options) {
     Loader loader(registry, diagnostics, options);
     for (const std::string& name : places)
-        loader.place(name);
+        loader.load(name);
     return loader.take_reports();
 }
 

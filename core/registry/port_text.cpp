@@ -1,6 +1,7 @@
-#include "registry/port_text.h"
+#include "registry/reference.h"
 
 #include <cmath>
+#include <span>
 
 #include "base/text.h"
 
@@ -17,6 +18,11 @@ std::string range_text(double least, double most) {
     return shortest(least) + " to " + shortest(most);
 }
 
+// Returns the link to the default, or to the domain of a field: "surface.uv0".
+std::string surface_link(const Port& port) {
+    return "surface." + std::string(surface_properties()[port.default_surface].name);
+}
+
 // JSON has no infinity: an infinite end is null.
 std::string range_json(double least, double most) {
     const auto end = [](double x) { return std::isfinite(x) ? shortest(x) : std::string("null"); };
@@ -26,21 +32,8 @@ std::string range_json(double least, double most) {
 }  // namespace
 
 std::string_view kind_word(Port::Kind kind) {
-    switch (kind) {
-        case Port::Kind::input:
-            return "input";
-        case Port::Kind::output:
-            return "output";
-        case Port::Kind::choice:
-            return "choice";
-        case Port::Kind::count:
-            return "count";
-        case Port::Kind::flag:
-            return "flag";
-        case Port::Kind::field:
-            return "field";
-    }
-    return "";
+    constexpr std::string_view words[] = {"input", "output", "choice", "count", "flag", "field"};
+    return words[static_cast<size_t>(kind) - 1];
 }
 
 std::string kind_text(const Port& port) {
@@ -52,32 +45,23 @@ std::string kind_text(const Port& port) {
 std::string default_json(const Port& port) {
     if (port.default_kind == Port::Default::none || port.kind == Port::Kind::output) return "";
     if (port.default_kind == Port::Default::surface)
-        return "{\"from\": " +
-               json_quoted("surface." +
-                           std::string(surface_properties()[port.default_surface].name)) +
-               "}";
+        return "{\"from\": " + json_quoted(surface_link(port)) + "}";
     const double first = port.default_value[0];
     if (port.kind == Port::Kind::choice)
         return json_quoted(port.choices[static_cast<size_t>(first)]);
     if (port.kind == Port::Kind::flag) return first != 0 ? "true" : "false";
     if (port.kind == Port::Kind::count || lanes_of(port.type) == 1) return shortest(first);
-    std::string text = "[";
-    for (int i = 0; i < lanes_of(port.type); ++i)
-        text += (i ? ", " : "") + shortest(port.default_value[static_cast<size_t>(i)]);
-    return text + "]";
+    const std::span lanes(port.default_value.data(), static_cast<size_t>(lanes_of(port.type)));
+    return "[" + joined(lanes, ", ", [](double lane) { return shortest(lane); }) + "]";
 }
 
 std::string details_text(const Port& port) {
     std::string text;
     append(text, port.unit);
-    std::string choices;
-    for (const std::string& choice : port.choices)
-        choices += (choices.empty() ? "" : " | ") + choice;
-    append(text, choices);
+    append(text, joined(port.choices, " | ", [](const std::string& choice) { return choice; }));
     if (port.kind == Port::Kind::output) return text;
     if (port.default_kind == Port::Default::surface)
-        append(text,
-               "default surface." + std::string(surface_properties()[port.default_surface].name));
+        append(text, "default " + surface_link(port));
     else if (port.default_kind == Port::Default::constant)
         append(text, "default " + default_json(port));
     else if (port.is_required())
@@ -99,16 +83,9 @@ std::string port_json(const Port& port) {
     if (port.is_required()) text += ", \"required\": true";
     if (port.has_soft_range()) text += ", \"slider\": " + range_json(port.soft_min, port.soft_max);
     if (port.has_hard_range()) text += ", \"range\": " + range_json(port.hard_min, port.hard_max);
-    if (port.kind == Port::Kind::field)
-        text +=
-            ", \"domain\": " +
-            json_quoted("surface." + std::string(surface_properties()[port.default_surface].name));
-    if (!port.choices.empty()) {
-        text += ", \"choices\": [";
-        for (size_t i = 0; i < port.choices.size(); ++i)
-            text += (i ? ", " : "") + json_quoted(port.choices[i]);
-        text += "]";
-    }
+    if (port.kind == Port::Kind::field) text += ", \"domain\": " + json_quoted(surface_link(port));
+    if (!port.choices.empty())
+        text += ", \"choices\": [" + joined(port.choices, ", ", json_quoted) + "]";
     if (port.is_value() && port.type == PortType::image_)
         text += ", \"encoding\": " + json_quoted(name_of(port.encoding));
     return text + "}";

@@ -1,4 +1,6 @@
-// Port types: the rows of WR_PORT_TYPES in wrinkle/plugin.h, which port_type.cpp compares.
+// Names with the same meaning in every graph: port types, surface properties, standard outputs.
+//
+// Port types are the rows of WR_PORT_TYPES in wrinkle/plugin.h, which port_type.cpp compares.
 // lower/conversion.h defines the conversions between them.
 #pragma once
 
@@ -37,5 +39,16 @@ struct SurfaceProperty {
     std::string_view doc;
 };
 std::span<const SurfaceProperty> surface_properties();  // in the order of WR_SURFACE_*
+
+inline constexpr std::string_view reroute_type = "reroute";
+
+// Ids of nodes, names of ports and choices: lower_snake_case that begins with a letter.
+inline constexpr size_t max_name = 64;  // bytes
+bool is_name(std::string_view text);
+
+// Returns the type of a standard output of a graph: "normal" is a normal, "roughness" a float, ...;
+// std::nullopt for other names.
+std::optional<PortType> standard_output(std::string_view name);
+std::span<const std::string_view> standard_outputs();
 
 }  // namespace wrinkle

@@ -23,7 +23,7 @@ struct Answer {
     bool is_fine = false;
 };
 
-Answer read_answer(const ChildResult& result) {
+Answer read_answer(const ProbeResult& result) {
     Answer answer;
     std::string_view rest = result.output;
     while (rest.starts_with(probe_stage)) {
@@ -82,8 +82,9 @@ std::optional<PluginListing> probe_plugin(const std::string& path, const std::st
     read_faults(answer.refused, origin, diagnostics);
     if (diagnostics.error_count() == before)
         add_fault(diagnostics, origin,
-                  result->too_large ? "it describes more than can be"
-                                    : "it " + ending(*result, while_doing(answer.stage), limit));
+                  result->output_too_large
+                      ? "it describes more than can be"
+                      : "it " + ending(*result, while_doing(answer.stage), limit));
     return std::nullopt;
 }
 
@@ -105,7 +106,7 @@ BuildRun probe_build(const std::string& path, NodeToBuild node, std::span<const 
     read_faults(answer.refused, path, faults);
     if (answer.is_fine)
         run.calls = std::make_shared<const std::string>(answer.fine);
-    else if (result->too_large || result->exit_code == child_output_too_large)
+    else if (result->output_too_large || result->exit_code == child_output_too_large)
         run.why = "it makes more than " + std::to_string(max_build_calls) + " calls in build()";
     else if (faults.has_errors())
         run.why = sentence_of(faults);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "registry/port_text.h"
 
 namespace wrinkle {
 namespace {
@@ -79,29 +78,22 @@ std::string page_text(const NodeType& type) {
 }
 
 std::string page_json(const NodeType& type) {
-    std::string text =
+    const std::string text =
         "{\"id\": " + json_quoted(type.id) + ", \"title\": " + json_quoted(type.title) +
         ", \"doc\": " + json_quoted(type.doc) + ", \"family\": " + json_quoted(type.family) +
         ", \"version\": " + std::to_string(type.version) +
         ", \"origin\": " + json_quoted(type.origin) + ", \"ports\": [";
-    const char* separator = "\n  ";
-    for (const Port& port : type.ports) {
-        text += separator + port_json(port);
-        separator = ",\n  ";
-    }
-    return text + "]}\n";
+    const auto line = [](const Port& port) { return "\n  " + port_json(port); };
+    return text + joined(type.ports, ",", line) + "]}\n";
 }
 
 std::string list_json(const Registry& registry) {
-    std::string text = "{\"version\": 1, \"nodes\": [";
-    const char* separator = "\n";
-    for (const NodeType& type : registry.list()) {
-        std::string page = page_json(type);
-        page.pop_back();
-        text += separator + page;
-        separator = ",\n";
-    }
-    return text + "\n]}\n";
+    const auto line = [](const NodeType& type) {
+        std::string page = "\n" + page_json(type);
+        page.pop_back();  // the end of the line
+        return page;
+    };
+    return "{\"version\": 1, \"nodes\": [" + joined(registry.list(), ",", line) + "\n]}\n";
 }
 
 std::string page_markdown(const NodeType& type) {

@@ -1,5 +1,5 @@
-// Documentation of node types: reference pages of `wrinkle nodes`, and the JSON Schema of graph
-// files.
+// Documentation of node types: reference pages of `wrinkle nodes`, the JSON Schema of graph files,
+// and the texts about one port that these consist of.
 #pragma once
 
 #include <string>
@@ -20,5 +20,11 @@ std::string page_markdown(const NodeType& type);
 // JSON Schema (draft 2020-12) of a graph file: completes node types, ports and choices, checks the
 // values of known ports, and accepts unknown types, ports and keys.
 std::string graph_schema(const Registry& registry);
+
+std::string_view kind_word(Port::Kind kind);  // "input", "choice"
+std::string kind_text(const Port& port);      // "float", "choice", "field of height"
+std::string details_text(const Port& port);   // "m, default 0.1, 0 to 1"; may be empty
+std::string default_json(const Port& port);   // "" if it has none; a surface default is a link
+std::string port_json(const Port& port);      // one object
 
 }  // namespace wrinkle

@@ -1,6 +1,6 @@
 #include "registry/registry.h"
 
-#include "registry/descriptor.h"
+#include "registry/listing.h"
 #include "registry/plugin_code.h"
 #include "registry/recording.h"
 
@@ -62,12 +62,11 @@ bool Registry::report_taken(const std::vector<NodeType>& types, std::string_view
         const NodeType* other = find(type.id);
         if (!other) continue;
         any = true;
-        Diagnostic diagnostic;
-        diagnostic.where.file = origin;
-        diagnostic.node = type.id;
-        diagnostic.message = "this id is taken: " + other->origin + " has a node of the same id";
-        diagnostic.expected = "give one of them another id";
-        diagnostics.add(std::move(diagnostic));
+        diagnostics.add(
+            {.where = {std::string(origin)},
+             .node = type.id,
+             .message = "this id is taken: " + other->origin + " has a node of the same id",
+             .expected = "give one of them another id"});
     }
     return any;
 }

@@ -3,18 +3,14 @@
 
 #include "base/back_faces.h"
 #include "base/text.h"
-#include "registry/port_text.h"
+#include "registry/port_type.h"
 #include "registry/reference.h"
-#include "registry/standard.h"
 
 namespace wrinkle {
 namespace {
 
 std::string word_list(std::span<const std::string_view> words) {
-    std::string text = "[";
-    for (size_t i = 0; i < words.size(); ++i)
-        text += (i ? ", " : "") + json_quoted(words[i]);
-    return text + "]";
+    return "[" + joined(words, ", ", json_quoted) + "]";
 }
 
 std::string literal_schema(const Port& port) {
@@ -92,19 +88,15 @@ std::string definitions(const Registry& registry) {
         "    \"image\": {\"anyOf\": [{\"type\": \"string\", \"minLength\": 1}, {\"type\": "
         "\"object\", \"required\": [\"file\"], \"properties\": {\"file\": {\"type\": "
         "\"string\"}, \"encoding\": {\"enum\": " +
-        word_list(encoding_names()) + "}, \"wrap\": {\"enum\": " + word_list(wrap_names()) +
-        "}, \"filter\": {\"enum\": " + word_list(filter_names()) + "}}}]},\n";
+        word_list(encoding_names) + "}, \"wrap\": {\"enum\": " + word_list(wrap_names) +
+        "}, \"filter\": {\"enum\": " + word_list(filter_names) + "}}}]},\n";
     text +=
         "    \"node\": {\"type\": \"object\", \"required\": [\"type\"],\n"
         "     \"properties\": {\"type\": " +
         type_names(registry) +
         ", \"version\": {\"type\": \"integer\", \"minimum\": 1}, \"muted\": {\"type\": "
         "\"boolean\"}, \"in\": {\"type\": \"object\"}},\n     \"allOf\": [\n";
-    const char* separator = "";
-    for (const NodeType& type : registry.list()) {
-        text += separator + node_schema(type);
-        separator = ",\n";
-    }
+    text += joined(registry.list(), ",\n", node_schema);
     if (registry.list().empty()) text += "true";
     return text + "\n     ]}\n  }\n";
 }
@@ -129,11 +121,9 @@ std::string graph_schema(const Registry& registry) {
         "    \"nodes\": {\"type\": \"object\", \"additionalProperties\": "
         "{\"$ref\": \"#/$defs/node\"}},\n"
         "    \"outputs\": {\"type\": \"object\", \"properties\": {";
-    const char* separator = "";
-    for (const std::string_view name : standard_outputs()) {
-        text += separator + json_quoted(name) + ": {\"$ref\": \"#/$defs/wire\"}";
-        separator = ", ";
-    }
+    text += joined(standard_outputs(), ", ", [](std::string_view name) {
+        return json_quoted(name) + ": {\"$ref\": \"#/$defs/wire\"}";
+    });
     text +=
         "}, \"additionalProperties\": {\"$ref\": "
         "\"#/$defs/wire\"}},\n"

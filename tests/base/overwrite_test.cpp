@@ -1,5 +1,5 @@
 // Tests for outputs that would overwrite an input or another output, under any path.
-#include "base/overwrite.h"
+#include "base/file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "base/xxh64.h"
+#include "base/checksum.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,7 @@
 #include <chrono>
 #include <thread>
 
-#include "base/sha256.h"
-#include "base/xxh64.h"
+#include "base/checksum.h"
 #include "cli/bake_support.h"
 
 namespace wrinkle::test {

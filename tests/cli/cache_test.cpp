@@ -10,7 +10,7 @@
 #include <chrono>
 #include <fstream>
 
-#include "base/sha256.h"
+#include "base/checksum.h"
 #include "cli/support.h"
 
 namespace wrinkle::test {

@@ -1,7 +1,7 @@
 // Tests with SIGKILL at every system call that changes the disk: each file is complete, the
 // checksums of the reflection show whether all files are of one run, and the next run removes all
 // temporary files.
-#include "base/sha256.h"
+#include "base/checksum.h"
 #include "cli/support.h"
 
 namespace wrinkle::test {

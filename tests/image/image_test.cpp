@@ -58,11 +58,11 @@ TEST(TextureOptions, NamesAreThoseOfTheFileFormat) {
 }
 
 TEST(TextureOptions, EveryNameComesBackAndOthersAreNone) {
-    for (const std::string_view name : encoding_names())
+    for (const std::string_view name : encoding_names)
         EXPECT_EQ(name_of(encoding_named(name).value()), name);
-    for (const std::string_view name : wrap_names())
+    for (const std::string_view name : wrap_names)
         EXPECT_EQ(name_of(wrap_named(name).value()), name);
-    for (const std::string_view name : filter_names())
+    for (const std::string_view name : filter_names)
         EXPECT_EQ(name_of(filter_named(name).value()), name);
     EXPECT_FALSE(encoding_named("sRGB"));
     EXPECT_FALSE(encoding_named(""));

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "base/sha256.h"
+#include "base/checksum.h"
 #include "base/text.h"
 #include "registry/describe.h"
 #include "registry/loaded.h"

@@ -6,8 +6,8 @@
 
 #include "bake/mesh_check.h"
 #include "bake/texture_set.h"
-#include "base/overwrite.h"
-#include "base/progress_text.h"
+#include "base/file.h"
+#include "base/text.h"
 #include "compile/inputs.h"
 #include "compile/shader.h"
 #include "cpu/texture_store.h"

@@ -1,7 +1,6 @@
 #include "editor/model/code/export.h"
 
 #include "base/file.h"
-#include "base/overwrite.h"
 #include "base/text.h"
 #include "compile/inputs.h"
 #include "editor/model/words.h"

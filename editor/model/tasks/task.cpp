@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "base/progress_text.h"
-#include "editor/model/words.h"
+#include "base/text.h"
 #include "editor/model/session.h"
+#include "editor/model/words.h"
 
 namespace wrinkle::editor {
 

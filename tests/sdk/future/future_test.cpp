@@ -3,7 +3,7 @@
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
-#include "registry/descriptor.h"
+#include "registry/listing.h"
 #include "sdk/recorder.h"
 
 namespace wrinkle::testing {

@@ -1,10 +1,18 @@
-// Angle between two 3-vectors.
+// Angles between normals, and the limits of slopes that are read from normals.
 #pragma once
 
 #include <cmath>
 #include <limits>
 
 namespace wrinkle {
+
+// A normal (x, y, z) has the slope -xy / depth with depth = max(|z|, max(|x|, |y|) / max_slope,
+// min_depth).
+//
+// Source: Mikkelsen 2020, "Surface Gradient-Based Bump Mapping Framework", TspaceNormalToDerivative
+// (128); the floor makes a zero vector flat.
+inline constexpr double max_slope = 128;
+inline constexpr double min_depth = 1e-6;
 
 // Returns the angle in degrees, independent of the vector lengths. Uses atan2, which is exact where
 // acos of a dot product is not. Returns NaN if either vector is zero. Vector is any type with a[0],

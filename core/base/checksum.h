@@ -1,6 +1,5 @@
-// XXH64, a fast checksum (https://github.com/Cyan4973/xxHash/blob/dev/doc/xxhash_spec.md, seed 0).
-// Corruption is missed with probability 2^-64. Not a cryptographic hash: collisions can be
-// constructed. Many times faster than sha256().
+// Hashes of bytes. SHA-256 (FIPS 180-4) identifies contents. XXH64 is a checksum many times faster:
+// it misses corruption with probability 2^-64, but collisions can be constructed.
 #pragma once
 
 #include <array>
@@ -8,10 +7,15 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace wrinkle {
 
-// Incremental checksum of bytes given in pieces; add() may be called after digest().
+// Returns 64 lower-case hexadecimal digits.
+std::string sha256(std::string_view bytes);
+
+// XXH64 with seed 0 of bytes given in pieces; add() may be called after digest(). Source:
+// https://github.com/Cyan4973/xxHash/blob/dev/doc/xxhash_spec.md
 class Xxh64 {
 public:
     void add(std::span<const std::byte> bytes);
