@@ -17,21 +17,21 @@ std::string number(double value) {
 }
 
 std::string as_text(const std::string& file, const maps::Verdict& verdict) {
-    std::string text = printable(file) + ": " + std::string(name_of(verdict.look)) + ": " +
-                       std::string(description_of(verdict.look)) + "\n";
+    std::string text = printable(file) + ": " + std::string(name_of(verdict.map_class)) + ": " +
+                       std::string(description_of(verdict.map_class)) + "\n";
     text += "  evidence:";
     for (const maps::Measure& measure : verdict.evidence)
         text += " " + measure.name + " " + number(measure.value);
     text += "\n";
     for (const maps::Finding& finding : verdict.findings)
-        text += std::string("  ") + (finding.defect ? "defect" : "note") + ": " +
-                std::string(name_of(finding.flaw)) + ": " + finding.message + "\n";
+        text += std::string("  ") + (finding.is_defect ? "defect" : "note") + ": " +
+                std::string(name_of(finding.defect)) + ": " + finding.message + "\n";
     return text;
 }
 
 std::string as_json(const std::string& file, const maps::Verdict& verdict) {
     std::string text = "{\"file\": " + json_quoted(file) + ", \"look\": \"" +
-                       std::string(name_of(verdict.look)) + "\", \"evidence\": {";
+                       std::string(name_of(verdict.map_class)) + "\", \"evidence\": {";
     for (size_t i = 0; i < verdict.evidence.size(); ++i)
         text += (i ? ", " : "") + json_quoted(verdict.evidence[i].name) + ": " +
                 number(verdict.evidence[i].value);
@@ -39,8 +39,8 @@ std::string as_json(const std::string& file, const maps::Verdict& verdict) {
     for (size_t i = 0; i < verdict.findings.size(); ++i) {
         const maps::Finding& finding = verdict.findings[i];
         text += std::string(i ? ", " : "") +
-                "{\"name\": " + json_quoted(std::string(name_of(finding.flaw))) +
-                ", \"defect\": " + (finding.defect ? "true" : "false") +
+                "{\"name\": " + json_quoted(std::string(name_of(finding.defect))) +
+                ", \"defect\": " + (finding.is_defect ? "true" : "false") +
                 ", \"message\": " + json_quoted(finding.message) + "}";
     }
     return text + "]}";
@@ -54,8 +54,8 @@ struct LintCommand {
     // Makes seams defects if --wrap repeat is given, even for an image classified as an atlas.
     static void hold_to_repeat(maps::Verdict& verdict) {
         for (maps::Finding& finding : verdict.findings)
-            finding.defect |=
-                finding.flaw == maps::MapDefect::seam_u || finding.flaw == maps::MapDefect::seam_v;
+            finding.is_defect |= finding.defect == maps::MapDefect::seam_u ||
+                                 finding.defect == maps::MapDefect::seam_v;
     }
 
     int run() const {
@@ -69,7 +69,7 @@ struct LintCommand {
             if (!examined) continue;
             maps::Verdict& verdict = examined->verdict;
             if (wrap == "repeat") hold_to_repeat(verdict);
-            if (!expect.empty() && name_of(verdict.look) != expect)
+            if (!expect.empty() && name_of(verdict.map_class) != expect)
                 verdict.findings.push_back(
                     {maps::MapDefect::unexpected, "it was to be " + expect, true});
             healthy = healthy && !verdict.has_defects();

@@ -23,7 +23,7 @@ constexpr double good_z = 0.03;  // rms limit; covers 8-bit JPEG
 struct NamedWords {
     std::string_view name, words;
 };
-constexpr std::array looks = {
+constexpr std::array map_classes = {
     NamedWords{"height", "a height map"},
     NamedWords{"normal_gl", "a tangent-space normal map, green up"},
     NamedWords{"normal_dx", "a tangent-space normal map, green down"},
@@ -32,9 +32,9 @@ constexpr std::array looks = {
     NamedWords{"two_channel", "slopes or normals in two channels"},
     NamedWords{"color", "no map of a bump"},
 };
-static_assert(looks.size() == static_cast<size_t>(Look::color) + 1);
+static_assert(map_classes.size() == static_cast<size_t>(MapClass::color) + 1);
 
-constexpr std::array flaws = {
+constexpr std::array map_defects = {
     NamedWords{"tilt", "the bump leans to one side"},
     NamedWords{"unsigned_z", "blue holds z from 0 to 1, not from -1 to 1"},
     NamedWords{"length", "most of its vectors are not of length 1"},
@@ -48,7 +48,7 @@ constexpr std::array flaws = {
     NamedWords{"not_finite", "it holds numbers that are not finite"},
     NamedWords{"unexpected", "it is not what it was to be"},
 };
-static_assert(flaws.size() == static_cast<size_t>(MapDefect::unexpected) + 1);
+static_assert(map_defects.size() == static_cast<size_t>(MapDefect::unexpected) + 1);
 
 template <typename... Values>
 std::string text(const char* format, Values... values) {
@@ -57,8 +57,9 @@ std::string text(const char* format, Values... values) {
     return buffer;
 }
 
-bool is_normal(Look look) {
-    return look == Look::normal || look == Look::normal_gl || look == Look::normal_dx;
+bool is_normal(MapClass map_class) {
+    return map_class == MapClass::normal || map_class == MapClass::normal_gl ||
+           map_class == MapClass::normal_dx;
 }
 
 class Examination {
@@ -73,14 +74,15 @@ public:
     Verdict run() {
         if (!check_finite()) return verdict_;
         if (channels_ >= 3)
-            look_at_vectors();
+            classify_vectors();
         else
-            verdict_.look = channels_ == 2 ? Look::two_channel : Look::height;
-        if (is_normal(verdict_.look) || verdict_.look == Look::two_channel) check_green();
-        if (is_normal(verdict_.look)) check_normals();
-        if (verdict_.look == Look::height && measured_.is_one_value())
+            verdict_.map_class = channels_ == 2 ? MapClass::two_channel : MapClass::height;
+        if (is_normal(verdict_.map_class) || verdict_.map_class == MapClass::two_channel)
+            check_green();
+        if (is_normal(verdict_.map_class)) check_normals();
+        if (verdict_.map_class == MapClass::height && measured_.is_one_value())
             find(MapDefect::one_value, "all of its texels hold one height", false);
-        const bool relief = is_normal(verdict_.look) || verdict_.look == Look::height;
+        const bool relief = is_normal(verdict_.map_class) || verdict_.map_class == MapClass::height;
         if (relief) check_steps();
         if (relief) check_seams();
         return verdict_;
@@ -88,24 +90,24 @@ public:
 
 private:
     void measure(const char* name, double value) { verdict_.evidence.push_back({name, value}); }
-    void find(MapDefect flaw, std::string message, bool defect = true) {
-        verdict_.findings.push_back({flaw, std::move(message), defect});
+    void find(MapDefect defect, std::string message, bool is_defect = true) {
+        verdict_.findings.push_back({defect, std::move(message), is_defect});
     }
 
     // Statistics of images with NaN are undefined.
     bool check_finite() {
         if (measured_.not_finite() == 0) return true;
-        verdict_.look = channels_ == 1 ? Look::height : Look::color;
+        verdict_.map_class = channels_ == 1 ? MapClass::height : MapClass::color;
         find(MapDefect::not_finite, text("%zu values are NaN or infinite", measured_.not_finite()));
         return false;
     }
 
-    void look_at_vectors() {
+    void classify_vectors() {
         vectors_ = measured_.vectors();
         measure("empty", vectors_.empty);
         measure("gray", vectors_.gray);
         if (vectors_.gray > 0.995 || vectors_.empty == 1) {
-            verdict_.look = Look::height;
+            verdict_.map_class = MapClass::height;
             return find(MapDefect::gray, "three equal channels hold one height", false);
         }
         measure("unit", vectors_.unit);
@@ -117,13 +119,13 @@ private:
         const bool unit = vectors_.unit > 0.75;
         const bool flat_up = vectors_.unit >= 0.99 && vectors_.mean[2] > 0;
         if (vectors_.blue_spread < 1.5 * u8_step && !flat_up && central)
-            verdict_.look = Look::two_channel;
+            verdict_.map_class = MapClass::two_channel;
         else if (unit && vectors_.downward > 0.02)
-            verdict_.look = Look::normal_object;
+            verdict_.map_class = MapClass::normal_object;
         else if (unit || has_unsigned_z() || (central && vectors_.mean[2] > 0.3))
-            verdict_.look = Look::normal;
+            verdict_.map_class = MapClass::normal;
         else
-            verdict_.look = Look::color;
+            verdict_.map_class = MapClass::color;
     }
 
     bool has_unsigned_z() const {
@@ -132,19 +134,19 @@ private:
     }
 
     void check_green() {
-        const bool made = verdict_.look == Look::two_channel || has_unsigned_z();
+        const bool made = verdict_.map_class == MapClass::two_channel || has_unsigned_z();
         const CurlMeasures curl = measured_.curl(made);
         measure("curl_gl", curl.gl);
         measure("curl_dx", curl.dx);
         measure("curl_correlation", curl.correlation);
-        if (verdict_.look != Look::normal) return;
+        if (verdict_.map_class != MapClass::normal) return;
         if (std::min(curl.regions_gl, curl.regions_dx) > mixed_share)
             return find(MapDefect::mixed,
                         text("green points up by %.0f %% of the slopes' curl and down "
                              "by %.0f %%, region by region",
                              100 * curl.regions_gl, 100 * curl.regions_dx));
         if (std::abs(curl.correlation) < certain_curl) return;
-        verdict_.look = curl.correlation > 0 ? Look::normal_gl : Look::normal_dx;
+        verdict_.map_class = curl.correlation > 0 ? MapClass::normal_gl : MapClass::normal_dx;
     }
 
     void check_normals() {
@@ -186,7 +188,7 @@ private:
 
     void check_steps() {
         if (!is_integer(info_.source)) return;
-        const uint32_t last = verdict_.look == Look::height ? 1 : 2;
+        const uint32_t last = verdict_.map_class == MapClass::height ? 1 : 2;
         for (uint32_t channel = 0; channel < last; ++channel) {
             const StepMeasures steps = measured_.steps(channel);
             const std::string name = last == 1 ? "" : channel == 0 ? "red_" : "green_";
@@ -211,17 +213,17 @@ private:
     bool is_atlas(const IslandMeasures& islands) const {
         const bool cut =
             islands.background > min_background && islands.shore > shore_factor * islands.inside;
-        return is_layout_ || cut || (is_normal(verdict_.look) && islands.plain > min_plain);
+        return is_layout_ || cut || (is_normal(verdict_.map_class) && islands.plain > min_plain);
     }
 
     void check_seams() {
-        const IslandMeasures islands = measured_.islands(is_normal(verdict_.look));
+        const IslandMeasures islands = measured_.islands(is_normal(verdict_.map_class));
         const bool atlas = is_atlas(islands);
-        const uint32_t channels = verdict_.look == Look::height ? 1 : 2;
+        const uint32_t channels = verdict_.map_class == MapClass::height ? 1 : 2;
         for (const bool across_u : {true, false}) {
             const SeamMeasures seam = measured_.seam(channels, across_u);
-            const MapDefect flaw = across_u ? MapDefect::seam_u : MapDefect::seam_v;
-            measure(name_of(flaw).data(), seam.inside > 0 ? seam.border / seam.inside : 0);
+            const MapDefect defect = across_u ? MapDefect::seam_u : MapDefect::seam_v;
+            measure(name_of(defect).data(), seam.inside > 0 ? seam.border / seam.inside : 0);
             const double least = is_integer(info_.source) ? u8_step : 0;
             if (seam.border <= seam_factor * seam.inside || seam.border <= least) continue;
             if (!verdict_.measure("background")) {
@@ -229,7 +231,7 @@ private:
                 measure("shore", islands.inside > 0 ? islands.shore / islands.inside : 0);
                 measure("plain", islands.plain);
             }
-            find(flaw,
+            find(defect,
                  text("across %s the border steps by %.4g where 99 of 100 %s inside step by "
                       "less than %.4g: it does not tile%s",
                       across_u ? "u" : "v", seam.border, across_u ? "columns" : "rows", seam.inside,
@@ -249,25 +251,25 @@ private:
 
 }  // namespace
 
-std::string_view name_of(Look look) {
-    return looks[static_cast<size_t>(look)].name;
+std::string_view name_of(MapClass map_class) {
+    return map_classes[static_cast<size_t>(map_class)].name;
 }
 
-std::string_view description_of(Look look) {
-    return looks[static_cast<size_t>(look)].words;
+std::string_view description_of(MapClass map_class) {
+    return map_classes[static_cast<size_t>(map_class)].words;
 }
 
-std::string_view name_of(MapDefect flaw) {
-    return flaws[static_cast<size_t>(flaw)].name;
+std::string_view name_of(MapDefect defect) {
+    return map_defects[static_cast<size_t>(defect)].name;
 }
 
-std::string_view words_of(MapDefect flaw) {
-    return flaws[static_cast<size_t>(flaw)].words;
+std::string_view words_of(MapDefect defect) {
+    return map_defects[static_cast<size_t>(defect)].words;
 }
 
 bool Verdict::has_defects() const {
     return std::any_of(findings.begin(), findings.end(),
-                       [](const Finding& finding) { return finding.defect; });
+                       [](const Finding& finding) { return finding.is_defect; });
 }
 
 std::optional<double> Verdict::measure(std::string_view name) const {

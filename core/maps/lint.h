@@ -1,6 +1,6 @@
-// Detects the kind of a bump image and its defects, with the numbers behind each result.
+// Detects the class of a bump image and its defects, with the numbers behind each result.
 //
-// Kinds (Look):
+// Classes (MapClass):
 //   height         one channel, or three equal ones
 //   normal_gl, normal_dx   tangent space: the vectors 2t - 1 have length 1 and point up. The curl
 //                  test decides the direction of green: the slopes of a height have no curl, so if
@@ -18,7 +18,7 @@
 //   offset     8 bits, and texels that are not flat are offset by half a step: 127 or 128 was used
 //              instead of 127.5
 //   banding    steps of one level between plateaus, or 8-bit values in a deeper file
-//   mixed      green points up in some regions and down in others; the kind is then `normal`
+//   mixed      green points up in some regions and down in others; the class is then `normal`
 //   seam_u, seam_v   the first and last columns or rows differ more than twice as much as 99 % of
 //              the neighbours inside. A defect only if the image must repeat and is not an
 //              atlas: islands on a flat or empty background, or a file by `wrinkle bake`
@@ -42,7 +42,7 @@
 
 namespace wrinkle::maps {
 
-enum class Look : uint8_t {
+enum class MapClass : uint8_t {
     height,
     normal_gl,
     normal_dx,
@@ -51,15 +51,15 @@ enum class Look : uint8_t {
     two_channel,
     color
 };
-std::string_view name_of(Look look);
-std::string_view description_of(Look look);
+std::string_view name_of(MapClass map_class);
+std::string_view description_of(MapClass map_class);
 
 struct Measure {
     std::string name;  // "curl_gl"
     double value = 0;
 };
 
-// As listed above; and `unexpected`, added by callers that know the expected kind.
+// As listed above; and `unexpected`, added by callers that know the expected class.
 enum class MapDefect : uint8_t {
     tilt,
     unsigned_z,
@@ -74,17 +74,17 @@ enum class MapDefect : uint8_t {
     not_finite,
     unexpected
 };
-std::string_view name_of(MapDefect flaw);   // "seam_u"
-std::string_view words_of(MapDefect flaw);  // description without numbers, half a sentence
+std::string_view name_of(MapDefect defect);   // "seam_u"
+std::string_view words_of(MapDefect defect);  // description without numbers, half a sentence
 
 struct Finding {
-    MapDefect flaw = MapDefect::unexpected;
+    MapDefect defect = MapDefect::unexpected;
     std::string message;  // one sentence with its numbers
-    bool defect = true;
+    bool is_defect = true;
 };
 
 struct Verdict {
-    Look look = Look::color;
+    MapClass map_class = MapClass::color;
     std::vector<Measure> evidence;
     std::vector<Finding> findings;
 

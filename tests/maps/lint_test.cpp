@@ -21,14 +21,14 @@ const Waves detailed{64, 48, 3};
 std::vector<std::string> defects_of(const Verdict& verdict) {
     std::vector<std::string> names;
     for (const Finding& finding : verdict.findings)
-        if (finding.defect) names.emplace_back(name_of(finding.flaw));
+        if (finding.is_defect) names.emplace_back(name_of(finding.defect));
     return names;
 }
 
-void expect(const Image& image, Look look, const std::vector<std::string>& defects,
+void expect(const Image& image, MapClass look, const std::vector<std::string>& defects,
             Wrap wrap = Wrap::repeat) {
     const Verdict verdict = examine(image, wrap);
-    EXPECT_EQ(name_of(verdict.look), name_of(look));
+    EXPECT_EQ(name_of(verdict.map_class), name_of(look));
     EXPECT_EQ(defects_of(verdict), defects);
     EXPECT_EQ(verdict.has_defects(), !defects.empty());
 }
@@ -60,9 +60,9 @@ TEST(Lint, HealthyMapsHaveNoDefect) {
                 image->source = type;
             else
                 quantise(*image, type);
-        expect(normals, Look::normal_gl, {});
-        expect(turned_green(normals), Look::normal_dx, {});
-        expect(heights, Look::height, {});
+        expect(normals, MapClass::normal_gl, {});
+        expect(turned_green(normals), MapClass::normal_dx, {});
+        expect(heights, MapClass::height, {});
     }
 }
 
@@ -70,8 +70,8 @@ TEST(Lint, HealthyMapsHaveNoDefect) {
 TEST(Lint, GreenIsFoundInGentleSteepAndNoisyMaps) {
     for (const double strength : {0.05, 0.5, 5.0}) {
         const Image gl = normal_image({96, 96, strength});
-        expect(gl, Look::normal_gl, {});
-        expect(turned_green(gl), Look::normal_dx, {});
+        expect(gl, MapClass::normal_gl, {});
+        expect(turned_green(gl), MapClass::normal_dx, {});
         uint32_t state = 7;
         const Image noisy = changed(gl, [&](float* t) {
             for (int c = 0; c < 3; ++c) {
@@ -79,7 +79,7 @@ TEST(Lint, GreenIsFoundInGentleSteepAndNoisyMaps) {
                 t[c] += (static_cast<float>(state >> 8) / 16777216.0f - 0.5f) * 0.004f;
             }
         });
-        EXPECT_EQ(name_of(examine(noisy, Wrap::repeat).look), "normal_gl");
+        EXPECT_EQ(name_of(examine(noisy, Wrap::repeat).map_class), "normal_gl");
     }
 }
 
@@ -94,20 +94,20 @@ TEST(Lint, RidgesAlongOneAxisDoNotTellGreen) {
             t[1] = 0.5f;
             t[2] = static_cast<float>(0.5 + 0.5 / length);
         }
-    expect(image, Look::normal, {});
-    expect(changed(image, [](float* t) { t[0] = 0.5f, t[2] = 1; }), Look::normal, {});
+    expect(image, MapClass::normal, {});
+    expect(changed(image, [](float* t) { t[0] = 0.5f, t[2] = 1; }), MapClass::normal, {});
 }
 
 TEST(Lint, UnsignedZ) {
-    expect(changed(normal_image(detailed), [](float* t) { t[2] = 2 * t[2] - 1; }), Look::normal_gl,
-           {"unsigned_z"});
+    expect(changed(normal_image(detailed), [](float* t) { t[2] = 2 * t[2] - 1; }),
+           MapClass::normal_gl, {"unsigned_z"});
     Image image = changed(normal_image(detailed), [](float* t) { t[2] = 2 * t[2] - 1; });
     quantise(image, PixelType::u8);
-    expect(turned_green(image), Look::normal_dx, {"unsigned_z"});
+    expect(turned_green(image), MapClass::normal_dx, {"unsigned_z"});
 }
 
 TEST(Lint, AMeanThatLeans) {
-    expect(changed(normal_image(detailed), [](float* t) { t[0] += 0.02f; }), Look::normal_gl,
+    expect(changed(normal_image(detailed), [](float* t) { t[0] += 0.02f; }), MapClass::normal_gl,
            {"tilt"});
 }
 
@@ -117,7 +117,7 @@ TEST(Lint, VectorsThatAreNotUnit) {
                        for (int c = 0; c < 3; ++c)
                            t[c] = 0.5f + (t[c] - 0.5f) * 0.8f;
                    }),
-           Look::normal_gl, {"length"});
+           MapClass::normal_gl, {"length"});
 }
 
 // Values truncated instead of rounded, and values stored as 128 + 127 n.
@@ -127,12 +127,12 @@ TEST(Lint, TheMiddleTakenFor127Or128) {
         for (int c = 0; c < 3; ++c)
             t[c] = stored(std::floor(t[c] * 255));
     });
-    expect(low, Look::normal_gl, {"offset"});
+    expect(low, MapClass::normal_gl, {"offset"});
     const Image high = changed(normal_image(detailed, PixelType::u8), [&](float* t) {
         for (int c = 0; c < 3; ++c)
             t[c] = stored(std::min(255.0f, std::round(128 + 127 * (2 * t[c] - 1))));
     });
-    expect(high, Look::normal_gl, {"offset"});
+    expect(high, MapClass::normal_gl, {"offset"});
 }
 
 TEST(Lint, EightBitsInStairs) {
@@ -141,14 +141,14 @@ TEST(Lint, EightBitsInStairs) {
         value = 0.4f + 0.2f * value;
     Image rounded = height;
     quantise(rounded, PixelType::u8);
-    expect(rounded, Look::height, {"banding"});
+    expect(rounded, MapClass::height, {"banding"});
     rounded.source = PixelType::u16;  // the same values in a file of more bits
-    expect(rounded, Look::height, {"banding"});
+    expect(rounded, MapClass::height, {"banding"});
     quantise(height, PixelType::u16);
-    expect(height, Look::height, {});
+    expect(height, MapClass::height, {});
     Image gentle = normal_image({512, 512, 1});
     quantise(gentle, PixelType::u8);
-    expect(gentle, Look::normal_gl, {"banding"});
+    expect(gentle, MapClass::normal_gl, {"banding"});
 }
 
 TEST(Lint, SeamsThatDoNotTile) {
@@ -157,8 +157,8 @@ TEST(Lint, SeamsThatDoNotTile) {
     Image cut = make_image(77, 64, 1, PixelType::float32);
     for (uint32_t y = 0; y < 64; ++y)
         std::copy_n(whole.texel(0, y), 77, cut.texel(0, y));
-    expect(cut, Look::height, {"seam_u"});
-    expect(cut, Look::height, {}, Wrap::clamp);
+    expect(cut, MapClass::height, {"seam_u"});
+    expect(cut, MapClass::height, {}, Wrap::clamp);
     const Image normals = normal_image(wide);
     Image low = make_image(96, 41, 3, PixelType::u16);
     std::copy_n(normals.data.begin(), low.data.size(), low.data.begin());
@@ -184,7 +184,7 @@ TEST(Lint, AnAtlasNeedNotTile) {
         const Verdict verdict = examine(atlas, Wrap::repeat);
         EXPECT_EQ(defects_of(verdict), std::vector<std::string>{});
         ASSERT_EQ(verdict.findings.size(), 1U);
-        EXPECT_EQ(name_of(verdict.findings[0].flaw), "seam_u");
+        EXPECT_EQ(name_of(verdict.findings[0].defect), "seam_u");
         EXPECT_NE(verdict.findings[0].message.find("atlas"), std::string::npos);
     }
     // The normals fade to flat at the border of their island.
@@ -204,7 +204,7 @@ TEST(Lint, AnAtlasNeedNotTile) {
     Image cut = make_image(401, 384, 1, PixelType::float32);
     for (uint32_t y = 0; y < cut.height; ++y)
         std::copy_n(plateau.texel(0, y), cut.width, cut.texel(0, y));
-    expect(cut, Look::height, {"seam_u"});
+    expect(cut, MapClass::height, {"seam_u"});
 }
 
 TEST(Lint, TheFileOfALayoutNeedNotTile) {
@@ -240,13 +240,13 @@ TEST(Lint, GreenOfRegionsThatDisagreeIsMixed) {
     EXPECT_LT(verdict.measure("curl_correlation").value_or(0), -0.1) << "one way on the whole";
     const auto defects = defects_of(verdict);
     EXPECT_NE(std::find(defects.begin(), defects.end(), "mixed"), defects.end());
-    EXPECT_EQ(name_of(verdict.look), "normal");
+    EXPECT_EQ(name_of(verdict.map_class), "normal");
     // One of 64 regions may differ.
     Image nearly = up;
     for (uint32_t y = 0; y < 12; ++y)
         for (uint32_t x = 0; x < 16; ++x)
             nearly.texel(x, y)[1] = 1 - nearly.texel(x, y)[1];
-    EXPECT_EQ(name_of(examine(nearly, Wrap::repeat).look), "normal_gl");
+    EXPECT_EQ(name_of(examine(nearly, Wrap::repeat).map_class), "normal_gl");
 }
 
 TEST(Lint, AHeightOfOneValueIsNoted) {
@@ -256,7 +256,7 @@ TEST(Lint, AHeightOfOneValueIsNoted) {
         const auto notes = [](const Image& image) {
             std::vector<std::string> names;
             for (const Finding& finding : examine(image, Wrap::repeat).findings)
-                if (!finding.defect) names.emplace_back(name_of(finding.flaw));
+                if (!finding.is_defect) names.emplace_back(name_of(finding.defect));
             return names;
         };
         EXPECT_EQ(notes(flat).back(), "one_value");
@@ -273,9 +273,9 @@ TEST(Lint, AHeightInThreeChannelsIsAHeight) {
     for (size_t i = 0; i < gray.data.size(); ++i)
         gray.data[i] = one.data[i / 3];
     const Verdict verdict = examine(gray, Wrap::repeat);
-    EXPECT_EQ(name_of(verdict.look), "height");
+    EXPECT_EQ(name_of(verdict.map_class), "height");
     ASSERT_EQ(verdict.findings.size(), 1u);
-    EXPECT_EQ(verdict.findings[0].flaw, MapDefect::gray);
+    EXPECT_EQ(verdict.findings[0].defect, MapDefect::gray);
     EXPECT_FALSE(verdict.has_defects());
 }
 
@@ -290,7 +290,7 @@ TEST(Lint, ObjectSpacePointsDownToo) {
             image.texel(x, y)[1] = static_cast<float>(0.5 + 0.5 * std::sin(a) * std::sin(b));
             image.texel(x, y)[2] = static_cast<float>(0.5 + 0.5 * std::cos(b));
         }
-    expect(image, Look::normal_object, {});
+    expect(image, MapClass::normal_object, {});
 }
 
 TEST(Lint, TwoChannelsAndColors) {
@@ -298,19 +298,19 @@ TEST(Lint, TwoChannelsAndColors) {
     Image two = make_image(64, 48, 2, PixelType::u16);
     for (size_t i = 0; i < two.data.size() / 2; ++i)
         std::copy_n(&normals.data[3 * i], 2, &two.data[2 * i]);
-    expect(two, Look::two_channel, {});
+    expect(two, MapClass::two_channel, {});
     EXPECT_GT(examine(two, Wrap::repeat).measure("curl_correlation").value_or(0), 0.5);
-    expect(changed(normals, [](float* t) { t[2] = 0; }), Look::two_channel, {});
+    expect(changed(normals, [](float* t) { t[2] = 0; }), MapClass::two_channel, {});
     const auto gentle = [](float* t) {  // with blue as z, unit vectors that all point down
         t[0] = 0.5f + 0.1f * (t[0] - 0.5f);
         t[1] = 0.5f + 0.1f * (t[1] - 0.5f);
         t[2] = 0;
     };
-    expect(changed(normals, gentle), Look::two_channel, {});
+    expect(changed(normals, gentle), MapClass::two_channel, {});
     Image colors = make_image(32, 32, 3, PixelType::u8);
     for (size_t i = 0; i < colors.data.size(); ++i)
         colors.data[i] = static_cast<float>(i * 7919 % 97) / 300 + (i % 3 == 0 ? 0.5f : 0.1f);
-    expect(colors, Look::color, {});
+    expect(colors, MapClass::color, {});
 }
 
 // The evidence for a texture that repeats does not depend on the position of its border.
@@ -374,7 +374,7 @@ TEST(Lint, AFileIsWhatItsPictureIs) {
     const auto read = examine(file, Wrap::repeat, problems);
     ASSERT_TRUE(read);
     EXPECT_EQ(read->info.width, 64u);
-    EXPECT_EQ(read->verdict.look, whole.look);
+    EXPECT_EQ(read->verdict.map_class, whole.map_class);
     ASSERT_EQ(read->verdict.evidence.size(), whole.evidence.size());
     for (size_t i = 0; i < whole.evidence.size(); ++i)
         EXPECT_EQ(read->verdict.evidence[i].value, whole.evidence[i].value)
@@ -387,10 +387,10 @@ TEST(Lint, AFileIsWhatItsPictureIs) {
 
 TEST(Lint, NanIsADefectAndOneTexelIsEnough) {
     Image image = make_image(1, 1, 1);
-    expect(image, Look::height, {});
+    expect(image, MapClass::height, {});
     image.data[0] = NAN;
-    expect(image, Look::height, {"not_finite"});
-    expect(make_image(1, 1, 3), Look::height, {});
+    expect(image, MapClass::height, {"not_finite"});
+    expect(make_image(1, 1, 3), MapClass::height, {});
 }
 
 }  // namespace

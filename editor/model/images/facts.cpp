@@ -39,7 +39,7 @@ public:
     explicit Facts(const Examined& examined) : info_(examined.info), verdict_(examined.verdict) {}
 
     std::vector<Fact> all() {
-        std::string kind = without_article(description_of(verdict_.look));
+        std::string kind = without_article(description_of(verdict_.map_class));
         kind[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(kind[0])));
         add("Kind", kind);
         add("Size", size_words(info_));
@@ -89,7 +89,7 @@ private:
 }  // namespace
 
 std::string summary_of(const Examined& examined) {
-    const std::string text = without_article(description_of(examined.verdict.look));
+    const std::string text = without_article(description_of(examined.verdict.map_class));
     const auto curl = examined.verdict.measure("curl_correlation");
     return text + ": " + (curl ? fact_text("curl %+.2f", *curl) : size_words(examined.info));
 }

@@ -14,7 +14,7 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-using maps::Look;
+using maps::MapClass;
 
 // Corresponding node types for the kinds of maps; "" if there is none.
 struct MapFamily {
@@ -34,18 +34,19 @@ const MapFamily* family_of(std::string_view type) {
     return nullptr;
 }
 
-bool is_tangent(Look look) {
-    return look == Look::normal || look == Look::normal_gl || look == Look::normal_dx;
+bool is_tangent(MapClass look) {
+    return look == MapClass::normal || look == MapClass::normal_gl || look == MapClass::normal_dx;
 }
 
 // Returns the node type that fits the image; "" if nothing contradicts the current one.
-std::string_view better_type(const MapFamily& family, std::string_view type, Look look) {
-    if (look == Look::height) return family.height;
+std::string_view better_type(const MapFamily& family, std::string_view type, MapClass look) {
+    if (look == MapClass::height) return family.height;
     if (type == family.slopes) return {};  // 8-bit slopes may look like any kind
-    if (is_tangent(look) && type == family.object) return look == Look::normal ? "" : family.normal;
+    if (is_tangent(look) && type == family.object)
+        return look == MapClass::normal ? "" : family.normal;
     if (is_tangent(look)) return family.normal;
-    if (look == Look::normal_object) return family.object;
-    if (look == Look::two_channel && type == family.height) return family.slopes;
+    if (look == MapClass::normal_object) return family.object;
+    if (look == MapClass::two_channel && type == family.height) return family.slopes;
     return {};
 }
 
@@ -114,8 +115,8 @@ private:
     }
 
     bool remark_type() {
-        const Look look = examined_->verdict.look;
-        if (is_normals() && look == Look::two_channel && has_green()) {
+        const MapClass look = examined_->verdict.map_class;
+        if (is_normals() && look == MapClass::two_channel && has_green()) {
             add("type", "the image has no z in blue, but the node reads one", "",
                 {Remedy::Kind::encoding, "Make z", std::string(name_of(Encoding::normal_rg))});
             return true;
@@ -135,15 +136,15 @@ private:
         return type == family_->height ? "heights" : type == family_->slopes ? "slopes" : "normals";
     }
     // Returns true if the image is of another kind for which the family has no node type.
-    bool is_odd(Look look) const {
-        return look == Look::normal_object && type_->id != family_->object &&
+    bool is_odd(MapClass look) const {
+        return look == MapClass::normal_object && type_->id != family_->object &&
                type_->id != family_->slopes;
     }
 
     void remark_green() {
-        const Look look = examined_->verdict.look;
-        const bool down = look == Look::normal_dx;
-        if (!is_normals() || !has_green() || (!down && look != Look::normal_gl)) return;
+        const MapClass look = examined_->verdict.map_class;
+        const bool down = look == MapClass::normal_dx;
+        if (!is_normals() || !has_green() || (!down && look != MapClass::normal_gl)) return;
         if (down == (encoding_ == Encoding::normal_dx)) return;
         const std::string says = down ? "points down (dx)" : "points up (gl)";
         const std::string reads = down ? "up (gl)" : "down (dx)";
@@ -159,16 +160,16 @@ private:
     void remark_defects() {
         bool seam = false;
         for (const maps::Finding& finding : examined_->verdict.findings) {
-            if (!finding.defect) continue;
-            const bool is_seam =
-                finding.flaw == maps::MapDefect::seam_u || finding.flaw == maps::MapDefect::seam_v;
+            if (!finding.is_defect) continue;
+            const bool is_seam = finding.defect == maps::MapDefect::seam_u ||
+                                 finding.defect == maps::MapDefect::seam_v;
             if (is_seam && (seam || literal_.wrap != Wrap::repeat)) continue;
             seam |= is_seam;
-            const bool of_z = finding.flaw == maps::MapDefect::unsigned_z ||
-                              finding.flaw == maps::MapDefect::length;
+            const bool of_z = finding.defect == maps::MapDefect::unsigned_z ||
+                              finding.defect == maps::MapDefect::length;
             if (of_z && (!is_normals() || !has_green())) continue;
-            add(is_seam ? "seam" : std::string(name_of(finding.flaw)),
-                std::string(words_of(finding.flaw)), finding.message, remedy_of(is_seam, of_z));
+            add(is_seam ? "seam" : std::string(name_of(finding.defect)),
+                std::string(words_of(finding.defect)), finding.message, remedy_of(is_seam, of_z));
         }
     }
     Remedy remedy_of(bool seam, bool of_z) const {
@@ -280,7 +281,7 @@ Document remedied(const Session& session, const ImageWarning& remark) {
     if (!to || to->find_input(remark.port) == NodeType::none) return document;
     const Examined* examined = examined_at(session, *node, remark.port);
     Document result = retyped(session, *node, *to);
-    if (examined && examined->verdict.look == maps::Look::normal_dx)
+    if (examined && examined->verdict.map_class == maps::MapClass::normal_dx)
         result = with_image_word(result, node->id, to->ports[to->find_input(remark.port)],
                                  "encoding", name_of(Encoding::normal_dx));
     return keeps_readers(session, result, node->id) ? result : document;

@@ -26,22 +26,22 @@ ImageKind by_name(std::string_view name) {
 
 ImageKind kind_of(const Examined& examined, std::string_view name) {
     const std::string why = summary_of(examined);
-    switch (examined.verdict.look) {
-        case maps::Look::height:
+    switch (examined.verdict.map_class) {
+        case maps::MapClass::height:
             return {"height_map", why, {}};
-        case maps::Look::normal_dx:
+        case maps::MapClass::normal_dx:
             return {"tangent_normal_map", why, Encoding::normal_dx};
-        case maps::Look::normal_gl:
-        case maps::Look::normal:
+        case maps::MapClass::normal_gl:
+        case maps::MapClass::normal:
             return {"tangent_normal_map", why, {}};
-        case maps::Look::normal_object:
+        case maps::MapClass::normal_object:
             return {examined.info.width == 6 * examined.info.height ? "cube_normal_map"
                                                                     : "object_normal_map",
                     why,
                     {}};
-        case maps::Look::two_channel:
+        case maps::MapClass::two_channel:
             return {"derivative_map", why, {}};
-        case maps::Look::color:
+        case maps::MapClass::color:
             break;
     }
     return by_name(name);
