@@ -19,6 +19,7 @@
 #include "base/diagnostics.h"
 #include "base/limits.h"
 #include "image/image.h"
+#include "image/writer.h"
 
 namespace wrinkle {
 
@@ -72,17 +73,10 @@ std::optional<ImageInfo> read_image_rows(const std::filesystem::path& path,
 // there is none.
 std::optional<float> read_image_number(const std::filesystem::path& path, const std::string& name);
 
-struct SaveOptions {
-    PixelType type = PixelType::u8;
-    std::string compression = {};  // "" is the format's default; exr: none rle zip zips piz; tiff:
-                                   // none lzw zip; the others have no choice
-    int quality = 95;              // jpeg, 1 to 100
-};
-
-// Writes a complete image; writer.h documents the formats and the conversion to integers. The write
-// is atomic (temporary file, rename); equal images give equal bytes, and a file that already holds
-// them is not touched.
-bool save_image(const Image& image, const std::filesystem::path& path, const SaveOptions& options,
+// Writes a complete image with the type, compression and quality of `options`; writer.h documents
+// the formats and the conversion to integers. The write is atomic (temporary file, rename); equal
+// images give equal bytes, and a file that already holds them is not touched.
+bool save_image(const Image& image, const std::filesystem::path& path, WriterOptions options,
                 Diagnostics& diagnostics);
 
 }  // namespace wrinkle

@@ -2,7 +2,6 @@
 #include <cassert>
 
 #include "image/load.h"
-#include "image/writer.h"
 
 namespace wrinkle {
 
@@ -28,18 +27,14 @@ bool write_upside_down(ImageWriter& writer, const Image& image, Diagnostics& dia
 
 }  // namespace
 
-bool save_image(const Image& image, const std::filesystem::path& path, const SaveOptions& options,
+bool save_image(const Image& image, const std::filesystem::path& path, WriterOptions options,
                 Diagnostics& diagnostics) {
     assert(image.data.size() == size_t{image.width} * image.height * image.channels);
-    WriterOptions writing;
-    writing.width = image.width;
-    writing.height = image.height;
-    writing.channels = channel_names(image.channels, image.has_alpha);
-    writing.has_alpha = image.has_alpha;
-    writing.type = options.type;
-    writing.compression = options.compression;
-    writing.quality = options.quality;
-    auto writer = ImageWriter::open(path, writing, diagnostics);
+    options.width = image.width;
+    options.height = image.height;
+    options.channels = channel_names(image.channels, image.has_alpha);
+    options.has_alpha = image.has_alpha;
+    auto writer = ImageWriter::open(path, options, diagnostics);
     return writer && write_upside_down(*writer, image, diagnostics) && writer->finish(diagnostics);
 }
 

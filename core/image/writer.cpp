@@ -57,7 +57,6 @@ struct ImageWriter::State {
     bool begin(const Writable& format, const WriterOptions& options, Diagnostics& diagnostics);
     void plan(const WriterOptions& options);
     bool add(uint32_t level, std::span<const std::byte> rows, Diagnostics& diagnostics);
-    bool send(uint32_t level, const std::byte* rows, uint32_t count, Diagnostics& diagnostics);
 };
 
 void ImageWriter::State::plan(const WriterOptions& options) {
@@ -75,63 +74,28 @@ void ImageWriter::State::plan(const WriterOptions& options) {
 
 bool ImageWriter::State::begin(const Writable& format, const WriterOptions& options,
                                Diagnostics& diagnostics) {
-    std::vector<const char*> names;
-    for (const std::string& name : options.channels)
-        names.push_back(name.c_str());
-    std::vector<WrinkleImageNumber> numbers;
-    for (const ImageNumber& number : options.numbers)
-        numbers.push_back({number.name.c_str(), number.value});
-    WrinkleImageWrite what = {};
-    what.format = format.plugin;
-    what.compression =
-        options.compression.empty() ? format.compression : options.compression.c_str();
-    what.quality = options.quality;
-    what.header = {options.width, options.height, static_cast<uint32_t>(names.size()),
-                   options.has_alpha, static_cast<uint32_t>(type)};
-    what.channel_names = names.data();
-    what.tile = options.tile;
-    what.levels = static_cast<uint32_t>(levels.size());
-    what.numbers = numbers.data();
-    what.number_count = static_cast<uint32_t>(numbers.size());
-    what.threads = options.threads;
+    WriterOptions written = options;
+    if (written.compression.empty()) written.compression = format.compression;
     char text[512] = "";
-    file = module->begin(temporary->path().c_str(), &what, {text, sizeof text});
+    file = module->begin(temporary->path().c_str(), format.plugin, written,
+                         static_cast<uint32_t>(levels.size()), {text, sizeof text});
     return file || fail(text, diagnostics);
 }
 
-bool ImageWriter::State::send(uint32_t level, const std::byte* rows, uint32_t count,
-                              Diagnostics& diagnostics) {
-    uint32_t& written = levels[level].written;
-    char text[512] = "";
-    if (!module->rows(file, level, rows, written, count, {text, sizeof text}))
-        return fail(text, diagnostics);
-    written += count;
-    return true;
-}
-
-// Writes complete granules directly from the caller's memory and buffers the remaining rows.
+// Writes complete granules, and all rows after the last one of the level; the others wait.
 bool ImageWriter::State::add(uint32_t index, std::span<const std::byte> rows,
                              Diagnostics& diagnostics) {
     Level& level = levels[index];
-    while (!rows.empty()) {
-        const auto count = static_cast<uint32_t>(rows.size() / level.row_bytes);
-        const uint32_t level_rows = level.height - level.written;
-        uint32_t taken = 0;
-        if (level.waiting.empty() && (count >= granule || count >= level_rows)) {
-            taken = count >= level_rows ? level_rows : count - count % granule;
-            if (!send(index, rows.data(), taken, diagnostics)) return false;
-        } else {
-            const uint32_t full = std::min(granule, level_rows);
-            taken = std::min(count, full - level.waiting_rows());
-            level.waiting.insert(level.waiting.end(), rows.begin(),
-                                 rows.begin() + taken * level.row_bytes);
-            if (level.waiting_rows() == full) {
-                if (!send(index, level.waiting.data(), full, diagnostics)) return false;
-                level.waiting.clear();
-            }
-        }
-        rows = rows.subspan(taken * level.row_bytes);
-    }
+    level.waiting.insert(level.waiting.end(), rows.begin(), rows.end());
+    uint32_t count = level.waiting_rows();
+    if (level.rows_left() > 0) count -= count % granule;
+    if (count == 0) return true;
+    char text[512] = "";
+    if (!module->rows(file, index, level.waiting.data(), level.written, count, {text, sizeof text}))
+        return fail(text, diagnostics);
+    level.written += count;
+    const auto sent = static_cast<ptrdiff_t>(count * level.row_bytes);
+    level.waiting.erase(level.waiting.begin(), level.waiting.begin() + sent);
     return true;
 }
 

@@ -40,7 +40,7 @@ void save_waves(const fs::path& path) {
         for (uint32_t x = 0; x < image.width; ++x)
             *image.texel(x, y) = static_cast<float>(0.5 + 0.25 * std::sin((x + 0.5) * pi / 64) +
                                                     0.25 * std::sin((y + 0.5) * pi / 64));
-    SaveOptions options;
+    WriterOptions options;
     options.type = PixelType::u16;
     Diagnostics diagnostics;
     EXPECT_TRUE(save_image(image, path, options, diagnostics)) << to_text(diagnostics);

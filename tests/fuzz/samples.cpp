@@ -41,7 +41,7 @@ std::vector<std::string> image_samples() {
                          const char* compression) {
         Diagnostics diagnostics;
         const Image image = test::sample_image(13, 9, channels);
-        const SaveOptions options{.type = type, .compression = compression};
+        const WriterOptions options{.type = type, .compression = compression};
         EXPECT_TRUE(save_image(image, folder.path() / name, options, diagnostics))
             << to_text(diagnostics);
         samples.push_back(test::bytes_of(folder.path() / name));

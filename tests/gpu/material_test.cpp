@@ -71,7 +71,7 @@ TEST_F(MaterialTest, ReadsImageFilesOnceUntilToldToForgetThem) {
     const auto save = [&](float value) {
         Image image = make_image(1, 1, 3);
         image.data = {value, value, value};
-        SaveOptions options;
+        WriterOptions options;
         options.type = PixelType::float32;
         ASSERT_TRUE(save_image(image, file, options, diagnostics)) << errors();
     };

@@ -147,7 +147,7 @@ TEST_F(LoadTest, EveryCompressionIsLossless) {
     for (const std::string file : {"none.tif", "lzw.tif", "zip.tif", "none.exr", "rle.exr",
                                    "zip.exr", "zips.exr", "piz.exr"}) {
         Diagnostics diagnostics;
-        const SaveOptions options{.type = f32, .compression = fs::path(file).stem().string()};
+        const WriterOptions options{.type = f32, .compression = fs::path(file).stem().string()};
         ASSERT_TRUE(save_image(image, folder / file, options, diagnostics)) << to_text(diagnostics);
         EXPECT_EQ(loaded(folder / file).data, image.data) << file;
     }

@@ -13,7 +13,7 @@ namespace {
 class SaveTest : public ImageTest {
 protected:
     // Returns the only error of a save that must fail and leave no file.
-    Diagnostic unsaved(const Image& image, const fs::path& path, const SaveOptions& options) {
+    Diagnostic unsaved(const Image& image, const fs::path& path, const WriterOptions& options) {
         Diagnostics diagnostics;
         EXPECT_FALSE(save_image(image, path, options, diagnostics)) << path;
         EXPECT_FALSE(fs::exists(path));
@@ -21,7 +21,7 @@ protected:
         EXPECT_EQ(diagnostics.list().size(), 1u);
         return diagnostics.list().empty() ? Diagnostic{} : diagnostics.list().front();
     }
-    void save(const Image& image, const char* name, const SaveOptions& options) {
+    void save(const Image& image, const char* name, const WriterOptions& options) {
         Diagnostics diagnostics;
         EXPECT_TRUE(save_image(image, folder / name, options, diagnostics)) << to_text(diagnostics);
     }

@@ -49,11 +49,11 @@ int64_t write_to_file(exr_const_context_t, void* file, const void* bytes, uint64
     return written == size ? static_cast<int64_t>(size) : -1;
 }
 
-bool any_long_name(const WrinkleImageWrite& what) {
-    for (uint32_t c = 0; c < what.header.channels; ++c)
-        if (std::strlen(what.channel_names[c]) > short_name) return true;
-    for (uint32_t i = 0; i < what.number_count; ++i)
-        if (std::strlen(what.numbers[i].name) > short_name) return true;
+bool any_long_name(const WriterOptions& options) {
+    for (const std::string& name : options.channels)
+        if (name.size() > short_name) return true;
+    for (const ImageNumber& number : options.numbers)
+        if (number.name.size() > short_name) return true;
     return false;
 }
 
@@ -112,12 +112,12 @@ void ExrFile::FinishContext::operator()(exr_context_t context) const {
     exr_finish(&context);
 }
 
-ExrFile::ExrFile(OutputFile& file, const char* path, const WrinkleImageWrite& what)
-    : compression_(compression_named(what.compression)),
-      width_(what.header.width),
-      height_(what.header.height),
-      tile_(what.tile),
-      threads_(static_cast<int>(what.threads)) {
+ExrFile::ExrFile(OutputFile& file, const char* path, const WriterOptions& options, bool mips)
+    : compression_(compression_named(options.compression)),
+      width_(options.width),
+      height_(options.height),
+      tile_(options.tile),
+      threads_(static_cast<int>(options.threads)) {
     exr_context_initializer_t start = EXR_DEFAULT_CONTEXT_INITIALIZER;
     start.error_handler_fn = say_nothing;
     start.write_fn = write_to_file;
@@ -125,27 +125,26 @@ ExrFile::ExrFile(OutputFile& file, const char* path, const WrinkleImageWrite& wh
     exr_context_t context = nullptr;
     check(exr_start_write(&context, path, EXR_WRITE_FILE_DIRECTLY, &start));
     context_.reset(context);
-    declare(what);
+    declare(options, mips);
     check(exr_write_header(context));
-    sort_channels(what);
+    sort_channels(options);
     int32_t rows = static_cast<int32_t>(tile_);
     if (tile_ == 0) check(exr_get_scanlines_per_chunk(context, part, &rows));
     rows_per_chunk_ = static_cast<uint32_t>(rows);
 }
 
-void ExrFile::declare(const WrinkleImageWrite& what) {
+void ExrFile::declare(const WriterOptions& options, bool mips) {
     const exr_context_t context = context_.get();
     int index = part;
-    if (any_long_name(what)) check(exr_set_longname_support(context, 1));
+    if (any_long_name(options)) check(exr_set_longname_support(context, 1));
     check(exr_add_part(context, nullptr, tile_ > 0 ? EXR_STORAGE_TILED : EXR_STORAGE_SCANLINE,
                        &index));
     check(exr_initialize_required_attr_simple(context, part, static_cast<int32_t>(width_),
                                               static_cast<int32_t>(height_), compression_));
-    declare_channels(what);
-    for (uint32_t i = 0; i < what.number_count; ++i)
-        check(exr_attr_set_float(context, part, what.numbers[i].name, what.numbers[i].value));
+    declare_channels(options);
+    for (const ImageNumber& number : options.numbers)
+        check(exr_attr_set_float(context, part, number.name.c_str(), number.value));
     if (tile_ == 0) return;
-    const bool mips = what.levels > 1;
     check(exr_set_tile_descriptor(context, part, tile_, tile_,
                                   mips ? EXR_TILE_MIPMAP_LEVELS : EXR_TILE_ONE_LEVEL,
                                   EXR_TILE_ROUND_DOWN));
@@ -154,20 +153,19 @@ void ExrFile::declare(const WrinkleImageWrite& what) {
     check(exr_attr_set_string(context, part, "textureformat", "Plain Texture"));
 }
 
-void ExrFile::declare_channels(const WrinkleImageWrite& what) {
-    const bool half = types.at(what.header.type) == OIIO::TypeDesc::HALF;
+void ExrFile::declare_channels(const WriterOptions& options) {
+    const bool half = options.type == PixelType::half;
     value_bytes_ = half ? 2 : 4;
-    for (uint32_t c = 0; c < what.header.channels; ++c)
-        check(exr_add_channel(context_.get(), part, what.channel_names[c],
+    for (const std::string& name : options.channels)
+        check(exr_add_channel(context_.get(), part, name.c_str(),
                               half ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT, EXR_PERCEPTUALLY_LOGARITHMIC,
                               1, 1));
 }
 
-void ExrFile::sort_channels(const WrinkleImageWrite& what) {
+void ExrFile::sort_channels(const WriterOptions& options) {
     const exr_attr_chlist_t* sorted = nullptr;
     check(exr_get_channels(context_.get(), part, &sorted));
-    const std::vector<std::string_view> names(what.channel_names,
-                                              what.channel_names + what.header.channels);
+    const std::vector<std::string>& names = options.channels;
     for (int c = 0; c < sorted->num_channels; ++c) {
         const auto found = std::find(names.begin(), names.end(), sorted->entries[c].name.str);
         order_.push_back(static_cast<uint32_t>(found - names.begin()));

@@ -23,7 +23,8 @@ namespace wrinkle::oiio {
 
 class ExrFile {
 public:
-    ExrFile(OutputFile& file, const char* path, const WrinkleImageWrite& what);  // and its header
+    // Writes the header.
+    ExrFile(OutputFile& file, const char* path, const WriterOptions& options, bool mips);
 
     // Writes rows `first` to `first` + `count` of a level; precondition: complete chunks. Each
     // level's rows arrive from the top, the levels in any order.
@@ -50,9 +51,9 @@ private:
     };
 
     size_t texel_bytes() const { return order_.size() * value_bytes_; }
-    void declare(const WrinkleImageWrite& what);
-    void declare_channels(const WrinkleImageWrite& what);
-    void sort_channels(const WrinkleImageWrite& what);
+    void declare(const WriterOptions& options, bool mips);
+    void declare_channels(const WriterOptions& options);
+    void sort_channels(const WriterOptions& options);
     void locate(const Rows& rows, uint32_t index, Slot& slot) const;
     void encode(const Rows& rows, Slot& slot) const;
     void put(const Rows& rows, const Slot& slot);

@@ -34,44 +34,33 @@ using OIIO::ImageSpec;
 constexpr const char* description = "ImageDescription";
 
 // Returns the numbers as text, for formats without attributes of arbitrary names.
-std::string numbers_as_text(const WrinkleImageWrite& what) {
+std::string numbers_as_text(const std::vector<ImageNumber>& numbers) {
     std::string text;
-    for (uint32_t i = 0; i < what.number_count; ++i) {
-        char number[64];
-        std::snprintf(number, sizeof number, "=%.9g", static_cast<double>(what.numbers[i].value));
-        text += (text.empty() ? "" : " ") + std::string(what.numbers[i].name) + number;
+    for (const ImageNumber& number : numbers) {
+        char value[64];
+        std::snprintf(value, sizeof value, "=%.9g", static_cast<double>(number.value));
+        text += (text.empty() ? "" : " ") + number.name + value;
     }
     return text;
 }
 
-void name_channels(ImageSpec& spec, const WrinkleImageWrite& what) {
-    spec.alpha_channel = what.header.has_alpha ? spec.nchannels - 1 : -1;
-    for (size_t c = 0; c < spec.channelnames.size(); ++c)
-        spec.channelnames[c] = what.channel_names[c];
-}
-
-void add_numbers(ImageSpec& spec, const WrinkleImageWrite& what) {
-    const std::string text = numbers_as_text(what);
-    if (!text.empty()) spec.attribute(description, text);
-}
-
-ImageSpec spec_to_write(const WrinkleImageWrite& what) {
-    const WrinkleImageHeader& header = what.header;
-    ImageSpec spec(static_cast<int>(header.width), static_cast<int>(header.height),
-                   static_cast<int>(header.channels), types.at(header.type));
-    name_channels(spec, what);
+ImageSpec spec_to_write(std::string_view format, const WriterOptions& options) {
+    ImageSpec spec(static_cast<int>(options.width), static_cast<int>(options.height),
+                   static_cast<int>(options.channels.size()),
+                   types.at(static_cast<size_t>(options.type)));
+    spec.alpha_channel = options.has_alpha ? spec.nchannels - 1 : -1;
+    spec.channelnames = options.channels;
     spec.attribute("oiio:UnassociatedAlpha", 1);
-    const std::string_view format = what.format;
     if (format == "png") spec.attribute("png:filter", 0xF8);  // all row filters: much smaller files
     if (format == "tiff") spec.attribute("DateTime", "");     // otherwise the current time
     if (format == "jpeg") {
         spec.attribute("jpeg:subsampling", "4:4:4");
-        spec.attribute("compression", "jpeg:" + std::to_string(what.quality));
+        spec.attribute("compression", "jpeg:" + std::to_string(options.quality));
     }
-    if (*what.compression) spec.attribute("compression", what.compression);
-    spec.tile_width = spec.tile_height = static_cast<int>(what.tile);
-    spec.tile_depth = what.tile > 0 ? 1 : 0;
-    add_numbers(spec, what);
+    if (!options.compression.empty()) spec.attribute("compression", options.compression);
+    spec.tile_width = spec.tile_height = static_cast<int>(options.tile);
+    spec.tile_depth = options.tile > 0 ? 1 : 0;
+    if (!options.numbers.empty()) spec.attribute(description, numbers_as_text(options.numbers));
     return spec;
 }
 
@@ -92,10 +81,11 @@ void with_reason(const WrinkleImageWriter& writer, Work work) {
     if (!writer.file.failure().empty()) fail(writer, "");
 }
 
-void open_output(WrinkleImageWriter& writer, const char* path, const WrinkleImageWrite& what) {
-    writer.output = ImageOutput::create(what.format);
+void open_output(WrinkleImageWriter& writer, const char* path, const char* format,
+                 const WriterOptions& options) {
+    writer.output = ImageOutput::create(format);
     if (!writer.output) throw Failure(OIIO::geterror());
-    writer.spec = spec_to_write(what);
+    writer.spec = spec_to_write(format, options);
     if (!writer.output->set_ioproxy(&writer.file) || !writer.output->open(path, writer.spec))
         fail(writer, writer.output->geterror());
 }
@@ -120,16 +110,17 @@ bool write_whole_tiles(const WrinkleImageWriter& writer, const char* rows, int b
 
 }  // namespace
 
-WrinkleImageWriter* begin_image(const char* path, const WrinkleImageWrite* what,
-                                WrinkleImageText why) {
+WrinkleImageWriter* begin_image(const char* path, const char* format, const WriterOptions& options,
+                                uint32_t levels, WrinkleImageText why) {
     return guarded(why, [&]() -> WrinkleImageWriter* {
         set_up_once();
         auto writer = std::make_unique<WrinkleImageWriter>(path);
         if (!writer->file.failure().empty()) fail(*writer, "");
-        if (std::string_view(what->format) == "openexr")
-            with_reason(*writer, [&] { writer->exr.emplace(writer->file, path, *what); });
+        if (std::string_view(format) == "openexr")
+            with_reason(*writer,
+                        [&] { writer->exr.emplace(writer->file, path, options, levels > 1); });
         else
-            open_output(*writer, path, *what);
+            open_output(*writer, path, format, options);
         return writer.release();
     });
 }

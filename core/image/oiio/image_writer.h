@@ -7,8 +7,8 @@
 
 namespace wrinkle::oiio {
 
-WrinkleImageWriter* begin_image(const char* path, const WrinkleImageWrite* what,
-                                WrinkleImageText why);
+WrinkleImageWriter* begin_image(const char* path, const char* format, const WriterOptions& options,
+                                uint32_t levels, WrinkleImageText why);
 int32_t write_rows(WrinkleImageWriter* writer, uint32_t level, const void* pixels, uint32_t first,
                    uint32_t count, WrinkleImageText why);
 int32_t end_image(WrinkleImageWriter* writer, WrinkleImageText why);
