@@ -7,9 +7,7 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "bake/dilate.h"
 #include "bake/texel_points.h"
@@ -161,7 +159,8 @@ private:
             for (size_t lane = 0; lane < window_.lanes; ++lane)
                 window_.values[window_.lane_at(row, lane) + x] = texel[lane];
             ++found.covered;
-            found.not_finite += !are_finite(texel);
+            found.not_finite += !std::all_of(texel.begin(), texel.end(),
+                                             [](float value) { return std::isfinite(value); });
         }
     }
 
@@ -173,17 +172,13 @@ private:
         uint8_t* covered = window_.covered.data() + window_.covered_at(row) + rect.x;
         for (uint32_t x = 0; x < rect.width; ++x)
             covered[x] = owners[x] != Coverage::none;
-        for (uint32_t x = 0, end = 0; x < rect.width; x = end) {
-            const void* other = std::memchr(covered + x, 1 - covered[x], rect.width - x);
-            end = other ? static_cast<uint32_t>(static_cast<const uint8_t*>(other) - covered)
-                        : rect.width;
-            if (!covered[x]) continue;
-            for (size_t lane = 0; lane < window_.lanes; ++lane)
-                std::copy_n(scratch.outputs.data() + lane * scratch.stride + point, end - x,
-                            window_.values.data() + window_.lane_at(row, lane) + rect.x + x);
-            point += end - x;
+        for (size_t lane = 0; lane < window_.lanes; ++lane) {
+            const float* from = scratch.outputs.data() + lane * scratch.stride + point;
+            float* to = window_.values.data() + window_.lane_at(row, lane) + rect.x;
+            for (uint32_t x = 0; x < rect.width; ++x)
+                if (covered[x]) to[x] = *from++;
         }
-        return point;
+        return point + static_cast<size_t>(std::count(covered, covered + rect.width, 1));
     }
 
     // Returns the row index from the top of the image.
@@ -207,27 +202,14 @@ private:
         }
     }
 
-    static bool are_finite(std::span<const float> values) {
-        uint32_t not_finite = 0;  // branch-free, so that the loop is vectorised
-        for (const float value : values)
-            not_finite |= std::bit_cast<uint32_t>(value) << 1 >= 0xFF000000U;
-        return not_finite == 0;
-    }
-
     void count_points(const TileScratch& scratch, size_t count, BakeStatistics& found) const {
-        const auto lane_at = [&](size_t lane) {
-            return std::span(scratch.outputs).subspan(lane * scratch.stride, count);
-        };
-        found.covered += count;
-        bool finite = true;
+        std::vector<uint8_t> not_finite(count);
         for (size_t lane = 0; lane < window_.lanes; ++lane)
-            finite = finite && are_finite(lane_at(lane));
-        for (size_t point = 0; !finite && point < count; ++point) {
-            bool all = true;
-            for (size_t lane = 0; lane < window_.lanes; ++lane)
-                all = all && std::isfinite(lane_at(lane)[point]);
-            found.not_finite += !all;
-        }
+            for (size_t point = 0; point < count; ++point)
+                not_finite[point] |= !std::isfinite(scratch.outputs[lane * scratch.stride + point]);
+        found.covered += count;
+        found.not_finite +=
+            static_cast<uint64_t>(std::count(not_finite.begin(), not_finite.end(), 1));
     }
 
     const BakeInput& input_;

@@ -18,10 +18,10 @@ std::optional<PackedChannel> parse_channel(std::string_view word) {
     const size_t dot = word.rfind('.');
     if (dot != word.npos) {
         const std::string_view part = word.substr(dot + 1);
-        for (const std::string_view names : {std::string_view("rgba"), std::string_view("xyzw")})
-            if (part.size() == 1 && names.find(part[0]) != names.npos)
-                channel.channel = static_cast<uint32_t>(names.find(part[0]));
-        if (part.size() != 1 || std::string_view("rgbaxyzw").find(part[0]) == part.npos) return {};
+        const size_t index =
+            part.size() == 1 ? std::string_view("rgbaxyzw").find(part[0]) : part.npos;
+        if (index == part.npos) return {};
+        channel.channel = static_cast<uint32_t>(index % 4);
         word = word.substr(0, dot);
     }
     channel.map = word;
@@ -39,18 +39,18 @@ std::optional<MapRequest> parse_pack(const std::string& text, Diagnostics& diagn
         request.name = rest.substr(0, colon);
         rest.remove_prefix(colon + 1);
     }
-    bool fine = request.name != "" && identifier(request.name) == request.name;
+    bool ok = request.name != "" && identifier(request.name) == request.name;
     for (const std::string_view word : split(rest, ' ')) {
         if (word.empty()) continue;
         const auto channel = parse_channel(word);
-        fine = fine && channel;
-        if (!fine) break;
+        ok = ok && channel;
+        if (!ok) break;
         const bool twice = std::any_of(request.pack.begin(), request.pack.end(),
                                        [&](const PackedChannel& c) { return c.to == channel->to; });
-        fine = !twice;
+        ok = !twice;
         request.pack.push_back(*channel);
     }
-    if (fine && !request.pack.empty()) return request;
+    if (ok && !request.pack.empty()) return request;
     diagnostics.error("--pack \"" + text + "\" names no channels of maps", pack_remedy);
     return {};
 }

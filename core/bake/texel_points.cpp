@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -20,15 +19,6 @@ glm::dvec3 clamped_to_triangle(const glm::dvec3& weights) {
 
 bool is_outside(const glm::dvec3& weights) {
     return weights.x < 0 || weights.y < 0 || weights.z < 0;
-}
-
-// Returns true if interpolation by any weights that sum to 1 yields exactly this float: the
-// rounding error of that sum is below float precision. Excludes -0, as a sum of zeros may have
-// either sign.
-bool is_constant(float a, float b, float c) {
-    const auto bits = std::bit_cast<uint32_t>(a);
-    return bits == std::bit_cast<uint32_t>(b) && bits == std::bit_cast<uint32_t>(c) &&
-           (a != 0 || bits == 0) && std::isfinite(a);
 }
 
 }  // namespace
@@ -126,13 +116,8 @@ void TexelPoints::insert(uint32_t triangle, CachedTriangle& one) const {
     };
     one.linear.clear();
     one.constant.clear();
-    for (const Source& source : linear_) {
-        const float a = at(source, 0), b = at(source, 1), c = at(source, 2);
-        if (is_constant(a, b, c))
-            one.constant.push_back({a, source.plane});
-        else
-            one.linear.push_back({{a, b, c}, source.plane});
-    }
+    for (const Source& source : linear_)
+        one.linear.push_back({{at(source, 0), at(source, 1), at(source, 2)}, source.plane});
     for (const Source& source : changes_) {
         const double value = blend<double>(at(source, 0), at(source, 1), at(source, 2),
                                            change(one.uv, source.variant));

@@ -68,24 +68,8 @@ void Program::use() const {
 }
 
 // GL ignores location -1, the location of an unused name.
-void Program::set(const char* name, float value) const {
-    glUniform1f(glGetUniformLocation(id(), name), value);
-}
-
 void Program::set(const char* name, int value) const {
     glUniform1i(glGetUniformLocation(id(), name), value);
-}
-
-void Program::set(const char* name, glm::vec2 value) const {
-    glUniform2fv(glGetUniformLocation(id(), name), 1, glm::value_ptr(value));
-}
-
-void Program::set(const char* name, glm::vec3 value) const {
-    glUniform3fv(glGetUniformLocation(id(), name), 1, glm::value_ptr(value));
-}
-
-void Program::set(const char* name, glm::vec4 value) const {
-    glUniform4fv(glGetUniformLocation(id(), name), 1, glm::value_ptr(value));
 }
 
 void Program::set(const char* name, const glm::mat3& value) const {

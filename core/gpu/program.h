@@ -22,11 +22,12 @@ public:
     void use() const;
 
     // Precondition: the program is in use. A name that the program does not use is ignored.
-    void set(const char* name, float value) const;
+    void set(const char* name, float value) const { set(name, std::span<const float>(&value, 1)); }
     void set(const char* name, int value) const;
-    void set(const char* name, glm::vec2 value) const;
-    void set(const char* name, glm::vec3 value) const;
-    void set(const char* name, glm::vec4 value) const;
+    template <glm::length_t n>
+    void set(const char* name, const glm::vec<n, float>& value) const {
+        set(name, std::span<const float>(&value.x, n));
+    }
     void set(const char* name, const glm::mat3& value) const;
     void set(const char* name, const glm::mat4& value) const;
     void set(const char* name, std::span<const float> value) const;  // 1 to 4 components

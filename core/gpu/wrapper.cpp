@@ -34,44 +34,22 @@ const Property* find_property(std::string_view name) {
     return found == properties.end() ? nullptr : found;
 }
 
-constexpr std::string_view surface_vertex_text = R"(uniform mat4 WrView_to_clip;
-uniform vec3 WrView_eye;
-out vec3 WrView_position;
-out vec3 WrView_position_relative;
-out vec3 WrView_normal;
-out vec4 WrView_tangent;
-out vec2 WrView_uv0;
-out vec2 WrView_uv1;
-out vec2 WrView_uv2;
-out vec2 WrView_uv3;
-out vec4 WrView_color0;
+constexpr std::string_view vertex_globals = R"(out vec3 WrView_position_relative;
 out vec3 WrView_to_eye;
+uniform mat4 WrView_to_clip;
+uniform vec3 WrView_eye;
 
 void main() {
-    WrView_position = WrView_in_position;
-    WrView_position_relative = WrView_in_position - WrView_eye;
-    WrView_normal = WrView_in_normal;
-    WrView_tangent = WrView_in_tangent;
-    WrView_uv0 = WrView_in_uv0;
-    WrView_uv1 = WrView_in_uv1;
-    WrView_uv2 = WrView_in_uv2;
-    WrView_uv3 = WrView_in_uv3;
-    WrView_color0 = WrView_in_color0;
+)";
+
+constexpr std::string_view vertex_end =
+    R"(    WrView_position_relative = WrView_in_position - WrView_eye;
     WrView_to_eye = WrView_eye - WrView_in_drawn;
     gl_Position = WrView_to_clip * vec4(WrView_in_drawn, 1.0);
 }
 )";
 
-constexpr std::string_view fragment_inputs = R"(#version 330 core
-in vec3 WrView_position;
-in vec3 WrView_position_relative;
-in vec3 WrView_normal;
-in vec4 WrView_tangent;
-in vec2 WrView_uv0;
-in vec2 WrView_uv1;
-in vec2 WrView_uv2;
-in vec2 WrView_uv3;
-in vec4 WrView_color0;
+constexpr std::string_view fragment_globals = R"(in vec3 WrView_position_relative;
 in vec3 WrView_to_eye;
 out vec4 WrView_color;
 uniform bool WrView_raw;
@@ -328,20 +306,39 @@ std::string body_of(const Material& material, View view, const OutputFunction* a
     return {};
 }
 
-std::string vertex_inputs() {
-    std::string text = "#version 330 core\n";
-    const auto add = [&](int location, std::string_view type, std::string_view name) {
-        text += "layout(location = " + std::to_string(location) + ") in " + std::string(type) +
-                " WrView_in_" + std::string(name) + ";\n";
-    };
+// Calls use(input, type, name) for each input with a vertex attribute.
+template <typename Use>
+void each_attribute(Use use) {
     for (int i = 0; i < surface_input_count; ++i) {
         const auto input = static_cast<SurfaceInput>(i);
+        if (location_of(input) < 0) continue;
         const SurfaceInfo& property = info(input);
-        if (location_of(input) >= 0)
-            add(location_of(input), info(property.type).name, property.name);
+        use(input, std::string(info(property.type).name), std::string(property.name));
     }
-    add(drawn_location, "vec3", "drawn");
-    return text;
+}
+
+std::string attribute_text(int location, const std::string& type, const std::string& name) {
+    return "layout(location = " + std::to_string(location) + ") in " + type + " WrView_in_" + name +
+           ";\n";
+}
+
+std::string vertex_text() {
+    std::string text = "#version 330 core\n" + attribute_text(drawn_location, "vec3", "drawn");
+    std::string copies;
+    each_attribute([&](SurfaceInput input, const std::string& type, const std::string& name) {
+        text += attribute_text(location_of(input), type, name);
+        text += "out " + type + " WrView_" + name + ";\n";
+        copies += "    WrView_" + name + " = WrView_in_" + name + ";\n";
+    });
+    return text.append(vertex_globals).append(copies).append(vertex_end);
+}
+
+std::string fragment_inputs() {
+    std::string text = "#version 330 core\n";
+    each_attribute([&](SurfaceInput, const std::string& type, const std::string& name) {
+        text += "in " + type + " WrView_" + name + ";\n";
+    });
+    return text.append(fragment_globals);
 }
 
 }  // namespace
@@ -361,7 +358,7 @@ int attribute_location(std::string_view property) {
 
 ShaderText wrap_material(const Material& material, View view, const OutputFunction* against,
                          const Shading& shading) {
-    std::string fragment(fragment_inputs);
+    std::string fragment = fragment_inputs();
     fragment += "#line 1\n" + material.text + "\n#line 100001\n";
     fragment += helpers_of(view, shading);
     fragment += "\nvoid main() {\n";
@@ -369,7 +366,7 @@ ShaderText wrap_material(const Material& material, View view, const OutputFuncti
     fragment += surface_text;
     fragment += body_of(material, view, against);
     fragment += "    WrView_color = vec4(WrView_raw ? value : clamp(shown, 0.0, 1.0), 1.0);\n}\n";
-    return {vertex_inputs() + std::string(surface_vertex_text), std::move(fragment)};
+    return {vertex_text(), std::move(fragment)};
 }
 
 const OutputFunction* find_output(const Material& material, const std::string& output) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace wrinkle {
 namespace {
@@ -56,24 +57,23 @@ T value_at(const unsigned char* bytes) {
     return value;
 }
 
+// A normalised integer is c / max, at least -1.
+template <typename T>
+float integer_at(const unsigned char* at, bool normalized) {
+    const float value = value_at<T>(at);
+    return normalized ? std::max(value / std::numeric_limits<T>::max(), -1.0F) : value;
+}
+
 float component_at(const unsigned char* at, int type, bool normalized) {
     switch (type) {
-        case TINYGLTF_COMPONENT_TYPE_BYTE: {
-            const float v = value_at<int8_t>(at);
-            return normalized ? std::max(v / 127.0F, -1.0F) : v;
-        }
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: {
-            const float v = value_at<uint8_t>(at);
-            return normalized ? v / 255.0F : v;
-        }
-        case TINYGLTF_COMPONENT_TYPE_SHORT: {
-            const float v = value_at<int16_t>(at);
-            return normalized ? std::max(v / 32767.0F, -1.0F) : v;
-        }
-        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: {
-            const float v = value_at<uint16_t>(at);
-            return normalized ? v / 65535.0F : v;
-        }
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return integer_at<int8_t>(at, normalized);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return integer_at<uint8_t>(at, normalized);
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return integer_at<int16_t>(at, normalized);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return integer_at<uint16_t>(at, normalized);
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
             return static_cast<float>(value_at<uint32_t>(at));
         default:

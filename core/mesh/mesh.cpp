@@ -13,13 +13,6 @@ namespace wrinkle {
 namespace {
 
 template <typename T>
-void append_copy(std::vector<T>& values, uint32_t index) {
-    if (values.empty()) return;
-    const T value = values[index];
-    values.push_back(value);
-}
-
-template <typename T>
 void append_values(std::vector<T>& all, const std::vector<T>& values, size_t before, size_t count,
                    T missing) {
     if (all.empty() && values.empty()) return;
@@ -43,13 +36,9 @@ Bounds bounds_of(const Mesh& mesh) {
 }
 
 uint32_t copy_vertex(Mesh& mesh, uint32_t index) {
-    append_copy(mesh.positions, index);
-    append_copy(mesh.normals, index);
-    append_copy(mesh.tangents, index);
-    for (auto& uv : mesh.uvs)
-        append_copy(uv, index);
-    append_copy(mesh.colors, index);
-    append_copy(mesh.displaced, index);
+    each_vertex_array(mesh, [index](auto& values) {
+        if (!values.empty()) values.push_back(values[index]);
+    });
     return static_cast<uint32_t>(mesh.vertex_count() - 1);
 }
 

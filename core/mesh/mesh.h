@@ -44,6 +44,18 @@ struct Mesh {
     bool has_uv(size_t set) const { return set < max_uv_sets && !uvs[set].empty(); }
 };
 
+// Calls use(values) for each vertex array of the mesh; arrays of absent attributes are empty.
+template <typename Use>
+void each_vertex_array(Mesh& mesh, Use use) {
+    use(mesh.positions);
+    use(mesh.normals);
+    use(mesh.tangents);
+    for (auto& uvs : mesh.uvs)
+        use(uvs);
+    use(mesh.colors);
+    use(mesh.displaced);
+}
+
 struct Bounds {
     glm::vec3 low{0};
     glm::vec3 high{0};

@@ -7,13 +7,6 @@
 namespace wrinkle {
 namespace {
 
-template <typename T>
-void append_middle(std::vector<T>& values, uint32_t a, uint32_t b) {
-    if (values.empty()) return;
-    const T middle = (values[a] + values[b]) * 0.5F;
-    values.push_back(middle);
-}
-
 glm::vec3 unit(glm::vec3 v) {
     const float length = glm::length(v);
     return length > 0 ? v / length : v;
@@ -79,13 +72,9 @@ private:
     }
 
     void add_middle(uint32_t a, uint32_t b) {
-        append_middle(mesh_.positions, a, b);
-        append_middle(mesh_.normals, a, b);
-        append_middle(mesh_.tangents, a, b);
-        append_middle(mesh_.displaced, a, b);
-        for (auto& uv : mesh_.uvs)
-            append_middle(uv, a, b);
-        append_middle(mesh_.colors, a, b);
+        each_vertex_array(mesh_, [a, b](auto& values) {
+            if (!values.empty()) values.push_back((values[a] + values[b]) * 0.5F);
+        });
         if (!mesh_.normals.empty()) mesh_.normals.back() = unit(mesh_.normals.back());
         if (!mesh_.tangents.empty()) {
             glm::vec4& tangent = mesh_.tangents.back();

@@ -34,7 +34,7 @@ uint32_t UvGrid::cell_of(double coordinate, int axis) const {
     return static_cast<uint32_t>(std::clamp<double>(cell, 0, side_ - 1));
 }
 
-UvGrid::Cells UvGrid::cells_of(const Mesh& mesh, size_t triangle) const {
+UvGrid::CellRange UvGrid::cells_of(const Mesh& mesh, size_t triangle) const {
     const UvBox box = uv_box(mesh, triangle);
     return {{cell_of(box.low.x, 0), cell_of(box.low.y, 1)},
             {cell_of(box.high.x, 0), cell_of(box.high.y, 1)}};
@@ -64,26 +64,17 @@ UvGrid::UvGrid(const Mesh& mesh) {
         covering_.push_back(static_cast<uint32_t>(t));
     }
     choose_side(mesh);
-    first_.resize(size_t{side_} * side_ + 1);
-    const auto each_cell = [&](uint32_t triangle, auto use) {
-        const Cells cells = cells_of(mesh, triangle);
-        for (uint32_t y = cells.low[1]; y <= cells.high[1]; ++y)
-            for (uint32_t x = cells.low[0]; x <= cells.high[0]; ++x)
-                use(size_t{y} * side_ + x);
-    };
-    for (const uint32_t triangle : covering_)
-        each_cell(triangle, [&](size_t cell) { ++first_[cell + 1]; });
-    for (size_t cell = 0; cell + 1 < first_.size(); ++cell)
-        first_[cell + 1] += first_[cell];
-    triangles_.resize(first_.back());
-    std::vector<uint32_t> next(first_.begin(), first_.end() - 1);
-    for (const uint32_t triangle : covering_)
-        each_cell(triangle, [&](size_t cell) { triangles_[next[cell]++] = triangle; });
+    cells_.resize(size_t{side_} * side_);
+    for (const uint32_t triangle : covering_) {
+        const CellRange range = cells_of(mesh, triangle);
+        for (uint32_t y = range.low[1]; y <= range.high[1]; ++y)
+            for (uint32_t x = range.low[0]; x <= range.high[0]; ++x)
+                cells_[size_t{y} * side_ + x].push_back(triangle);
+    }
 }
 
 std::span<const uint32_t> UvGrid::near(glm::dvec2 uv) const {
-    const size_t cell = size_t{cell_of(uv.y, 1)} * side_ + cell_of(uv.x, 0);
-    return std::span(triangles_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
+    return cells_[size_t{cell_of(uv.y, 1)} * side_ + cell_of(uv.x, 0)];
 }
 
 }  // namespace wrinkle

@@ -32,19 +32,18 @@ public:
     std::span<const uint32_t> near(glm::dvec2 uv) const;
 
 private:
-    struct Cells {
+    struct CellRange {
         uint32_t low[2], high[2];  // inclusive
         uint64_t count() const { return uint64_t{high[0] - low[0] + 1} * (high[1] - low[1] + 1); }
     };
     uint32_t cell_of(double coordinate, int axis) const;
-    Cells cells_of(const Mesh& mesh, size_t triangle) const;
+    CellRange cells_of(const Mesh& mesh, size_t triangle) const;
     void choose_side(const Mesh& mesh);
 
-    UvBox box_;                       // of the layout
-    uint32_t side_ = 1;               // cells per axis
-    std::vector<uint32_t> covering_;  // triangles with an area, in the mesh's order
-    std::vector<uint32_t> first_;     // first index in triangles_ per cell, and the end
-    std::vector<uint32_t> triangles_;
+    UvBox box_;                                 // of the layout
+    uint32_t side_ = 1;                         // cells per axis
+    std::vector<uint32_t> covering_;            // triangles with an area, in the mesh's order
+    std::vector<std::vector<uint32_t>> cells_;  // triangles per cell
 };
 
 }  // namespace wrinkle
