@@ -35,7 +35,8 @@ using TriangleCache = std::array<CachedTriangle, 64>;
 
 class TexelPoints {
 public:
-    // Precondition: missing_input() (bake/mesh_check.h) returns "". The mesh must outlive this object and not change.
+    // Precondition: missing_input() (bake/mesh_check.h) returns "". The mesh must outlive this
+    // object and not change.
     TexelPoints(const Mesh& mesh, const Program& program, const UvLayout& layout);
 
     // Returns the number of points. Points are ordered as in `coverage`: owned texels, then

@@ -1,5 +1,5 @@
-// Owners of GL objects. A handle is movable; its destructor deletes the object and requires a current
-// context of the share group (of the same context for vertex arrays and framebuffers).
+// Owners of GL objects. A handle is movable; its destructor deletes the object and requires a
+// current context of the share group (of the same context for vertex arrays and framebuffers).
 #pragma once
 
 #include <cstdint>

@@ -64,9 +64,9 @@ struct Material {
     std::vector<MaterialUniform> uniforms;
 };
 
-// Converts a generated shader and its reflection. Uniforms get the values of the graph; samplers get
-// the file name under which the image is opened. Precondition: the shader has no problems, is in the
-// function form and has differentials from the screen.
+// Converts a generated shader and its reflection. Uniforms get the values of the graph; samplers
+// get the file name under which the image is opened. Precondition: the shader has no problems, is
+// in the function form and has differentials from the screen.
 Material material_from(const Shader& shader);
 
 const OutputFunction* find_output(const Material& material, const std::string& output);

@@ -44,8 +44,8 @@ struct PointJob {
 };
 
 // As material_from(), but with given differentials. Output k of the job is function k, its value in
-// the first components. The caller adds the points, the images, and for each member of the struct an
-// attribute with the member's name.
+// the first components. The caller adds the points, the images, and for each member of the struct
+// an attribute with the member's name.
 PointJob point_job_from(const Shader& shader);
 
 // result[output][point]

@@ -16,8 +16,8 @@
 // Faces of more than three corners are triangulated. If primitives or faces have different
 // attributes, the mesh has all of them: a missing uv is (0, 0), a missing colour white. Missing,
 // zero and non-finite normals are replaced by smooth ones (mean over the corners that share a
-// position, weighted by angle); missing tangents are generated (mesh/vertex_frames.h). Faces without
-// area and edges of more than two faces are retained and drawn.
+// position, weighted by angle); missing tangents are generated (mesh/vertex_frames.h). Faces
+// without area and edges of more than two faces are retained and drawn.
 //
 // Errors name the file (for an OBJ also line and column), the problem and a hint. Causes:
 // unreadable or truncated files, indices out of range, non-finite positions, uvs or colours,

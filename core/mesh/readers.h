@@ -1,9 +1,9 @@
 // Readers of the two mesh file formats, for load_mesh(); mesh/load.h lists the supported features.
 //
-// The OBJ reader is written by hand because tinyobjloader, the usual library, reads a damaged number
-// as 0 and does not report line and column.
-// The glTF reader uses tinygltf for JSON, buffers and data URIs, and adds what that library does not
-// do: range checks of accessors, node transforms, strips and fans, rules for external files.
+// The OBJ reader is written by hand because tinyobjloader, the usual library, reads a damaged
+// number as 0 and does not report line and column.
+// The glTF reader uses tinygltf for JSON, buffers and data URIs, and adds what that library does
+// not do: range checks of accessors, node transforms, strips and fans, rules for external files.
 #pragma once
 
 #include <cstdint>

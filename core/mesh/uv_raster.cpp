@@ -13,8 +13,8 @@ namespace {
 
 constexpr double max_distance = 1LL << 29;  // products of differences then fit into 64 bits
 
-// Returns the last texel of a row with its centre inside a rising edge, or minus the first such texel
-// for a falling edge: floor(edge value at the row's first texel / change per texel).
+// Returns the last texel of a row with its centre inside a rising edge, or minus the first such
+// texel for a falling edge: floor(edge value at the row's first texel / change per texel).
 int64_t edge_texel(const RasterEdge& edge, int64_t row) {
     const int64_t y = row * units + units / 2;
     const int64_t at_zero =

@@ -41,7 +41,8 @@ SquareBox squares_of(const Mesh& mesh, size_t triangle) {
     return {squares_between(a.x, b.x, c.x), squares_between(a.y, b.y, c.y)};
 }
 
-// The UDIM tiles that triangles overlap, one bit per tile. A triangle takes at most udim_rows steps.
+// The UDIM tiles that triangles overlap, one bit per tile. A triangle takes at most udim_rows
+// steps.
 class UsedTiles {
 public:
     explicit UsedTiles(bool downward) : downward_(downward) {}

@@ -1,5 +1,5 @@
-// Survey of a mesh's uv layout for a bake: the unit squares of uv that triangles overlap, and counts
-// for warnings. A square is identified by its lower left corner, two integers. Linear in the
+// Survey of a mesh's uv layout for a bake: the unit squares of uv that triangles overlap, and
+// counts for warnings. A square is identified by its lower left corner, two integers. Linear in the
 // triangles.
 //
 // UDIM numbers tiles 1001 + u + 10 row, u from 0 to 9. Rows count upward from v = 0. If the layout

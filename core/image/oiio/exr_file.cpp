@@ -91,8 +91,8 @@ void split_and_differ(std::span<const std::byte> packed, std::vector<uint8_t>& o
     }
 }
 
-// OpenEXR's zip compression: bytes with even indices before those with odd ones, each replaced by its
-// difference from the previous one (+ 128), as a zlib stream. Returns false if the stream would not
+// OpenEXR's zip compression: bytes with even indices before those with odd ones, each replaced by
+// its difference from the previous one (+ 128), as a zlib stream. Returns false if the stream would not
 // be shorter; the file then stores `packed`.
 bool zip(std::span<const std::byte> packed, std::vector<std::byte>& compressed) {
     thread_local std::vector<uint8_t> differences;
@@ -172,7 +172,8 @@ void ExrFile::sort_channels(const WriterOptions& options) {
     }
 }
 
-// Sets the range of `slot` to chunk `index` of the rows, counted from left to right and from the top down.
+// Sets the range of `slot` to chunk `index` of the rows, counted from left to right and from
+// the top down.
 void ExrFile::locate(const Rows& rows, uint32_t index, Slot& slot) const {
     const uint32_t step = tile_ > 0 ? tile_ : rows.width;
     const uint32_t y = index / rows.across * rows_per_chunk_;

@@ -51,8 +51,8 @@ struct WrinkleImageModule {
     /* Reads a number that the writer below stored in a file; returns 0 if there is none. */
     int32_t (*number)(const char* path, const char* format, uint32_t max_side, const char* name,
                       float* value);
-    /* Opens a file of format "png", "jpeg", "tiff", "openexr" or "hdr" for writing; returns NULL and
-     * the reason on failure. `levels` is 1 without mips. If this or a function below fails, the
+    /* Opens a file of format "png", "jpeg", "tiff", "openexr" or "hdr" for writing; returns NULL
+     * and the reason on failure. `levels` is 1 without mips. If this or a function below fails, the
      * caller removes the file. */
     WrinkleImageWriter* (*begin)(const char* path, const char* format,
                                  const wrinkle::WriterOptions& options, uint32_t levels,
