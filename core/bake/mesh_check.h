@@ -1,4 +1,4 @@
-// What a mesh provides to a program, and checks that it can be baked onto. Errors and warnings use
+// Attributes of a mesh as inputs of a program, and checks before a bake. Errors and warnings use
 // the mesh name given by the user.
 #pragma once
 

@@ -2,8 +2,8 @@
 //
 // The OBJ reader is written by hand because tinyobjloader, the usual library, reads a damaged
 // number as 0 and does not report line and column.
-// The glTF reader uses tinygltf for JSON, buffers and data URIs, and adds what that library does
-// not do: range checks of accessors, node transforms, strips and fans, rules for external files.
+// The glTF reader uses tinygltf for JSON, buffers and data URIs. By hand, as the library does
+// not offer them: range checks of accessors, node transforms, strips and fans, file access rules.
 #pragma once
 
 #include <cstdint>

@@ -40,7 +40,7 @@ private:
     CellRange cells_of(const Mesh& mesh, size_t triangle) const;
     void choose_side(const Mesh& mesh);
 
-    UvBox box_;                                 // of the layout
+    UvBox box_;                                 // bounds of the layout
     uint32_t side_ = 1;                         // cells per axis
     std::vector<uint32_t> covering_;            // triangles with an area, in the mesh's order
     std::vector<std::vector<uint32_t>> cells_;  // triangles per cell

@@ -92,8 +92,8 @@ void split_and_differ(std::span<const std::byte> packed, std::vector<uint8_t>& o
 }
 
 // OpenEXR's zip compression: bytes with even indices before those with odd ones, each replaced by
-// its difference from the previous one (+ 128), as a zlib stream. Returns false if the stream would not
-// be shorter; the file then stores `packed`.
+// its difference from the previous one (+ 128), as a zlib stream. Returns false if the stream would
+// not be shorter; the file then stores `packed`.
 bool zip(std::span<const std::byte> packed, std::vector<std::byte>& compressed) {
     thread_local std::vector<uint8_t> differences;
     split_and_differ(packed, differences);
