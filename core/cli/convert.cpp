@@ -48,9 +48,9 @@ const KindName* named(std::span<const KindName> table, std::string_view name) {
 // that suggests --from if the image matches none of them.
 const KindName* source_found(const Image& image, const std::string& file,
                              Diagnostics& diagnostics) {
-    const maps::Look look = maps::examine(image, Wrap::clamp).look;
-    const std::string description(description_of(look));
-    const KindName* kind = named(source_kinds, name_of(look));
+    const maps::MapClass found = maps::examine(image, Wrap::clamp).map_class;
+    const std::string description(description_of(found));
+    const KindName* kind = named(source_kinds, name_of(found));
     diagnostics.add(kind ? file_problem(Severity::warning, file, "is taken for " + description,
                                         "--from says what it is")
                          : file_problem(Severity::error, file, "looks like " + description,
