@@ -70,7 +70,7 @@ struct Workers {
     Compiler compiler;
     CostCounter counter{count, wake_window};
     CodeMaker code;
-    NodePictureMaker pictures{wake_window};
+    NodePreviewMaker pictures{wake_window};
     std::atomic<bool> closing = false;
     ImageExaminer examiner{[this](std::filesystem::path&& file) {
                                const auto stopped = [this] { return closing.load(); };

@@ -86,7 +86,7 @@ std::optional<bool> holds(const State& state, const std::vector<std::string>& w)
     if (what == "errors") return state.built.problems.error_count() == number(w[2]);
     if (what == "node") return state.document().find(w[2]) != nullptr;
     if (what == "no-node") return state.document().find(w[2]) == nullptr;
-    if (what == "thumbnail") return state.node_feed.pictures.places.contains(w[2]);
+    if (what == "thumbnail") return state.node_feed.previews.places.contains(w[2]);
     if (what == "status") return state.status.find(rest(w, 2)) != std::string::npos;
     if (what == "target") return state.targets.find(w[2]).has_value();
     if (what == "no-target") return !state.targets.find(w[2]);

@@ -17,7 +17,7 @@
 #include "editor/view/look/look.h"
 #include "editor/view/look/thumbnails.h"
 #include "editor/view/panels/open.h"
-#include "editor/view/panels/panes.h"
+#include "editor/view/panels/regions.h"
 #include "editor/view/preview/node_feed.h"
 #include "editor/view/timings.h"
 #include "editor/view/view.h"

@@ -7,7 +7,6 @@
 #include "editor/view/commands/commands.h"
 #include "editor/view/panels/browser.h"
 #include "editor/view/panels/panels.h"
-#include "editor/view/panels/samples.h"
 #include "headless.h"
 
 namespace wrinkle::editor {
@@ -32,17 +31,18 @@ TEST(Listing, HasFoldersFirstAndNamesAsPeopleCount) {
     EXPECT_EQ(names(list_folder(folder.path(), {&png, 1})),
               "zebra/ Bark.PNG wood2.png wood10.png ");
     EXPECT_EQ(list_folder(folder.path(), {}).entries.size(), 5U);
-    EXPECT_TRUE(list_folder(folder.path(), {}).trouble.empty());
+    EXPECT_TRUE(list_folder(folder.path(), {}).error_text.empty());
 }
 
 TEST(Listing, SaysWhyAFolderCannotBeRead) {
     const TemporaryFolder folder;
-    EXPECT_NE(list_folder(folder.path() / "none", {}).trouble, "");
-    EXPECT_NE(list_folder(folder.write("file", "x"), {}).trouble, "");
+    EXPECT_NE(list_folder(folder.path() / "none", {}).error_text, "");
+    EXPECT_NE(list_folder(folder.write("file", "x"), {}).error_text, "");
     if (geteuid() == 0) return;  // root can read every folder
     fs::create_directory(folder.path() / "closed");
     chmod((folder.path() / "closed").c_str(), 0);
-    EXPECT_NE(list_folder(folder.path() / "closed", {}).trouble.find("closed"), std::string::npos);
+    EXPECT_NE(list_folder(folder.path() / "closed", {}).error_text.find("closed"),
+              std::string::npos);
 }
 
 TEST(Listing, ComparesNames) {
@@ -127,7 +127,7 @@ TEST(Samples, AreListedByName) {
     for (const Sample& sample : samples) {
         EXPECT_FALSE(sample.name.empty());
         EXPECT_GT(sample.nodes, 0U);
-        EXPECT_TRUE(fs::exists(sample.picture)) << sample.picture;
+        EXPECT_TRUE(fs::exists(sample.image)) << sample.image;
     }
     EXPECT_TRUE(list_samples("/no/such/folder").empty());
 }

@@ -19,7 +19,8 @@ protected:
     void zoom_to(float zoom) {
         View& view = state.view;
         view.zoom = zoom;
-        view.pan = view.extent * 0.5F - (state.layout.low + state.layout.high) * (0.5F * view.zoom);
+        view.pan = view.extent * 0.5F -
+                   (state.layout.bounds.low + state.layout.bounds.high) * (0.5F * view.zoom);
         frame();
     }
     Extent on_screen(const Card& card) const {

@@ -8,7 +8,7 @@
 #include "editor/model/document/files.h"
 #include "editor/view/canvas/canvas.h"
 #include "editor/view/canvas/painter.h"
-#include "editor/view/look/heat.h"
+#include "editor/view/look/theme.h"
 #include "graph/edit.h"
 #include "graph/read.h"
 #include "headless.h"

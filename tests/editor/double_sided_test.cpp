@@ -39,7 +39,7 @@ protected:
         state.view.preview_view.view = gpu::View::normal;
         state.view.preview_view.mesh = mesh;
         see();
-        const PreviewPicture& picture = see();  // with the back-face rule of the mesh
+        const PreviewImage& picture = see();  // with the back-face rule of the mesh
         EXPECT_NE(picture.texture, 0U) << to_text(picture.problems);
         return pixels_of(picture.texture);
     }

@@ -1,5 +1,5 @@
 // Tests of the files that the editor reads and writes: graphs and the images near them.
-#include "editor/view/panels/popups.h"
+#include "editor/view/panels/panels.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

@@ -1,7 +1,7 @@
 // Tests of sub-graphs made from selected nodes: group and ungroup.
 #include "editor/model/document/group.h"
 #include "editor/model/document/wiring.h"
-#include "editor/view/edit/group.h"
+#include "editor/view/edit/edits.h"
 #include "graph/read.h"
 #include "graph/write.h"
 #include "headless.h"

@@ -13,8 +13,7 @@
 
 #include "editor/model/document/files.h"
 #include "editor/view/look/theme.h"
-#include "editor/view/panels/fields.h"
-#include "editor/view/panels/ui.h"
+#include "editor/view/panels/panels.h"
 #include "editor/view/refresh.h"
 #include "graph/read.h"
 #include "nodes/all.h"

@@ -7,8 +7,8 @@
 
 #include "editor/model/document/field.h"
 #include "editor/model/document/files.h"
+#include "editor/view/canvas/arrange.h"
 #include "editor/view/canvas/layout.h"
-#include "editor/view/canvas/tidy.h"
 #include "editor/view/edit/edits.h"
 #include "editor/view/refresh.h"
 #include "graph/edit.h"

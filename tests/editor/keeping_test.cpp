@@ -50,7 +50,7 @@ TEST_F(Headless, NewAndOpenAskAboutUnsavedWork) {
 TEST_F(Headless, OpeningWhatIsNotThereSaysSoAndStays) {
     open(small_graph);
     play("key Ctrl+O\nkey Ctrl+A\ntype nowhere.json\nkey Enter\nassert target answer:path");
-    EXPECT_NE(state.browser.trouble.find("nowhere.json"), std::string::npos);
+    EXPECT_NE(state.browser.error_text.find("nowhere.json"), std::string::npos);
     play("key Escape\nassert nodes 4");
     EXPECT_FALSE(state.question.open());
 }
@@ -84,7 +84,7 @@ TEST_F(Headless, ADamagedFileIsSavedUnderAnotherNameOnly) {
     const std::string broken = std::string(small_graph).substr(0, 300);
     open(broken);
     play("key Ctrl+Shift+S\nkey Ctrl+A\ntype graph.json\nkey Enter\nassert target answer:path");
-    EXPECT_NE(state.browser.trouble.find("Choose another name"), std::string::npos);
+    EXPECT_NE(state.browser.error_text.find("Choose another name"), std::string::npos);
     play("wait\nkey Ctrl+A\ntype part.json\nkey Enter\nassert status Saved");
     EXPECT_EQ(text_of(file), broken);
     play("click node:noise\nkey Delete\nkey Ctrl+S\nassert status Saved");

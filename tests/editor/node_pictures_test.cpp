@@ -14,7 +14,7 @@ namespace {
 
 NodePreviews pictures_of(const std::string& nodes, const std::filesystem::path& folder = ".") {
     Diagnostics problems;
-    NodePictureJob job;
+    NodePreviewJob job;
     job.version = 7;
     job.registry = &built_in_registry();
     job.document = read_document(R"({ "wrinkle": 1, "nodes": {)" + nodes + R"(}, "outputs": {} })",
@@ -110,30 +110,30 @@ TEST(NodePreviews, ANodeThatDependsOnNothingBrokenHasAThumbnail) {
 }
 
 TEST_F(Headless, ThumbnailsAreMadeBeforeThereIsAnOutput) {
-    NodePictureMaker maker;
+    NodePreviewMaker maker;
     state.node_feed.maker = &maker;
     open(R"({ "wrinkle": 1, "nodes": { "noise": { "type": "gradient_noise" } } })");
     frame();
     maker.wait_idle();
     frame();
-    EXPECT_TRUE(state.node_feed.pictures.places.contains("noise"));
+    EXPECT_TRUE(state.node_feed.previews.places.contains("noise"));
     state.node_feed.maker = nullptr;
 }
 
 TEST_F(Headless, ThumbnailsOfTheFormerGraphAreForgotten) {
-    NodePictureMaker maker;
+    NodePreviewMaker maker;
     state.node_feed.maker = &maker;
     open(small_graph);
     frame();
     maker.wait_idle();
     frame();
-    EXPECT_EQ(state.node_feed.pictures.places.size(), 2U);
+    EXPECT_EQ(state.node_feed.previews.places.size(), 2U);
     open(R"({ "wrinkle": 1, "nodes": { "normal": { "type": "no_such_node" } } })");
-    EXPECT_TRUE(state.node_feed.pictures.places.empty());
+    EXPECT_TRUE(state.node_feed.previews.places.empty());
     frame();
     maker.wait_idle();
     frame();
-    EXPECT_TRUE(state.node_feed.pictures.places.empty());
+    EXPECT_TRUE(state.node_feed.previews.places.empty());
     state.node_feed.maker = nullptr;
 }
 
@@ -152,7 +152,7 @@ TEST_F(Headless, ThePictureOfAMapIsTheMap) {
 // Returns the y offset of the preview on the node's card; negative if there is none.
 float picture_of(const State& state, const std::string& node) {
     const Card* card = state.layout.find(node);
-    return card ? card->picture_y : -2;
+    return card ? card->preview_y : -2;
 }
 
 TEST_F(Headless, ACardShowsWhatItMakesWhereThatIsAnotherKindOfThing) {
@@ -164,7 +164,7 @@ TEST_F(Headless, ACardShowsWhatItMakesWhereThatIsAnotherKindOfThing) {
     const float height = state.layout.find("softer")->size.y;
     play("key V");
     EXPECT_GT(picture_of(state, "softer"), 0);
-    EXPECT_GT(state.layout.find("softer")->size.y, height + picture_height);
+    EXPECT_GT(state.layout.find("softer")->size.y, height + node_preview_height);
     play("key V");
     EXPECT_LT(picture_of(state, "softer"), 0);
     play("key Shift+V");
@@ -174,13 +174,13 @@ TEST_F(Headless, ACardShowsWhatItMakesWhereThatIsAnotherKindOfThing) {
 
 TEST_F(Headless, PicturesFollowWhatChangesThemAndNothingElse) {
     open(small_graph);
-    NodePictureMaker maker;
+    NodePreviewMaker maker;
     state.node_feed.maker = &maker;
     const auto newest = [&] {
         frame();
         maker.wait_idle();
         frame();
-        return state.node_feed.pictures;
+        return state.node_feed.previews;
     };
     const NodePreviews first = newest();
     EXPECT_EQ(first.places.size(), 2U);

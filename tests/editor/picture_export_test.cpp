@@ -1,5 +1,5 @@
 // Tests of exporting the preview as an image file of any size. Skipped only if GL is not available.
-#include "editor/view/preview/picture_export.h"
+#include "editor/view/preview/image_export.h"
 
 #include <epoxy/gl.h>
 
@@ -50,7 +50,7 @@ TEST_F(PictureExport, WritesWhatIsShown) {
     play(
         "click preview:picture\nkey Ctrl+A\ntype shown\nkey Enter\nfinish\n"
         "assert status Wrote shown.png");
-    const PreviewPicture& shown = state.preview->shown();
+    const PreviewImage& shown = state.preview->shown();
     const auto image = written("shown.png");
     ASSERT_TRUE(image);
     ASSERT_EQ(image->width, static_cast<uint32_t>(shown.width));
@@ -73,7 +73,7 @@ TEST_F(PictureExport, WritesWhatIsShown) {
 }
 
 TEST_F(PictureExport, TakesTheSizeThatIsChosen) {
-    start_picture_export(state, folder.path() / "wide.png", {600, 200});
+    start_image_export(state, folder.path() / "wide.png", {600, 200});
     play("finish\nassert status Wrote wide.png");
     const auto image = written("wide.png");
     ASSERT_TRUE(image);
@@ -85,16 +85,16 @@ TEST_F(PictureExport, TakesTheSizeThatIsChosen) {
 }
 
 TEST_F(PictureExport, SaysWhenItCannotBeWrittenAndLeavesNothing) {
-    start_picture_export(state, folder.path() / "nowhere" / "a.png", {64, 64});
+    start_image_export(state, folder.path() / "nowhere" / "a.png", {64, 64});
     play("finish\nassert status a.png was not written");
     EXPECT_FALSE(fs::exists(folder.path() / "nowhere"));
-    start_picture_export(state, folder.path() / "a.png", {1 << 20, 1 << 20});
+    start_image_export(state, folder.path() / "a.png", {1 << 20, 1 << 20});
     play("finish\nassert status a.png was not drawn");
     EXPECT_FALSE(fs::exists(folder.path() / "a.png"));
 }
 
 TEST_F(PictureExport, IsCancelledBeforeItIsDrawn) {
-    start_picture_export(state, folder.path() / "a.png", {2048, 2048});
+    start_image_export(state, folder.path() / "a.png", {2048, 2048});
     cancel_task(state);
     play("finish");
     EXPECT_EQ(state.status, "Drawing a.png was cancelled. Nothing was written.");

@@ -1,7 +1,7 @@
 // Tests of card positions: nodes without a stored position, the sample graphs, and Tidy.
 #include "editor/model/document/files.h"
+#include "editor/view/canvas/arrange.h"
 #include "editor/view/canvas/layout.h"
-#include "editor/view/canvas/tidy.h"
 #include "editor/view/look/draw.h"
 #include "headless.h"
 

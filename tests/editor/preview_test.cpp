@@ -35,7 +35,7 @@ const char* const two_bumps = R"({
 
 TEST_F(WithPreview, APictureIsDrawnOnTheOtherThread) {
     begin(two_bumps);
-    const PreviewPicture& picture = see();
+    const PreviewImage& picture = see();
     ASSERT_NE(picture.texture, 0U) << to_text(picture.problems);
     EXPECT_FALSE(picture.refused);
     EXPECT_TRUE(is_settled(state));
@@ -47,7 +47,7 @@ TEST_F(WithPreview, APictureIsDrawnOnTheOtherThread) {
 
 TEST_F(WithPreview, TheNewestOfManyJobsIsShownAndHeldTexturesStay) {
     begin(two_bumps);
-    const PreviewPicture first = see();
+    const PreviewImage first = see();
     const auto before = pixels_of(first.texture);
     for (int i = 1; i <= 60; ++i) {
         state.view.preview_view.yaw = 0.02F * static_cast<float>(i);
@@ -55,7 +55,7 @@ TEST_F(WithPreview, TheNewestOfManyJobsIsShownAndHeldTexturesStay) {
     }
     preview_->wait_idle();
     EXPECT_EQ(pixels_of(first.texture), before) << "it is still being looked at";
-    EXPECT_EQ(preview_->picture().version, preview_->asked());
+    EXPECT_EQ(preview_->newest().version, preview_->asked());
     EXPECT_NE(pixels_of(preview_->shown().texture), before);
 }
 
@@ -217,7 +217,7 @@ TEST_F(WithPreview, TheDegreesOfAComparisonAreThoseOfTheCpu) {
     begin(two_bumps);
     for (const char* blend : {"udn", "whiteout", "rnm", "linear"}) {
         compare(Against::blend, blend);
-        const PreviewPicture& picture = see();
+        const PreviewImage& picture = see();
         ASSERT_NE(picture.other, 0U) << blend << state.built.why_not_shown;
         const std::vector<float>& degrees = *picture.angles.degrees;
         // The plane is viewed from the front and fills a square of the image.

@@ -6,7 +6,6 @@
 #include "editor/model/document/files.h"
 #include "editor/model/words.h"
 #include "editor/view/look/draw.h"
-#include "editor/view/panels/samples.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

@@ -4,7 +4,7 @@
 #include "editor/model/document/files.h"
 #include "editor/model/document/recovery.h"
 #include "editor/model/words.h"
-#include "editor/view/panels/hints.h"
+#include "editor/view/panels/panels.h"
 #include "headless.h"
 
 namespace wrinkle::editor {

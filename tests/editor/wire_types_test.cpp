@@ -6,7 +6,6 @@
 #include "editor/model/document/wiring.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/edit/edits.h"
-#include "editor/view/edit/offer.h"
 #include "editor/view/look/draw.h"
 #include "headless.h"
 #include "lower/conversion.h"

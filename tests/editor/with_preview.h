@@ -34,7 +34,7 @@ protected:
     }
 
     // Returns the rendering of the newest document, `side` x `side` pixels.
-    const PreviewPicture& see() {
+    const PreviewImage& see() {
         refresh(state);
         preview_->show(state.view.preview_view, other_normal(state), state.view.compare, side,
                        side);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/view/canvas/grid.h"
+#include "editor/view/canvas/columns.h"
 #include "editor/view/look/draw.h"
 #include "graph/edit.h"
 
@@ -16,16 +16,6 @@ std::vector<const Card*> selected_cards(const State& state) {
         if (card.kind == Card::Kind::node && state.view.selected.contains(card.id))
             cards.push_back(&card);
     return cards;
-}
-
-Extent bounds(const std::vector<const Card*>& cards) {
-    Extent box{cards.front()->at, cards.front()->at};
-    for (const Card* card : cards) {
-        const ImVec2 end = card->at + card->size;
-        box.low = {std::min(box.low.x, card->at.x), std::min(box.low.y, card->at.y)};
-        box.high = {std::max(box.high.x, end.x), std::max(box.high.y, end.y)};
-    }
-    return box;
 }
 
 ImVec2 in_line(const Card& card, const Extent& box, Side side) {
@@ -43,8 +33,9 @@ ImVec2 in_line(const Card& card, const Extent& box, Side side) {
 
 Document aligned(const State& state, Side side) {
     const std::vector<const Card*> cards = selected_cards(state);
-    if (cards.empty()) return state.document();
-    const Extent box = bounds(cards);
+    Extent box;
+    for (const Card* card : cards)
+        box.add(card->extent());
     std::vector<NodePosition> places;
     for (const Card* card : cards) {
         const ImVec2 at = in_line(*card, box, side);

@@ -11,11 +11,6 @@ namespace {
 
 constexpr float grip = 6;  // screen pixels on either side of an edge
 
-bool holds(const Extent& outer, const Extent& inner) {
-    return inner.low.x >= outer.low.x && inner.low.y >= outer.low.y &&
-           inner.high.x <= outer.high.x && inner.high.y <= outer.high.y;
-}
-
 // The edges within `reach`, as bits: left 1, right 2, top 4, bottom 8.
 uint8_t edges_at(ImVec2 at, const Extent& box, float reach) {
     const bool in_x = at.x >= box.low.x - reach && at.x <= box.high.x + reach;
@@ -29,19 +24,20 @@ uint8_t edges_at(ImVec2 at, const Extent& box, float reach) {
     return static_cast<uint8_t>(edges);
 }
 
-bool contains(const Extent& box, ImVec2 at) {
-    return at.x >= box.low.x && at.y >= box.low.y && at.x < box.high.x && at.y < box.high.y;
-}
-
 }  // namespace
 
-Extent extent_of(const State& state, const BoxId& id, const Box& box) {
-    const Gesture& g = state.gesture;
+Extent extent_of(const Box& box) {
+    const ImVec2 low(static_cast<float>(box.rect.x), static_cast<float>(box.rect.y));
+    return {low,
+            low + ImVec2(static_cast<float>(box.rect.width), static_cast<float>(box.rect.height))};
+}
+
+Extent extent_of(const CanvasState& canvas, const BoxId& id, const Box& box) {
+    const Gesture& g = canvas.gesture;
     const bool carried = g.kind == Gesture::Kind::move && g.carried_boxes.contains(id);
     const ImVec2 by = carried ? g.offset : ImVec2(0, 0);
-    const ImVec2 low(static_cast<float>(box.rect.x), static_cast<float>(box.rect.y));
-    const ImVec2 size(static_cast<float>(box.rect.width), static_cast<float>(box.rect.height));
-    return {low + by, low + by + size};
+    const Extent stored = extent_of(box);
+    return {stored.low + by, stored.high + by};
 }
 
 std::optional<Hit> pick_box(const State& state, ImVec2 mouse) {
@@ -57,7 +53,7 @@ std::optional<Hit> pick_box(const State& state, ImVec2 mouse) {
         if (!boxes[i].note)
             handle.high.y =
                 std::min(extent.high.y, extent.low.y + std::max(title_height, 18 / zoom));
-        if (contains(handle, at)) return hit;
+        if (handle.contains(at)) return hit;
     }
     return std::nullopt;
 }
@@ -80,9 +76,9 @@ void add_contents(const State& state, const BoxId& frame, std::set<std::string>&
     if (frame.note) return;
     const Extent outer = extent_of(state, frame, *box);
     for (const Card& card : state.layout.cards)
-        if (holds(outer, {card.at, card.at + card.size})) cards.insert(card.id);
+        if (outer.contains(card.extent())) cards.insert(card.id);
     for (const BoxId& other : all_boxes(state.document()))
-        if (holds(outer, extent_of(state, other, *find_box(state.document(), other))))
+        if (outer.contains(extent_of(state, other, *find_box(state.document(), other))))
             boxes.insert(other);
 }
 

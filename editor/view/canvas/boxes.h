@@ -11,8 +11,9 @@ namespace wrinkle::editor {
 
 inline constexpr float title_height = 36, box_corner = 8;
 
+Extent extent_of(const Box& box);  // as stored
 // The extent as drawn, including the drag in progress.
-Extent extent_of(const State& state, const BoxId& id, const Box& box);
+Extent extent_of(const CanvasState& canvas, const BoxId& id, const Box& box);
 
 // Hit test for the title, an edge or a corner of a frame, and for any point of a note. Returns a
 // hit with `card` = Hit::no_card and `part` = index in all_boxes(); std::nullopt if no box is hit.

@@ -8,7 +8,6 @@
 #include "editor/view/canvas/layout.h"
 #include "editor/view/canvas/new_cards.h"
 #include "editor/view/edit/edits.h"
-#include "editor/view/edit/group.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/refresh.h"
 
@@ -19,15 +18,16 @@ using Kind = Gesture::Kind;
 
 constexpr float threshold = 4;  // pixels before a press becomes a drag
 
-void toggle_more(State& state, const Card& card) {
-    bool& all = card.kind == Card::Kind::surface ? state.view.all_surface : state.view.all_outputs;
+void toggle_more(CanvasState& canvas, const Card& card) {
+    bool& all =
+        card.kind == Card::Kind::surface ? canvas.view.all_surface : canvas.view.all_outputs;
     all = !all;
-    state.layout_stale = true;
+    canvas.layout_stale = true;
 }
 
 // Double-click: the name is renamed in place; the rest of a sub-graph's card opens the sub-graph.
-bool is_on_name(const State& state, const Card& card) {
-    const ImVec2 at = to_canvas(state.view, ImGui::GetIO().MousePos) - card.at;
+bool is_on_name(const CanvasState& canvas, const Card& card) {
+    const ImVec2 at = to_canvas(canvas.view, ImGui::GetIO().MousePos) - card.at;
     return at.y < header_height && at.x < name_left + card.name_width + 4;
 }
 
@@ -40,21 +40,17 @@ void double_click(State& state, const Hit& hit) {
         edit_box_text(state, all_boxes(state.document())[hit.part]);
         return;
     }
-    if (hit.kind == Hit::Kind::card || hit.kind == Hit::Kind::header) {
-        const Card& card = state.layout.cards[hit.card];
-        const Node* node = state.document().find(card.id);
-        if (node && node->subgraph() && !is_on_name(state, card)) {
-            state.view.selected = {card.id};
-            return open_selected_group(state);
-        }
-    }
-    if (hit.kind == Hit::Kind::header) {
-        const Card& card = state.layout.cards[hit.card];
-        if (card.kind == Card::Kind::node) open_popup(state, card, nullptr, Popup::Kind::rename);
-    } else if (hit.kind == Hit::Kind::field) {
-        const Card& card = state.layout.cards[hit.card];
-        const Field& field = card.fields[hit.part];
-        if (field.lanes > 0) open_popup(state, card, &field, Popup::Kind::text);
+    if (!hit.on_card(state.layout)) return;
+    const Card& card = state.layout.cards[hit.card];
+    const Node* node = state.document().find(card.id);
+    if ((hit.kind == Hit::Kind::card || hit.kind == Hit::Kind::header) && node &&
+        node->subgraph() && !is_on_name(state, card)) {
+        state.view.selected = {card.id};
+        open_selected_group(state);
+    } else if (hit.kind == Hit::Kind::header && card.kind == Card::Kind::node) {
+        open_popup(state, card, nullptr, Popup::Kind::rename);
+    } else if (hit.kind == Hit::Kind::field && card.fields[hit.part].lanes > 0) {
+        open_popup(state, card, &card.fields[hit.part], Popup::Kind::text);
     }
 }
 
@@ -186,19 +182,17 @@ bool points_at_layout(const Gesture& g) {
            g.kind == Kind::move;
 }
 
-void zoom_by_wheel(State& state) {
+void zoom_by_wheel(CanvasState& canvas) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseWheel != 0)
-        zoom_at(state.view, state.layout, io.MousePos, std::pow(1.1F, io.MouseWheel));
+        zoom_at(canvas.view, canvas.layout, io.MousePos, std::pow(1.1F, io.MouseWheel));
 }
 
 void press_right(State& state, const Hit& hit) {
     const ImGuiIO& io = ImGui::GetIO();
-    const bool on_card = hit.card < state.layout.cards.size() && hit.kind != Hit::Kind::nothing &&
-                         hit.kind != Hit::Kind::wire;
     if (io.KeyCtrl) return begin_gesture(state, Kind::cut, 1);
     if (io.KeyShift) return begin_gesture(state, Kind::reroute, 1);
-    if (io.KeyAlt && on_card) {
+    if (io.KeyAlt && hit.on_card(state.layout)) {
         begin_gesture(state, Kind::lazy, 1);
         state.gesture.card = hit.card;
     } else if (hit.kind == Hit::Kind::nothing && !io.KeyAlt) {
@@ -209,9 +203,7 @@ void press_right(State& state, const Hit& hit) {
 // Shows the name of a small card in a tooltip if the canvas does not show it in full.
 void explain_small_card(State& state) {
     const Hit& hit = state.hovered;
-    const bool at_card = hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire &&
-                         hit.card < state.layout.cards.size();
-    if (!at_card || state.view.zoom >= plain_zoom) return;
+    if (!hit.on_card(state.layout) || state.view.zoom >= plain_zoom) return;
     const Card& card = state.layout.cards[hit.card];
     for (const CardName& name : card_names(state))
         if (name.card == hit.card && !name.cut) return;

@@ -18,6 +18,8 @@
 //   Escape                   cancel the gesture
 #pragma once
 
+#include <optional>
+#include "editor/view/look/draw.h"
 #include "editor/view/look/tooltip.h"
 #include "editor/view/state.h"
 
@@ -32,10 +34,19 @@ void draw_gesture(const State& state, ImDrawList& list);  // feedback of the ges
 void update_gesture(State& state, bool active);
 void name_targets(State& state);
 // The rectangle of the hit row of a card, which a tooltip must not cover.
-About about_hit(const State& state, const Hit& hit);
+About about_hit(const CanvasState& canvas, const Hit& hit);
 
 // Connects the loose end of a wire; on failure sets state.status to the reason.
 void connect_wire(State& state, const Gesture& wire, const Card& card, const Pin& pin);
 bool wire_fits(const State& state, const Gesture& wire, const Card& card, const Pin& pin);
+
+// Geometry of wires, in canvas units.
+Curve curve_of(const Wire& wire);
+
+// Returns the first intersection of the wire with the segment from a to b; std::nullopt if none.
+std::optional<ImVec2> crossing(const Layout& layout, size_t wire, ImVec2 a, ImVec2 b);
+
+// Returns the wire under the card that is nearest to its center, except wires of the card itself.
+std::optional<size_t> wire_under(const Layout& layout, const Card& card);
 
 }  // namespace wrinkle::editor

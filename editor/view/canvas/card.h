@@ -4,7 +4,8 @@
 
 #include <imgui.h>
 
-#include <memory>
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,11 +14,36 @@
 #include "lower/conversion.h"
 #include "registry/registry.h"
 
-namespace wrinkle {
-class Types;
-}
-
 namespace wrinkle::editor {
+
+// Axis-aligned rectangle; the default one contains nothing.
+struct Extent {
+    ImVec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
+
+    // The smallest rectangle that contains both points.
+    static Extent between(ImVec2 a, ImVec2 b) {
+        Extent box{a, a};
+        box.add({b, b});
+        return box;
+    }
+
+    bool empty() const { return low.x > high.x; }
+    bool contains(ImVec2 at) const {
+        return at.x >= low.x && at.y >= low.y && at.x < high.x && at.y < high.y;
+    }
+    bool contains(const Extent& inner) const {
+        return inner.low.x >= low.x && inner.low.y >= low.y && inner.high.x <= high.x &&
+               inner.high.y <= high.y;
+    }
+    bool touches(const Extent& other) const {
+        return low.x <= other.high.x && low.y <= other.high.y && high.x >= other.low.x &&
+               high.y >= other.low.y;
+    }
+    void add(const Extent& other) {
+        low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
+        high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
+    }
+};
 
 // A card is a node of the document, or the card of the surface, the graph inputs or the outputs.
 // Lengths in canvas units, relative to the card's corner.
@@ -56,10 +82,14 @@ struct Card {
     std::vector<Pin> pins;
     std::vector<Field> fields;
     float more_y = -1;     // top of the row that shows all properties; -1: none
-    float picture_y = -1;  // top of the node preview; -1: none
+    float preview_y = -1;  // top of the node preview; -1: none
     // The header's texts as shown, truncated to fit; title may be "".
     std::string name, title;
     float name_width = 0;
+
+    Extent extent() const { return {at, {at.x + size.x, at.y + size.y}}; }
+    // Node id in a link to the card; "" for the outputs of the graph.
+    std::string link_id() const { return kind == Kind::outputs ? "" : id; }
 };
 struct Wire {
     Link from;
@@ -70,18 +100,15 @@ struct Wire {
     bool known = true;
     Conversion conversion = Conversion::same;
     uint32_t from_card = 0, to_card = 0;  // in Layout::cards
+
+    bool ends_at(const Link& input) const { return node == input.node && port == input.port; }
+    ImVec2 middle() const { return {(start.x + end.x) / 2, (start.y + end.y) / 2}; }
 };
-struct Extent {
-    ImVec2 low{0, 0}, high{0, 0};
-    bool touches(const Extent& other) const {
-        return low.x <= other.high.x && low.y <= other.high.y && high.x >= other.low.x &&
-               high.y >= other.low.y;
-    }
-};
+
 struct Layout {
     std::vector<Card> cards;  // in drawing order
     std::vector<Wire> wires;
-    ImVec2 low{0, 0}, high{0, 0};
+    Extent bounds{{0, 0}, {0, 0}};
     std::vector<Extent> card_boxes, wire_boxes;  // canvas units; a card includes its pins
 
     const Card* find(std::string_view id, Card::Kind kind = Card::Kind::node) const;
@@ -93,10 +120,6 @@ struct Layout {
     uint64_t fonts = 0;                  // Fonts::generation()
     ImVec2 dragged{0, 0};                // offset of the dragged cards from their stored positions
     size_t made = 0;                     // cards of nodes built by the last update
-    std::shared_ptr<const Types> types;  // types of `nodes`
-    size_t links = 0;                    // links in the document; `wires` has those with both pins
-    bool placed = false;                 // every node has a position in the document
-    bool patched = false;                // the last update was incremental
 };
 
 // Result of a hit test under the pointer.
@@ -107,6 +130,10 @@ struct Hit {
     size_t card = 0;    // in Layout::cards
     size_t part = 0;    // pin or field of the card; wire of the layout; box (canvas/boxes.h)
     uint8_t edges = 0;  // edges of a box, as bits: left 1, right 2, top 4, bottom 8
+
+    bool on_card(const Layout& layout) const {  // or on a part of a card
+        return kind != Kind::nothing && kind != Kind::wire && card < layout.cards.size();
+    }
 };
 
 }  // namespace wrinkle::editor

@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 
-#include "editor/view/canvas/grid.h"
 #include "editor/view/look/draw.h"
 
 namespace wrinkle::editor {

@@ -1,14 +1,22 @@
-// Layout of boxes in columns with lines between their sides, independent of cards and wires.
-// Lengths in canvas units. For editor/view/canvas/tidy.cpp.
+// The canvas's grid, and a layout of boxes in columns with lines between their sides, independent
+// of cards and wires. Lengths in canvas units.
 #pragma once
 
 #include <imgui.h>
 
 #include <vector>
 
+#include <cmath>
 #include "editor/view/canvas/card.h"
 
 namespace wrinkle::editor {
+
+inline constexpr float grid = 8;
+inline constexpr float row_gap = 32, column_gap = 64;  // between cards in columns
+
+inline float grid_up(float length) {
+    return std::ceil(length / grid) * grid;
+}
 
 struct ColumnBox {
     ImVec2 size{0, 0};

@@ -1,4 +1,4 @@
-#include "editor/view/canvas/crossing.h"
+#include "editor/view/canvas/canvas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,6 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr int steps = 32;
-
-Extent around(ImVec2 a, ImVec2 b) {
-    return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
-}
 
 float across(ImVec2 a, ImVec2 b) {
     return a.x * b.y - a.y * b.x;
@@ -32,7 +28,7 @@ Curve curve_of(const Wire& wire) {
 }
 
 std::optional<ImVec2> crossing(const Layout& layout, size_t wire, ImVec2 a, ImVec2 b) {
-    if (!layout.wire_boxes[wire].touches(around(a, b))) return std::nullopt;
+    if (!layout.wire_boxes[wire].touches(Extent::between(a, b))) return std::nullopt;
     const Curve curve = curve_of(layout.wires[wire]);
     ImVec2 last = curve.a;
     for (int i = 1; i <= steps; ++i) {
@@ -44,7 +40,7 @@ std::optional<ImVec2> crossing(const Layout& layout, size_t wire, ImVec2 a, ImVe
 }
 
 std::optional<size_t> wire_under(const Layout& layout, const Card& card) {
-    const Extent box{card.at, card.at + card.size};
+    const Extent box = card.extent();
     const ImVec2 middle = card.at + card.size * 0.5F;
     std::optional<size_t> found;
     float best = 0;

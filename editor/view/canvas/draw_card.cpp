@@ -3,10 +3,10 @@
 
 #include "editor/model/words.h"
 #include "editor/view/canvas/canvas.h"
-#include "editor/view/canvas/card_text.h"
+#include "editor/view/canvas/make_card.h"
 #include "editor/view/canvas/painter.h"
-#include "editor/view/look/heat.h"
-#include "editor/view/look/icons.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
 #include "lower/mute.h"
 
@@ -100,7 +100,7 @@ void draw_header(const Painter& p, size_t index, ImVec2 low, ImVec2 high) {
     if (card.muted)
         p.list.AddLine(low + ImVec2(left, 14) * z, low + ImVec2(left + card.name_width, 14) * z,
                        theme::text_off, 1);
-    if (const Diagnostic* problem = p.trouble(index).worst) {
+    if (const Diagnostic* problem = p.issue(index)) {
         const ImVec2 center(high.x - 15 * z, low.y + 14 * z);
         draw_badge(p, center, std::max(16 * z, 8.0F), *problem);
         const ImVec2 off = ImGui::GetIO().MousePos - center;
@@ -122,21 +122,20 @@ ImU32 plain_color(const Painter& p, const Card& card) {
 
 // The node preview, cropped to the card's width; at half opacity if the current graph has no
 // running shader and the preview is of an earlier graph.
-void draw_picture(const Painter& p, const Card& card, ImVec2 low, ImVec2 high) {
-    if (card.picture_y < 0) return;
-    const ImVec2 from(low.x + field_inset * p.zoom, low.y + card.picture_y * p.zoom);
-    const ImVec2 to(high.x - field_inset * p.zoom, from.y + picture_height * p.zoom);
+void draw_node_preview(const Painter& p, const Card& card, ImVec2 low, ImVec2 high) {
+    if (card.preview_y < 0) return;
+    const ImVec2 from(low.x + field_inset * p.zoom, low.y + card.preview_y * p.zoom);
+    const ImVec2 to(high.x - field_inset * p.zoom, from.y + node_preview_height * p.zoom);
     const NodeFeed& feed = p.state.node_feed;
-    const auto place = feed.pictures.places.find(card.id);
-    if (place != feed.pictures.places.end() && place->second < feed.atlas.count()) {
-        PictureAtlas::Place at = feed.atlas.place(place->second);
+    const auto place = feed.previews.places.find(card.id);
+    if (place != feed.previews.places.end() && place->second < feed.atlas.count()) {
+        PreviewAtlas::Place at = feed.atlas.place(place->second);
         const float wide = (to.x - from.x) / (to.y - from.y) * NodePreviews::height;
         const float u = (at.u1 - at.u0) * (1 - std::min(wide / NodePreviews::width, 1.0F)) / 2;
         const float v = (at.v1 - at.v0) * (1 - std::min(NodePreviews::width / wide, 1.0F)) / 2;
         const ImU32 tint = theme::with_alpha(IM_COL32_WHITE, p.state.built.running() ? 1 : 0.5F);
-        p.list.AddImageRounded(
-            reinterpret_cast<ImTextureID>(static_cast<intptr_t>(feed.atlas.texture())), from, to,
-            {at.u0 + u, at.v1 - v}, {at.u1 - u, at.v0 + v}, tint, 3 * p.zoom);
+        p.list.AddImageRounded(texture_id(feed.atlas.texture()), from, to, {at.u0 + u, at.v1 - v},
+                               {at.u1 - u, at.v0 + v}, tint, 3 * p.zoom);
     }
     p.list.AddRect(from, to, theme::border, 3 * p.zoom);
 }
@@ -170,7 +169,7 @@ void draw_plain(const Painter& p, size_t index, ImVec2 low, ImVec2 high, bool se
     const ImVec2 edge(selected ? 2.0F : 1.0F, selected ? 2.0F : 1.0F);
     if (high.x - low.x > 2 * edge.x + 1 && high.y - low.y > 2 * edge.y + 1)
         p.list.AddRectFilled(low + edge, high - edge, plain_color(p, p.state.layout.cards[index]));
-    if (const Diagnostic* problem = p.trouble(index).worst)
+    if (const Diagnostic* problem = p.issue(index))
         draw_badge(p, {high.x - 5, low.y + 5}, 8, *problem);
 }
 
@@ -221,13 +220,13 @@ void draw_body(const Painter& p, size_t index, ImVec2 low, ImVec2 high, bool hov
     const Hit& hit = p.state.hovered;
     const ImVec2 under(low.x, low.y + header_height * p.zoom);
     if (card.kind == Card::Kind::node && !card.type) draw_hatch(p, under, high);
-    const bool faulty = p.trouble(index).worst != nullptr;
+    const bool faulty = p.issue(index) != nullptr;
     if (p.details)
         for (size_t i = 0; i < card.fields.size(); ++i)
             draw_field(p, card, card.fields[i],
                        hovered && hit.kind == Hit::Kind::field && hit.part == i,
                        faulty ? p.fault(card, card.fields[i].port) : nullptr);
-    draw_picture(p, card, low, high);
+    draw_node_preview(p, card, low, high);
     if (p.details || p.view.heat) draw_cost(p, card, high, hovered);
     if (!card.muted) return;
     p.list.AddRectFilled(under + ImVec2(1, 0), high - ImVec2(1, 1),
@@ -245,9 +244,8 @@ void draw_card(const Painter& p, size_t index) {
     const bool selected = p.is_selected(index);
     if (p.plain) return draw_plain(p, index, low, high, selected);
     const Hit& hit = p.state.hovered;
-    const bool hovered =
-        (hit.card == index && hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire) ||
-        (card.kind == Card::Kind::node && card.id == p.state.code.hovered);
+    const bool hovered = (hit.card == index && hit.on_card(p.state.layout)) ||
+                         (card.kind == Card::Kind::node && card.id == p.state.code.hovered);
     const float radius = 6 * p.zoom;
     const bool held = selected && p.state.gesture.kind == Gesture::Kind::move;
     const ImVec2 fall = held ? ImVec2(4, 6) : ImVec2(2, 3);

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "editor/view/canvas/canvas.h"
-#include "editor/view/canvas/crossing.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/canvas/lazy.h"
 #include "editor/view/look/theme.h"
@@ -60,11 +59,9 @@ void draw_lazy(const State& state, ImDrawList& list) {
     const Card& from = state.layout.cards[state.gesture.card];
     outline(state, list, from);
     const Hit& hit = state.hovered;
-    const bool on_card = hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire &&
-                         hit.card < state.layout.cards.size();
     ImVec2 start = to_screen(state.view, from.at + from.size * 0.5F), end = ImGui::GetIO().MousePos;
     ImU32 color = theme::accent;
-    if (on_card && hit.card != state.gesture.card) {
+    if (hit.on_card(state.layout) && hit.card != state.gesture.card) {
         const Card& to = state.layout.cards[hit.card];
         outline(state, list, to);
         if (const auto wire = lazy_wire(state, from, to)) {

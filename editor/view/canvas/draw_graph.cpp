@@ -5,7 +5,7 @@
 #include "editor/view/canvas/canvas.h"
 #include "editor/view/canvas/card_names.h"
 #include "editor/view/canvas/painter.h"
-#include "editor/view/look/heat.h"
+#include "editor/view/look/theme.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -46,8 +46,7 @@ void draw_ghost(const Painter& p) {
     const std::string& id = wire.from_output ? wire.from.node : wire.node;
     const std::string& port = wire.from_output ? wire.from.port : wire.port;
     for (const Card& card : p.state.layout.cards) {
-        const std::string own = card.kind == Card::Kind::outputs ? "" : card.id;
-        if (own != id) continue;
+        if (card.link_id() != id) continue;
         for (const Pin& pin : card.pins) {
             if (pin.port != port || pin.output != wire.from_output) continue;
             const ImVec2 fixed = p.at(pin_at(card, pin));
@@ -62,11 +61,9 @@ void draw_ghost(const Painter& p) {
 
 void draw_box(const Painter& p) {
     if (p.state.gesture.kind != Gesture::Kind::box || !p.state.gesture.moved) return;
-    const ImVec2 a = p.state.gesture.start, b = ImGui::GetIO().MousePos;
-    const ImVec2 low(std::min(a.x, b.x), std::min(a.y, b.y));
-    const ImVec2 high(std::max(a.x, b.x), std::max(a.y, b.y));
-    p.list.AddRectFilled(low, high, theme::with_alpha(theme::accent, 0.1F));
-    p.list.AddRect(low, high, theme::accent);
+    const Extent box = Extent::between(p.state.gesture.start, ImGui::GetIO().MousePos);
+    p.list.AddRectFilled(box.low, box.high, theme::with_alpha(theme::accent, 0.1F));
+    p.list.AddRect(box.low, box.high, theme::accent);
 }
 
 void draw_hint(const Painter& p) {
@@ -74,7 +71,8 @@ void draw_hint(const Painter& p) {
     constexpr std::string_view hint = "Space adds a node. Drop an image to start.";
     const float width = text_width(p.state.fonts.regular(16), 16, hint);
     ImVec2 at = p.view.corner + p.view.extent * 0.5F - ImVec2(width / 2, 8);
-    if (!p.state.layout.cards.empty()) at.y = p.at(p.state.layout.high).y + 24;  // below them
+    if (!p.state.layout.cards.empty())
+        at.y = p.at(p.state.layout.bounds.high).y + 24;  // below them
     draw_text(p.list, p.state.fonts.regular(16), 16, at, theme::text_dim, hint);
 }
 

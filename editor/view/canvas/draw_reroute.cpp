@@ -17,8 +17,7 @@ void draw_reroute(const Painter& p, size_t index) {
     const ImVec2 middle = (start + end) * 0.5F;
     list.AddLine(start, end, color, 2.5F * std::clamp(zoom, 0.5F, 1.5F));
     const Hit& hit = state.hovered;
-    const bool hovered =
-        hit.card == index && hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire;
+    const bool hovered = hit.card == index && hit.on_card(state.layout);
     if (p.is_selected(index))
         list.AddCircle(middle, 12 * zoom, theme::accent, 0, 2);
     else if (hovered)

@@ -58,11 +58,6 @@ void explain(const Painter& p, const Wire& wire, const About& pill) {
                  alternative(wire.from_type, wire.to_type, *p.state.registry));
 }
 
-bool is_chosen(const View& view, const Wire& wire) {
-    return view.selected_wire && view.selected_wire->node == wire.node &&
-           view.selected_wire->port == wire.port;
-}
-
 // A converted wire changes its color in the middle.
 void draw_line(const Painter& p, const Wire& wire, const Curve& k, ImU32 color, float thickness) {
     const int count = pieces(k, p.plain);
@@ -87,7 +82,7 @@ void draw_wire(const Painter& p, size_t index) {
     float thickness = (hovered ? 4 : belongs ? 3 : 2.5F) * std::clamp(p.zoom, 0.5F, 1.5F);
     if (p.plain) thickness = hovered || belongs ? 2 : 1;
     ImU32 color = wire.known ? theme::of(wire.from_type) : theme::text_off;
-    if (is_chosen(p.view, wire)) color = theme::accent;
+    if (p.view.selected_wire && wire.ends_at(*p.view.selected_wire)) color = theme::accent;
     if (wire.conversion == Conversion::illegal)
         draw_dashed(p.list, k, theme::error, thickness, 6, 4);
     else

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "editor/model/document/history.h"
-#include "editor/view/canvas/layout_parts.h"
 #include "editor/view/canvas/make_card.h"
 #include "editor/view/look/draw.h"
 #include "graph/edit.h"
@@ -20,7 +19,7 @@ struct Readers {
     std::vector<uint32_t> source;         // by link, in document order: index of a node, or `none`
     std::vector<uint32_t> first;          // by node: index of its first output in `ports`
     std::vector<std::string_view> ports;  // outputs that are read, grouped by node
-    std::vector<uint64_t> key;            // by node: equal if the same outputs are read
+    std::vector<uint64_t> key;            // by node: sum of hashes of the outputs that are read
     Used used;
 
     std::span<const std::string_view> of(size_t node) const {
@@ -52,7 +51,7 @@ Readers find_readers(const Document& document) {
         readers.source.push_back(source);
         if (source == none) return;
         ++readers.first[source + 1];
-        readers.key[source] += reader_key(link.port);
+        readers.key[source] += std::hash<std::string_view>{}(link.port);
     });
     for (size_t i = 0; i < document.nodes.size(); ++i)
         readers.first[i + 1] += readers.first[i];
@@ -82,15 +81,15 @@ public:
     Card take(size_t index) {
         const NodePtr& node = state_.document().nodes[index];
         const NodeType* type = state_.model.types->of(0, index);
-        const bool picture = has_picture(state_.view, *node, type);
+        const bool preview = has_preview(state_.view, *node, type);
         const size_t before = index_before(index, node);
         if (before != Table<NodePtr>::npos && old_.readers[before] == readers_.key[index] &&
             has_lasting_type(*node)) {
             Card& card = old_.cards[old_.card_of_node[before]];
-            if (card.type == type && (card.picture_y >= 0) == picture) return std::move(card);
+            if (card.type == type && (card.preview_y >= 0) == preview) return std::move(card);
         }
         ++made;
-        return make_card(state_.fonts, *node, type, readers_.of(index), picture);
+        return make_card(state_.fonts, *node, type, readers_.of(index), preview);
     }
 
     size_t made = 0;
@@ -114,13 +113,46 @@ const Pin* find_pin(const Card& card, std::string_view port, bool output) {
     return nullptr;
 }
 
+// Extent of a card with its pins and shadow.
+Extent box_of(const Card& card) {
+    return {card.at - ImVec2(9, 3), card.at + card.size + ImVec2(9, 6)};
+}
+
+void find_bounds(Layout& layout) {
+    layout.bounds = layout.cards.empty() ? Extent{{0, 0}, {0, 0}} : Extent();
+    for (const Card& card : layout.cards)
+        layout.bounds.add(card.extent());
+}
+
+// Derives types, conversion, end points and bounding box of a wire from its cards.
+void fit_wire(const Layout& layout, Wire& wire, Extent& box) {
+    const Card &from = layout.cards[wire.from_card], &to = layout.cards[wire.to_card];
+    const Pin& start = *find_pin(from, wire.from.port, true);
+    const Pin& end = *find_pin(to, wire.port, false);
+    wire.from_type = start.type;
+    wire.to_type = end.type;
+    wire.known = start.known && end.known;
+    wire.conversion = wire.known ? conversion(start.type, end.type) : Conversion::same;
+    wire.start = pin_at(from, start);
+    wire.end = pin_at(to, end);
+    const Curve k = wire_curve(wire.start, wire.end, 1);
+    box.low = {std::min(k.a.x, k.c.x) - 4, std::min(k.a.y, k.d.y) - 4};
+    box.high = {std::max(k.d.x, k.b.x) + 4, std::max(k.a.y, k.d.y) + 4};
+}
+
+// Adds the wire if both cards have its pins.
 void add_wire(Layout& layout, const Link& from, uint32_t source, uint32_t reader,
               const std::string& port) {
-    auto wire = make_wire(layout, from, source, reader, port);
-    if (!wire) return;
-    layout.wires.push_back(std::move(*wire));
-    layout.wire_boxes.emplace_back();
-    fit_wire(layout, layout.wires.back(), layout.wire_boxes.back());
+    if (source == none || reader == none) return;
+    const Card& to = layout.cards[reader];
+    if (!find_pin(layout.cards[source], from.port, true) || !find_pin(to, port, false)) return;
+    Wire& wire = layout.wires.emplace_back();
+    wire.from = from;
+    wire.node = to.link_id();
+    wire.port = port;
+    wire.from_card = source;
+    wire.to_card = reader;
+    fit_wire(layout, wire, layout.wire_boxes.emplace_back());
 }
 
 uint32_t card_of_kind(const Layout& layout, Card::Kind kind) {
@@ -177,10 +209,10 @@ void order_cards(const State& state, Layout& layout) {
 
 void add_border_cards(State& state, Layout& layout, const Used& used) {
     find_bounds(layout);
-    const ImVec2 low = layout.low, high = layout.high;
+    const ImVec2 low = layout.bounds.low;
     Card surface = make_surface_card(state, used), outputs = make_outputs_card(state);
     if (!state.view.surface_at) state.view.surface_at = ImVec2(low.x - surface.size.x - 80, low.y);
-    if (!state.view.outputs_at) state.view.outputs_at = ImVec2(high.x + 80, low.y);
+    if (!state.view.outputs_at) state.view.outputs_at = ImVec2(layout.bounds.high.x + 80, low.y);
     surface.at = *state.view.surface_at;
     outputs.at = *state.view.outputs_at;
     if (!state.document().inputs.empty()) {
@@ -196,9 +228,6 @@ Layout lay_out(State& state) {
     const Document& document = state.document();
     const Readers readers = find_readers(document);
     Layout layout;
-    layout.placed = std::all_of(
-        document.nodes.begin(), document.nodes.end(),
-        [&](const NodePtr& node) { return document.positions.find(node->id) != nullptr; });
     layout.fonts = state.fonts.generation();
     layout.cards.reserve(document.nodes.size() + 3);
     CardTaker taker(state, state.layout, readers);
@@ -214,8 +243,6 @@ Layout lay_out(State& state) {
     layout.made = taker.made;
     layout.nodes = document.nodes;
     layout.readers = readers.key;
-    layout.types = state.model.types;
-    layout.links = readers.source.size();
     add_border_cards(state, layout, readers.used);
     order_cards(state, layout);
     layout.card_boxes.reserve(layout.cards.size());
@@ -268,7 +295,7 @@ std::vector<Extent> places_off_canvas(const State& state, const Document& docume
         const Node& node = *document.nodes[i];
         const NodeType* type = model.types->of(0, i);
         sizes.push_back(
-            make_card(state.fonts, node, type, readers.of(i), has_picture(state.view, node, type))
+            make_card(state.fonts, node, type, readers.of(i), has_preview(state.view, node, type))
                 .size);
     }
     std::vector<Extent> extents;
@@ -279,64 +306,15 @@ std::vector<Extent> places_off_canvas(const State& state, const Document& docume
 
 void update_layout(State& state) {
     const Document& now = state.document();
-    const bool reset_interaction = state.gesture.kind != Gesture::Kind::move &&
-                                   (state.layout.dragged.x != 0 || state.layout.dragged.y != 0);
-    const bool anew =
-        state.layout_stale || reset_interaction || state.layout.fonts != state.fonts.generation();
-    if (anew || !same_document(state.layout_of, now)) {
-        if (anew || !patch_layout(state)) state.layout = lay_out(state);
+    const bool drag_ended = state.gesture.kind != Gesture::Kind::move &&
+                            (state.layout.dragged.x != 0 || state.layout.dragged.y != 0);
+    if (state.layout_stale || drag_ended || state.layout.fonts != state.fonts.generation() ||
+        !same_document(state.layout_of, now)) {
+        state.layout = lay_out(state);
         state.layout_of = now;
         state.layout_stale = false;
     }
     drag_cards(state, state.layout);
-}
-
-Extent box_of(const Card& card) {
-    return {card.at - ImVec2(9, 3), card.at + card.size + ImVec2(9, 6)};
-}
-
-void find_bounds(Layout& layout) {
-    layout.low = layout.high = {0, 0};
-    bool first = true;
-    for (const Card& card : layout.cards) {
-        const ImVec2 end = card.at + card.size;
-        layout.low =
-            first ? card.at
-                  : ImVec2(std::min(layout.low.x, card.at.x), std::min(layout.low.y, card.at.y));
-        layout.high =
-            first ? end : ImVec2(std::max(layout.high.x, end.x), std::max(layout.high.y, end.y));
-        first = false;
-    }
-}
-
-std::optional<Wire> make_wire(const Layout& layout, const Link& from, uint32_t source,
-                              uint32_t reader, const std::string& port) {
-    if (source == none || reader == none) return std::nullopt;
-    const Card& to = layout.cards[reader];
-    if (!find_pin(layout.cards[source], from.port, true) || !find_pin(to, port, false))
-        return std::nullopt;
-    Wire wire;
-    wire.from = from;
-    if (to.kind == Card::Kind::node) wire.node = to.id;
-    wire.port = port;
-    wire.from_card = source;
-    wire.to_card = reader;
-    return wire;
-}
-
-void fit_wire(const Layout& layout, Wire& wire, Extent& box) {
-    const Card &from = layout.cards[wire.from_card], &to = layout.cards[wire.to_card];
-    const Pin& start = *find_pin(from, wire.from.port, true);
-    const Pin& end = *find_pin(to, wire.port, false);
-    wire.from_type = start.type;
-    wire.to_type = end.type;
-    wire.known = start.known && end.known;
-    wire.conversion = wire.known ? conversion(start.type, end.type) : Conversion::same;
-    wire.start = pin_at(from, start);
-    wire.end = pin_at(to, end);
-    const Curve k = wire_curve(wire.start, wire.end, 1);
-    box.low = {std::min(k.a.x, k.c.x) - 4, std::min(k.a.y, k.d.y) - 4};
-    box.high = {std::max(k.d.x, k.b.x) + 4, std::max(k.a.y, k.d.y) + 4};
 }
 
 ImVec2 pin_at(const Card& card, const Pin& pin) {

@@ -12,7 +12,7 @@ inline constexpr float plain_zoom = 0.35F;  // below it cards are plain rectangl
 inline constexpr float name_left = 29;      // x of the name, on a card with a header pin
 inline constexpr float header_height = 28, row_height = 24, field_height = 21, field_inset = 12;
 inline constexpr float cost_height = 20;  // height of the last row; 8 without costs
-inline constexpr float picture_height = 72;
+inline constexpr float node_preview_height = 72;
 // A pin at either end, the type's shape in the middle.
 inline constexpr float reroute_width = 32, reroute_height = 16;
 

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "editor/model/document/field.h"
-#include "editor/view/canvas/card_text.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/look/magnified.h"
 
@@ -14,8 +13,8 @@ namespace {
 class CardMaker {
 public:
     CardMaker(const Fonts& fonts, const Node& node, std::span<const std::string_view> read,
-              bool picture)
-        : fonts_(fonts), node_(node), read_(read), picture_(picture) {}
+              bool preview)
+        : fonts_(fonts), node_(node), read_(read), preview_(preview) {}
 
     Card make(const NodeType* type) {
         card.id = node_.id;
@@ -58,7 +57,7 @@ private:
     const Fonts& fonts_;
     const Node& node_;
     std::span<const std::string_view> read_;
-    bool picture_;
+    bool preview_;
 };
 
 bool shows_field(const Port& port) {
@@ -147,9 +146,9 @@ void CardMaker::fill_ports() {
         if (field) add_field(i, port, y + 1.5F);
         y += row_height;
     }
-    if (picture_) {
-        card.picture_y = y + 4;
-        y += picture_height + 8;
+    if (preview_) {
+        card.preview_y = y + 4;
+        y += node_preview_height + 8;
     }
     card.size.y = y + cost_height;
 }
@@ -214,7 +213,7 @@ void close_card(const Fonts& fonts, Card& card, bool more) {
 
 }  // namespace
 
-bool has_picture(const View& view, const Node& node, const NodeType* type) {
+bool has_preview(const View& view, const Node& node, const NodeType* type) {
     if (!view.pictures || !type || node.type == reroute_type) return false;
     const std::string shown = shown_port(*type);
     const auto made = std::find_if(type->ports.begin(), type->ports.end(),
@@ -227,8 +226,8 @@ bool has_picture(const View& view, const Node& node, const NodeType* type) {
 }
 
 Card make_card(const Fonts& fonts, const Node& node, const NodeType* type,
-               std::span<const std::string_view> read, bool picture) {
-    Card card = CardMaker(fonts, node, read, picture).make(type);
+               std::span<const std::string_view> read, bool preview) {
+    Card card = CardMaker(fonts, node, read, preview).make(type);
     write_header(fonts, card);
     return card;
 }

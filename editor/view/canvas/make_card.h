@@ -4,6 +4,7 @@
 #include <set>
 #include <span>
 
+#include "editor/view/look/magnified.h"
 #include "editor/view/state.h"
 
 namespace wrinkle::editor {
@@ -11,11 +12,11 @@ namespace wrinkle::editor {
 // Returns true if the card shows a node preview. By default only nodes with a shown output type
 // different from all their input types do, so that a chain of operators does not repeat one
 // preview.
-bool has_picture(const View& view, const Node& node, const NodeType* type);
+bool has_preview(const View& view, const Node& node, const NodeType* type);
 
 // `read` lists the outputs with a reader, possibly with duplicates. The card is at (0, 0).
 Card make_card(const Fonts& fonts, const Node& node, const NodeType* type,
-               std::span<const std::string_view> read, bool picture);
+               std::span<const std::string_view> read, bool preview);
 
 // Surface properties and graph inputs that are read.
 struct Used {
@@ -26,3 +27,11 @@ Card make_inputs_card(const State& state, const Used& used);
 Card make_outputs_card(const State& state);
 
 }  // namespace wrinkle::editor
+
+// Text styles of a card, shared by measuring and drawing.
+namespace wrinkle::editor::card_text {
+
+inline constexpr TextStyle body, body_right{16, false, true}, bold{16, true};
+inline constexpr TextStyle small{14}, small_right{14, false, true};
+
+}  // namespace wrinkle::editor::card_text

@@ -1,10 +1,10 @@
-#include "editor/view/canvas/make_space.h"
+#include "editor/view/canvas/arrange.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "editor/model/document/wiring.h"
-#include "editor/view/canvas/grid.h"
+#include "editor/view/canvas/columns.h"
 #include "editor/view/look/draw.h"
 #include "graph/edit.h"
 
@@ -23,10 +23,10 @@ struct Moved {
     float by = 0;
 };
 
-void put_borders(State& state, const View::Borders& at) {
-    state.view.surface_at = at.surface;
-    state.view.outputs_at = at.outputs;
-    state.layout_stale = true;
+void put_borders(CanvasState& canvas, const View::Borders& at) {
+    canvas.view.surface_at = at.surface;
+    canvas.view.outputs_at = at.outputs;
+    canvas.layout_stale = true;
 }
 
 }  // namespace
@@ -69,14 +69,14 @@ void push_borders(State& state, const View::Borders& to) {
     put_borders(state, to);
 }
 
-void follow_undo(State& state, uint64_t serial) {
-    for (const View::Push& push : state.view.pushes)
-        if (push.serial == serial) put_borders(state, push.from);
+void follow_undo(CanvasState& canvas, uint64_t serial) {
+    for (const View::Push& push : canvas.view.pushes)
+        if (push.serial == serial) put_borders(canvas, push.from);
 }
 
-void follow_redo(State& state, uint64_t serial) {
-    for (const View::Push& push : state.view.pushes)
-        if (push.serial == serial) put_borders(state, push.to);
+void follow_redo(CanvasState& canvas, uint64_t serial) {
+    for (const View::Push& push : canvas.view.pushes)
+        if (push.serial == serial) put_borders(canvas, push.to);
 }
 
 }  // namespace wrinkle::editor

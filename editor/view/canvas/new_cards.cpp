@@ -1,11 +1,12 @@
 #include "editor/view/canvas/new_cards.h"
+#include "editor/view/canvas/boxes.h"
 
 #include "editor/model/document/boxes.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "editor/view/canvas/grid.h"
+#include "editor/view/canvas/columns.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/canvas/make_card.h"
 #include "editor/view/look/draw.h"
@@ -20,11 +21,9 @@ constexpr int most_steps = 128;
 constexpr size_t max_things = 16;
 
 Extent around(const std::vector<Extent>& things) {
-    Extent all = things.front();
-    for (const Extent& each : things) {
-        all.low = {std::min(all.low.x, each.low.x), std::min(all.low.y, each.low.y)};
-        all.high = {std::max(all.high.x, each.high.x), std::max(all.high.y, each.high.y)};
-    }
+    Extent all;
+    for (const Extent& each : things)
+        all.add(each);
     return all;
 }
 
@@ -53,12 +52,6 @@ std::optional<ImVec2> free_on_ring(const std::vector<Extent>& fixed,
     return std::nullopt;
 }
 
-Extent extent_of(const Box& box) {
-    const ImVec2 low(static_cast<float>(box.rect.x), static_cast<float>(box.rect.y));
-    return {low,
-            low + ImVec2(static_cast<float>(box.rect.width), static_cast<float>(box.rect.height))};
-}
-
 }  // namespace
 
 ImVec2 free_shift(const std::vector<Extent>& fixed, std::vector<Extent> moving, ImVec2 by) {
@@ -70,10 +63,10 @@ ImVec2 free_shift(const std::vector<Extent>& fixed, std::vector<Extent> moving, 
     return {by.x, grid_up(around(fixed).high.y + clear - around(moving).low.y)};
 }
 
-std::vector<Extent> card_extents(const State& state, const std::set<std::string>& except) {
+std::vector<Extent> card_extents(const CanvasState& canvas, const std::set<std::string>& except) {
     std::vector<Extent> extents;
-    for (const Card& card : state.layout.cards)
-        if (!except.contains(card.id)) extents.push_back({card.at, card.at + card.size});
+    for (const Card& card : canvas.layout.cards)
+        if (!except.contains(card.id)) extents.push_back(card.extent());
     return extents;
 }
 
@@ -90,8 +83,8 @@ ImVec2 free_offset(const State& state, const std::vector<Extent>& places, const 
 
 ImVec2 free_place(const State& state, ImVec2 at, const Node& node, const NodeType* type,
                   const std::set<std::string>& except) {
-    const bool picture = has_picture(state.view, node, type);
-    const ImVec2 size = make_card(state.fonts, node, type, {}, picture).size;
+    const bool preview = has_preview(state.view, node, type);
+    const ImVec2 size = make_card(state.fonts, node, type, {}, preview).size;
     return free_shift(card_extents(state, except), {{{0, 0}, size}}, at);
 }
 
@@ -104,19 +97,19 @@ Document settled(const State& state, const Document& document) {
     return places.empty() ? document : move_nodes(document, places);
 }
 
-void show_new(State& state, const std::set<std::string>& ids) {
-    View& view = state.view;
+void show_new(CanvasState& canvas, const std::set<std::string>& ids) {
+    View& view = canvas.view;
     view.selected = view.reveal = ids;
     view.selected_wire.reset();
     std::erase_if(view.order, [&](const std::string& id) { return ids.contains(id); });
     view.order.insert(view.order.end(), ids.begin(), ids.end());
-    state.layout_stale = true;
+    canvas.layout_stale = true;
 }
 
-void reveal_new(State& state) {
-    for (const std::string& id : state.view.reveal)
-        if (const Card* card = state.layout.find(id)) bring_in_sight(state.view, *card);
-    state.view.reveal.clear();
+void reveal_new(CanvasState& canvas) {
+    for (const std::string& id : canvas.view.reveal)
+        if (const Card* card = canvas.layout.find(id)) bring_in_sight(canvas.view, *card);
+    canvas.view.reveal.clear();
 }
 
 }  // namespace wrinkle::editor

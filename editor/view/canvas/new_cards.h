@@ -15,7 +15,8 @@ namespace wrinkle::editor {
 // one below all `fixed`. O(fixed * moving) per offset, at most 70,000 offsets.
 ImVec2 free_shift(const std::vector<Extent>& fixed, std::vector<Extent> moving, ImVec2 by);
 // Extents of all cards except `except`.
-std::vector<Extent> card_extents(const State& state, const std::set<std::string>& except = {});
+std::vector<Extent> card_extents(const CanvasState& canvas,
+                                 const std::set<std::string>& except = {});
 
 // Returns an offset near `by`, on the grid, at which cards at `places` and the boxes of `source`
 // overlap no card, and the boxes overlap no other box.
@@ -32,7 +33,7 @@ ImVec2 free_place(const State& state, ImVec2 at, const Node& node, const NodeTyp
 Document settled(const State& state, const Document& document);
 
 // Selects new nodes and raises them above all other cards; the next frame scrolls them into view.
-void show_new(State& state, const std::set<std::string>& ids);
-void reveal_new(State& state);  // after the layout update
+void show_new(CanvasState& canvas, const std::set<std::string>& ids);
+void reveal_new(CanvasState& canvas);  // after the layout update
 
 }  // namespace wrinkle::editor

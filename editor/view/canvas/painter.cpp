@@ -14,7 +14,7 @@ Painter::Painter(const State& state, ImDrawList& list)
       origin_(to_screen(state.view, {0, 0})),
       seen_{to_canvas(state.view, view.corner), to_canvas(state.view, view.corner + view.extent)} {
     find_selected();
-    find_troubles();
+    find_issues();
     if (view.tracing && !view.selected.empty()) find_related();
     if (view.heat && state.costs()) find_most_expensive();
 }
@@ -29,21 +29,21 @@ void Painter::find_selected() {
         primary_ = state.layout.find(view.order.back());
 }
 
-void Painter::find_troubles() {
+void Painter::find_issues() {
     for (const Diagnostic& problem : state.built.problems.list())
-        blame(problem);
+        add_issue(problem);
     for (const ImageWarning& remark : state.images.remarks)
-        blame(remark.problem);
+        add_issue(remark.problem);
 }
 
-void Painter::blame(const Diagnostic& problem) {
+void Painter::add_issue(const Diagnostic& problem) {
     const std::string_view path = problem.node;
     const Card* card = path.empty() ? nullptr : state.layout.find(path.substr(0, path.find('/')));
     if (!card) return;
-    troubles_.resize(state.layout.cards.size());
-    NodeIssue& trouble = troubles_[static_cast<size_t>(card - state.layout.cards.data())];
-    if (!trouble.worst || (!trouble.error() && problem.severity == Severity::error))
-        trouble.worst = &problem;
+    issues_.resize(state.layout.cards.size());
+    const Diagnostic*& issue = issues_[static_cast<size_t>(card - state.layout.cards.data())];
+    if (!issue || (issue->severity != Severity::error && problem.severity == Severity::error))
+        issue = &problem;
 }
 
 // Marks cards upstream and downstream of the selection, and the wires on these paths.
@@ -75,8 +75,8 @@ void Painter::find_related() {
 
 void Painter::find_most_expensive() {
     for (const Price& price : state.costs()->nodes) {
-        dearest_.reads = std::max(dearest_.reads, price.cost.reads);
-        dearest_.alu = std::max(dearest_.alu, price.cost.alu);
+        max_cost_.reads = std::max(max_cost_.reads, price.cost.reads);
+        max_cost_.alu = std::max(max_cost_.alu, price.cost.alu);
     }
 }
 
@@ -95,7 +95,7 @@ float Painter::heat(const Price& price) const {
     const auto part = [](uint32_t of, uint32_t whole) {
         return whole == 0 ? 0.0F : static_cast<float>(of) / static_cast<float>(whole);
     };
-    return std::max(part(price.cost.reads, dearest_.reads), part(price.cost.alu, dearest_.alu));
+    return std::max(part(price.cost.reads, max_cost_.reads), part(price.cost.alu, max_cost_.alu));
 }
 
 void fade(ImDrawList& list, int first) {

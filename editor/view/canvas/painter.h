@@ -12,12 +12,6 @@
 
 namespace wrinkle::editor {
 
-// The most severe diagnostic of a card; nullptr: none.
-struct NodeIssue {
-    const Diagnostic* worst = nullptr;
-    bool error() const { return worst && worst->severity == Severity::error; }
-};
-
 class Painter {
 public:
     Painter(const State& state, ImDrawList& list);
@@ -35,9 +29,8 @@ public:
         draw_magnified(list, state.fonts, style, zoom, at, color, what);
     }
     bool is_selected(size_t card) const { return !selected_.empty() && selected_[card]; }
-    NodeIssue trouble(size_t card) const {
-        return troubles_.empty() ? NodeIssue{} : troubles_[card];
-    }
+    // The most severe diagnostic of a card; nullptr: none.
+    const Diagnostic* issue(size_t card) const { return issues_.empty() ? nullptr : issues_[card]; }
     // The first diagnostic at a port of the card; nullptr: none.
     const Diagnostic* fault(const Card& card, std::string_view port) const;
     bool is_primary(const Card& card) const { return &card == primary_; }
@@ -50,17 +43,17 @@ public:
 
 private:
     void find_selected();
-    void find_troubles();
-    void blame(const Diagnostic& problem);
+    void find_issues();
+    void add_issue(const Diagnostic& problem);
     void find_related();
     void find_most_expensive();
 
     ImVec2 origin_;
     Extent seen_;
     std::vector<bool> selected_;                 // by card; empty: none
-    std::vector<NodeIssue> troubles_;            // by card; empty: none
+    std::vector<const Diagnostic*> issues_;      // by card; empty: none
     std::vector<bool> related_, related_wires_;  // by card, by wire; empty: nothing fades
-    ShaderCost dearest_;                         // maximum reads and maximum ops of any node
+    ShaderCost max_cost_;                        // maximum reads and maximum ops of any node
     const Card* primary_ = nullptr;              // the last selected card, if several are selected
 };
 

@@ -12,10 +12,6 @@ namespace {
 constexpr float pin_radius = 12;  // screen pixels
 constexpr float wire_radius = 6;
 
-bool within(ImVec2 at, ImVec2 low, ImVec2 high) {
-    return at.x >= low.x && at.y >= low.y && at.x < high.x && at.y < high.y;
-}
-
 float squared(ImVec2 v) {
     return v.x * v.x + v.y * v.y;
 }
@@ -27,36 +23,36 @@ Extent around(const View& view, ImVec2 mouse, float radius) {
 }
 
 // The middle of a reroute moves it; its ends are pins.
-bool is_handle(const State& state, const Card& card, ImVec2 mouse) {
-    const ImVec2 at = to_canvas(state.view, mouse) - card.at;
-    return card.reroute && within(at, {9, 0}, {23, reroute_height});
+bool is_handle(const CanvasState& canvas, const Card& card, ImVec2 mouse) {
+    const ImVec2 at = to_canvas(canvas.view, mouse) - card.at;
+    return card.reroute && Extent{{9, 0}, {23, reroute_height}}.contains(at);
 }
 
 // The topmost card under the pointer, or Hit::no_card.
-size_t card_at(const State& state, ImVec2 mouse) {
-    const auto& cards = state.layout.cards;
-    const ImVec2 at = to_canvas(state.view, mouse);
+size_t card_at(const CanvasState& canvas, ImVec2 mouse) {
+    const auto& cards = canvas.layout.cards;
+    const ImVec2 at = to_canvas(canvas.view, mouse);
     for (size_t i = cards.size(); i-- > 0;)
-        if (within(at, cards[i].at, cards[i].at + cards[i].size)) return i;
+        if (cards[i].extent().contains(at)) return i;
     return Hit::no_card;
 }
 
 // Returns the nearest pin within 12 screen pixels. On a card, and if pins are not drawn, the radius
 // shrinks with zooms below 1, so that the rest of a small card still moves it. A card hides the
 // pins below it.
-Hit nearest_pin(const State& state, ImVec2 mouse, size_t card) {
+Hit nearest_pin(const CanvasState& canvas, ImVec2 mouse, size_t card) {
     Hit hit;
-    const float zoom = state.view.zoom;
+    const float zoom = canvas.view.zoom;
     const bool narrow = card != Hit::no_card || zoom < plain_zoom;
     const float radius = pin_radius * (narrow ? std::min(zoom, 1.0F) : 1.0F);
     float best = radius * radius;
-    const auto& cards = state.layout.cards;
-    const Extent near = around(state.view, mouse, radius);
+    const auto& cards = canvas.layout.cards;
+    const Extent near = around(canvas.view, mouse, radius);
     for (size_t i = card == Hit::no_card ? 0 : card; i < cards.size(); ++i) {
-        if (!state.layout.card_boxes[i].touches(near)) continue;
+        if (!canvas.layout.card_boxes[i].touches(near)) continue;
         for (size_t k = 0; k < cards[i].pins.size(); ++k) {
-            const ImVec2 at = to_screen(state.view, pin_at(cards[i], cards[i].pins[k]));
-            if (squared(at - mouse) > best || is_handle(state, cards[i], mouse)) continue;
+            const ImVec2 at = to_screen(canvas.view, pin_at(cards[i], cards[i].pins[k]));
+            if (squared(at - mouse) > best || is_handle(canvas, cards[i], mouse)) continue;
             best = squared(at - mouse);
             hit = {Hit::Kind::pin, i, k};
         }
@@ -64,23 +60,24 @@ Hit nearest_pin(const State& state, ImVec2 mouse, size_t card) {
     return hit;
 }
 
-Hit part_of_card(const State& state, size_t index, ImVec2 mouse) {
-    const Card& card = state.layout.cards[index];
-    const ImVec2 at = to_canvas(state.view, mouse) - card.at;
+Hit part_of_card(const CanvasState& canvas, size_t index, ImVec2 mouse) {
+    const Card& card = canvas.layout.cards[index];
+    const ImVec2 at = to_canvas(canvas.view, mouse) - card.at;
     if (at.y < header_height) return {Hit::Kind::header, index, 0};
     if (card.more_y >= 0 && at.y >= card.more_y) return {Hit::Kind::more, index, 0};
-    if (state.view.zoom >= detail_zoom)
+    if (canvas.view.zoom >= detail_zoom)
         for (size_t k = 0; k < card.fields.size(); ++k) {
             const Field& field = card.fields[k];
-            if (within(at, {field.x, field.y}, {field.x + field.width, field.y + field_height}))
+            const ImVec2 low(field.x, field.y);
+            if (Extent{low, low + ImVec2(field.width, field_height)}.contains(at))
                 return {Hit::Kind::field, index, k};
         }
     return {Hit::Kind::card, index, 0};
 }
 
-bool near_wire(const State& state, const Wire& wire, ImVec2 mouse) {
-    const Curve curve = wire_curve(to_screen(state.view, wire.start),
-                                   to_screen(state.view, wire.end), state.view.zoom);
+bool near_wire(const CanvasState& canvas, const Wire& wire, ImVec2 mouse) {
+    const Curve curve = wire_curve(to_screen(canvas.view, wire.start),
+                                   to_screen(canvas.view, wire.end), canvas.view.zoom);
     ImVec2 last = curve.a;
     for (int i = 1; i <= 32; ++i) {
         const ImVec2 next = curve.at(static_cast<float>(i) / 32);
@@ -110,15 +107,15 @@ Hit pick(const State& state, ImVec2 mouse) {
     return pick_box(state, mouse).value_or(Hit{});
 }
 
-About about_hit(const State& state, const Hit& hit) {
-    const Card& card = state.layout.cards[hit.card];
+About about_hit(const CanvasState& canvas, const Hit& hit) {
+    const Card& card = canvas.layout.cards[hit.card];
     constexpr float pin = 8;  // half the size of a pin, over the border
     float top = 0, tall = card.size.y;
     if (hit.kind == Hit::Kind::header) tall = header_height;
     if (hit.kind == Hit::Kind::field) top = card.fields[hit.part].y, tall = field_height;
     if (hit.kind == Hit::Kind::pin) top = card.pins[hit.part].y - row_height / 2, tall = row_height;
-    return {to_screen(state.view, card.at + ImVec2(-pin, top)),
-            to_screen(state.view, card.at + ImVec2(card.size.x + pin, top + tall)), true};
+    return {to_screen(canvas.view, card.at + ImVec2(-pin, top)),
+            to_screen(canvas.view, card.at + ImVec2(card.size.x + pin, top + tall)), true};
 }
 
 namespace {
@@ -150,14 +147,14 @@ std::optional<TargetRect> field_target(const View& view, const Card& card, std::
 }
 
 // "wire:sum.a": the middle of the wire to that input.
-std::optional<TargetRect> wire_target(const State& state, const Card& reader,
+std::optional<TargetRect> wire_target(const CanvasState& canvas, const Card& reader,
                                       std::string_view port) {
-    const std::string id = reader.kind == Card::Kind::outputs ? "" : reader.id;
-    for (const Wire& wire : state.layout.wires) {
-        if (wire.node != id || wire.port != port) continue;
-        const ImVec2 start = to_screen(state.view, wire.start);
-        const ImVec2 end = to_screen(state.view, wire.end);
-        const ImVec2 middle = wire_curve(start, end, state.view.zoom).at(0.5F);
+    const Link input{reader.link_id(), std::string(port)};
+    for (const Wire& wire : canvas.layout.wires) {
+        if (!wire.ends_at(input)) continue;
+        const ImVec2 start = to_screen(canvas.view, wire.start);
+        const ImVec2 end = to_screen(canvas.view, wire.end);
+        const ImVec2 middle = wire_curve(start, end, canvas.view.zoom).at(0.5F);
         return rect(middle - ImVec2(6, 6), middle + ImVec2(6, 6));
     }
     return std::nullopt;
@@ -172,23 +169,23 @@ const Card* card_named(const Layout& layout, std::string_view id) {
 
 // "node:base", "pin:sum.a", "out:sum.gradient", "field:softer.amount",
 // "wire:sum.a", "more:surface"
-std::optional<TargetRect> canvas_target(const State& state, std::string_view name) {
+std::optional<TargetRect> canvas_target(const CanvasState& canvas, std::string_view name) {
     const size_t colon = name.find(':');
     if (colon == name.npos) return std::nullopt;
     const std::string_view what = name.substr(0, colon), rest = name.substr(colon + 1);
     const size_t dot = rest.find('.');
-    const Card* card = card_named(state.layout, rest.substr(0, dot));
+    const Card* card = card_named(canvas.layout, rest.substr(0, dot));
     if (!card) return std::nullopt;
-    const ImVec2 at = to_screen(state.view, card->at);
-    const float zoom = state.view.zoom;
+    const ImVec2 at = to_screen(canvas.view, card->at);
+    const float zoom = canvas.view.zoom;
     if (what == "node") return rect(at, at + ImVec2(card->size.x, header_height) * zoom);
     if (what == "more" && card->more_y >= 0)
         return rect(at + ImVec2(0, card->more_y) * zoom, at + card->size * zoom);
     if (dot == rest.npos) return std::nullopt;
     const std::string_view part = rest.substr(dot + 1);
-    if (what == "pin" || what == "out") return pin_target(state.view, *card, part, what == "out");
-    if (what == "wire") return wire_target(state, *card, part);
-    return what == "field" ? field_target(state.view, *card, part) : std::nullopt;
+    if (what == "pin" || what == "out") return pin_target(canvas.view, *card, part, what == "out");
+    if (what == "wire") return wire_target(canvas, *card, part);
+    return what == "field" ? field_target(canvas.view, *card, part) : std::nullopt;
 }
 
 }  // namespace

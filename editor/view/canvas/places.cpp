@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/view/canvas/grid.h"
+#include "editor/view/canvas/columns.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/look/draw.h"
 #include "graph/order.h"

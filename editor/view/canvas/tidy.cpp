@@ -1,11 +1,10 @@
-#include "editor/view/canvas/tidy.h"
+#include "editor/view/canvas/arrange.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "editor/view/canvas/boxes.h"
 #include "editor/view/canvas/columns.h"
-#include "editor/view/canvas/grid.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/look/draw.h"
 #include "graph/edit.h"
@@ -146,15 +145,14 @@ Document with_frame_moved(const State& state, const Tidier& tidier, Document doc
     std::set<std::string> ids;
     std::set<BoxId> boxes;
     add_contents(state, {false, frame.id}, ids, boxes);
-    Extent around{{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    Extent around;
     for (size_t i = 0; i < state.layout.cards.size(); ++i) {
         const Card& card = state.layout.cards[i];
         if (!ids.contains(card.id)) continue;
-        const ImVec2 low = tidier.has(i) ? tidier.place(i) : card.at, high = low + card.size;
-        around.low = {std::min(around.low.x, low.x), std::min(around.low.y, low.y)};
-        around.high = {std::max(around.high.x, high.x), std::max(around.high.y, high.y)};
+        const ImVec2 low = tidier.has(i) ? tidier.place(i) : card.at;
+        around.add({low, low + card.size});
     }
-    if (around.low.x > around.high.x) return document;
+    if (around.empty()) return document;
     Box moved = frame;
     moved.rect.x = std::floor((around.low.x - inset) / grid) * grid;
     moved.rect.y = std::floor((around.low.y - inset - title_height) / grid) * grid;
@@ -192,34 +190,31 @@ Tidied tidied(const State& state) {
 
 Document tidied_selection(const State& state) {
     const Tidier tidier(state, &state.view.selected);
-    ImVec2 corner(INFINITY, INFINITY);
+    Extent before;
     std::vector<NodePosition> places;
     for (size_t i = 0; i < state.layout.cards.size(); ++i) {
         if (!tidier.has(i)) continue;
         const Card& card = state.layout.cards[i];
-        corner = {std::min(corner.x, card.at.x), std::min(corner.y, card.at.y)};
+        before.add(card.extent());
         places.push_back({card.id, tidier.place(i).x, tidier.place(i).y});
     }
     for (NodePosition& place : places)
-        place.x += corner.x, place.y += corner.y;
+        place.x += before.low.x, place.y += before.low.y;
     return move_nodes(state.document(), places);
 }
 
 size_t hidden_wires(const Layout& layout) {
-    size_t hidden = 0;
-    for (const Wire& wire : layout.wires) {
-        const auto hides = [&](const Card& card) {
-            const ImVec2 end = card.at + card.size;
-            const Extent range = heights_between(wire.start, wire.end, card.at.x, end.x);
-            return range.low.y < end.y && range.high.y > card.at.y;
-        };
-        for (size_t i = 0; i < layout.cards.size(); ++i)
-            if (i != wire.from_card && i != wire.to_card && hides(layout.cards[i])) {
-                ++hidden;
-                break;
-            }
-    }
-    return hidden;
+    const auto is_hidden = [&](const Wire& wire) {
+        for (size_t i = 0; i < layout.cards.size(); ++i) {
+            const Extent card = layout.cards[i].extent();
+            const Extent range = heights_between(wire.start, wire.end, card.low.x, card.high.x);
+            if (i != wire.from_card && i != wire.to_card && range.low.y < card.high.y &&
+                range.high.y > card.low.y)
+                return true;
+        }
+        return false;
+    };
+    return static_cast<size_t>(std::count_if(layout.wires.begin(), layout.wires.end(), is_hidden));
 }
 
 }  // namespace wrinkle::editor

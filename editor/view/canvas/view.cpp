@@ -11,8 +11,8 @@ namespace {
 // Horizontal and vertical margins; the breadcrumb and the zoom overlay the outer 44 pixels.
 const ImVec2 wide_margin(32, 60), min_margin(24, 48);
 
-float fitting_zoom(const View& view, ImVec2 low, ImVec2 high, ImVec2 margin) {
-    const ImVec2 size = high - low;
+float fitting_zoom(const View& view, const Extent& shown, ImVec2 margin) {
+    const ImVec2 size = shown.high - shown.low;
     const ImVec2 room(std::max(view.extent.x - 2 * margin.x, 1.0F),
                       std::max(view.extent.y - 2 * margin.y, 1.0F));
     return std::min(room.x / std::max(size.x, 1.0F), room.y / std::max(size.y, 1.0F));
@@ -30,32 +30,25 @@ ImVec2 to_canvas(const View& view, ImVec2 at) {
 
 ImVec2 pointed_at(const View& view) {
     const ImVec2 mouse = ImGui::GetIO().MousePos, end = view.corner + view.extent;
-    const bool over =
-        mouse.x >= view.corner.x && mouse.y >= view.corner.y && mouse.x < end.x && mouse.y < end.y;
-    return over ? mouse : (view.corner + end) * 0.5F;
+    return Extent{view.corner, end}.contains(mouse) ? mouse : (view.corner + end) * 0.5F;
 }
 
 void fit(View& view, const Layout& layout, bool selection_only) {
-    ImVec2 low = layout.low, high = layout.high;
-    bool first = true;
-    for (const Card& card : layout.cards) {
-        if (!selection_only || !view.selected.contains(card.id)) continue;
-        const ImVec2 end = card.at + card.size;
-        low = first ? card.at : ImVec2(std::min(low.x, card.at.x), std::min(low.y, card.at.y));
-        high = first ? end : ImVec2(std::max(high.x, end.x), std::max(high.y, end.y));
-        first = false;
-    }
-    view.zoom = std::min(fitting_zoom(view, low, high, wide_margin), 1.0F);
+    Extent shown;
+    for (const Card& card : layout.cards)
+        if (selection_only && view.selected.contains(card.id)) shown.add(card.extent());
+    if (shown.empty()) shown = layout.bounds;
+    view.zoom = std::min(fitting_zoom(view, shown, wide_margin), 1.0F);
     // Reduces the margin if that makes fields visible.
-    if (view.zoom < detail_zoom && fitting_zoom(view, low, high, min_margin) >= detail_zoom)
+    if (view.zoom < detail_zoom && fitting_zoom(view, shown, min_margin) >= detail_zoom)
         view.zoom = detail_zoom;
-    view.pan = view.extent * 0.5F - (low + high) * (0.5F * view.zoom);
+    view.pan = view.extent * 0.5F - (shown.low + shown.high) * (0.5F * view.zoom);
     view.pan = {std::round(view.pan.x), std::round(view.pan.y)};
 }
 
 void zoom_at(View& view, const Layout& layout, ImVec2 screen, float factor) {
     const ImVec2 fixed = to_canvas(view, screen);
-    const float least = std::min(0.05F, fitting_zoom(view, layout.low, layout.high, wide_margin));
+    const float least = std::min(0.05F, fitting_zoom(view, layout.bounds, wide_margin));
     view.zoom = std::clamp(view.zoom * factor, least, 4.0F);
     view.pan = screen - view.corner - fixed * view.zoom;
 }

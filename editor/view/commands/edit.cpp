@@ -1,6 +1,6 @@
 #include "editor/model/document/wiring.h"
+#include "editor/view/canvas/arrange.h"
 #include "editor/view/canvas/boxes.h"
-#include "editor/view/canvas/make_space.h"
 #include "editor/view/commands/groups.h"
 #include "editor/view/edit/clipboard.h"
 #include "editor/view/edit/edits.h"

@@ -1,12 +1,9 @@
 #include "editor/model/document/levels.h"
 #include "editor/view/canvas/arrange.h"
 #include "editor/view/canvas/layout.h"
-#include "editor/view/canvas/make_space.h"
-#include "editor/view/canvas/tidy.h"
 #include "editor/view/commands/groups.h"
 #include "editor/view/edit/edits.h"
-#include "editor/view/edit/group.h"
-#include "editor/view/panels/popups.h"
+#include "editor/view/panels/panels.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -58,11 +55,11 @@ void turn_pictures(State& state) {
     bool all = true;
     for (const std::string& id : view.selected) {
         const Card* card = state.layout.find(id);
-        all = all && (!card || !card->type || card->picture_y >= 0);
+        all = all && (!card || !card->type || card->preview_y >= 0);
     }
     for (const std::string& id : view.selected) {
         const Card* card = state.layout.find(id);
-        if (!card || (card->picture_y >= 0) != all) continue;
+        if (!card || (card->preview_y >= 0) != all) continue;
         if (view.turned.erase(id) == 0) view.turned.insert(id);
     }
     state.layout_stale = true;
@@ -79,7 +76,7 @@ void distribute(State& state) {
 
 constexpr Command node_table[] = {
     {"add-node", "Add node", "Space", "Node", always, add_node},
-    {"add-picture", "Add picture", "I", "Node", always, choose_picture},
+    {"add-picture", "Add picture", "I", "Node", always, choose_image},
     {"edit-values", "Edit values, or open the sub-graph", "Enter", "Node", no_values,
      [](State& s) { selected_group(s) ? open_selected_group(s) : edit_values(s); }},
     {"mute", "Mute", "M", "Node", wants_selection, mute_selected},

@@ -1,7 +1,7 @@
 #include "editor/model/document/request.h"
 #include "editor/view/commands/groups.h"
 #include "editor/view/panels/browser.h"
-#include "editor/view/preview/picture_export.h"
+#include "editor/view/preview/image_export.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -76,7 +76,7 @@ void difference(State& state) {
 
 template <bool Large>
 void save_picture(State& state) {
-    browse(state, Browser::Purpose::export_picture, usual_picture(state));
+    browse(state, Browser::Purpose::export_image, usual_image_path(state));
     state.browser.size = Large ? 2 : 0;
 }
 
@@ -93,8 +93,8 @@ constexpr Command preview_table[] = {
      shown<gpu::View::wireframe>},
     {"bump-angle", "Angle of the bump", "", "Preview", always, show<gpu::View::difference>,
      shown<gpu::View::difference>},
-    {"save-picture", "Save picture...", "", "Preview", no_picture, save_picture<false>},
-    {"export-picture", "Export picture in a size...", "", "Preview", no_picture,
+    {"save-picture", "Save picture...", "", "Preview", why_no_image, save_picture<false>},
+    {"export-picture", "Export picture in a size...", "", "Preview", why_no_image,
      save_picture<true>},
     {"displaced", "Displaced", "", "Preview", always, displaced,
      [](const State& s) { return s.view.preview_view.displaced; }},

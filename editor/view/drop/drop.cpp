@@ -13,6 +13,7 @@
 #include "editor/view/edit/layer.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/panels/panels.h"
+#include "editor/view/panels/search.h"
 #include "editor/view/refresh.h"
 
 namespace wrinkle::editor {
@@ -26,16 +27,14 @@ std::string path_in_graph(const State& state, const fs::path& file) {
 
 namespace {
 
-enum class Kind : uint8_t { picture, environment, mesh, graph };
+enum class Kind : uint8_t { image, environment, mesh, graph };
 
 Kind kind_of_name(const fs::path& file) {
-    std::string extension = file.extension().string();
-    for (char& c : extension)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string extension = lower_case(file.extension().string());
     if (extension == ".obj" || extension == ".gltf" || extension == ".glb") return Kind::mesh;
     if (extension == ".json") return Kind::graph;
     if (extension == ".hdr" || extension == ".exr") return Kind::environment;
-    return Kind::picture;
+    return Kind::image;
 }
 
 bool on_preview(const State& state, const FileDrop& drop) {
@@ -44,15 +43,8 @@ bool on_preview(const State& state, const FileDrop& drop) {
            drop.y < rect->y1;
 }
 
-const Port* picture_port(const NodeType& type, const std::string& name) {
-    for (const Port& port : type.ports)
-        if (port.is_value() && port.type == PortType::image_ && (name.empty() || port.name == name))
-            return &port;
-    return nullptr;
-}
-
 // An image that was added to the graph.
-struct Picture {
+struct NewImage {
     std::string file;  // as written in the graph
     ImageKind kind;
     const NodeType* type = nullptr;
@@ -60,125 +52,125 @@ struct Picture {
     std::string merge;
 };
 
-bool set_on_card(State& state, const Picture& picture, const Hit& hit) {
+bool set_on_card(State& state, const NewImage& image, const Hit& hit) {
     const Card card = state.layout.cards[hit.card];
     if (card.kind != Card::Kind::node || !card.type) return false;
     const std::string field = hit.kind == Hit::Kind::field ? card.fields[hit.part].port : "";
-    const Port* port = picture_port(*card.type, field);
-    if (!port) port = picture_port(*card.type, "");
+    const Port* port = image_port(*card.type, field);
+    if (!port) port = image_port(*card.type);
     if (!port) return false;
     state.commit(card.id + ": " + port->name,
-                 with_file(state.document(), card.id, *port, picture.file), picture.merge);
+                 with_file(state.document(), card.id, *port, image.file), image.merge);
     state.view.selected = {card.id};
     return true;
 }
 
 // Adds a source node that reads the image according to its kind.
-NewNode with_source(const State& state, const Picture& picture, ImVec2 at) {
-    NewNode made = with_picture(state, *picture.type, picture.file, at);
-    const Port* port = picture_port(*picture.type, "");
-    if (port && picture.kind.encoding)
+NewNode with_source(const State& state, const NewImage& image, ImVec2 at) {
+    NewNode made = with_image_node(state, *image.type, image.file, at);
+    const Port* port = image_port(*image.type);
+    if (port && image.kind.encoding)
         made.document = with_image_word(made.document, made.id, *port, "encoding",
-                                        name_of(*picture.kind.encoding));
+                                        name_of(*image.kind.encoding));
     return made;
 }
 
-void add_on_wire(State& state, const Picture& picture, const Wire& wire) {
-    const NewNode made = with_source(state, picture, picture.at + ImVec2(-336, 96));
-    const Port* bump = bump_of(*picture.type);
-    std::string why = picture.file + " is a picture of colours, so there is no bump to add";
+void add_on_wire(State& state, const NewImage& image, const Wire& wire) {
+    const NewNode made = with_source(state, image, image.at + ImVec2(-336, 96));
+    const Port* bump = bump_of(*image.type);
+    std::string why = image.file + " is a picture of colours, so there is no bump to add";
     std::optional<Document> document;
     if (bump)
         document = with_bump_on_wire(state, made.document, wire, {made.id, bump->name},
-                                     picture.at + ImVec2(-88, -60), why);
-    state.commit("Add " + made.id, document ? std::move(*document) : made.document, picture.merge);
+                                     image.at + ImVec2(-88, -60), why);
+    state.commit("Add " + made.id, document ? std::move(*document) : made.document, image.merge);
     show_new(state, {made.id});
     if (!document) state.status = why;
 }
 
 // Returns true if the graph now shows it.
-bool add_on_ground(State& state, const Picture& picture) {
+bool add_on_ground(State& state, const NewImage& image) {
     if (state.document().nodes.empty()) leave_empty_graph(state);
-    const NewNode made = with_source(state, picture, picture.at);
+    const NewNode made = with_source(state, image, image.at);
     Document document = made.document;
-    const Port* bump = bump_of(*picture.type);
+    const Port* bump = bump_of(*image.type);
     const bool shown = bump && !document.outputs.find("normal");
     if (shown)
         document =
-            with_bump_shown(state, document, {made.id, bump->name}, picture.at + ImVec2(512, 0));
-    state.commit("Add " + made.id, std::move(document), picture.merge);
+            with_bump_shown(state, document, {made.id, bump->name}, image.at + ImVec2(512, 0));
+    state.commit("Add " + made.id, std::move(document), image.merge);
     show_new(state, {made.id});
-    state.status = made.id + " is a " + picture.type->title + ": " + picture.kind.why + ".";
+    state.status = made.id + " is a " + image.type->title + ": " + image.kind.why + ".";
     return shown;
 }
 
 const Wire* wire_of_normal(const State& state) {
     for (const Wire& wire : state.layout.wires)
-        if (wire.node.empty() && wire.port == "normal") return &wire;
+        if (wire.ends_at({"", "normal"})) return &wire;
     return nullptr;
 }
 
 // If `layered`, earlier images are shown and this one is layered over them.
-bool place_picture(State& state, const Picture& picture, bool layered) {
+bool place_image(State& state, const NewImage& image, bool layered) {
     if (layered)
         if (const Wire* found = wire_of_normal(state)) {
             const Wire wire = before_resolve(state, state.document(), *found);
-            Picture placed = picture;
-            placed.at = (wire.start + wire.end) * 0.5F;
+            NewImage placed = image;
+            placed.at = wire.middle();
             add_on_wire(state, placed, wire);
             return true;
         }
-    const Hit hit = pick(state, to_screen(state.view, picture.at));
+    const Hit hit = pick(state, to_screen(state.view, image.at));
     if (hit.kind == Hit::Kind::wire) {
         const Wire wire = state.layout.wires[hit.part];
-        add_on_wire(state, picture, wire);
+        add_on_wire(state, image, wire);
         return false;
     }
-    if (hit.kind != Hit::Kind::nothing && set_on_card(state, picture, hit)) return false;
-    return add_on_ground(state, picture);
+    if (hit.kind != Hit::Kind::nothing && set_on_card(state, image, hit)) return false;
+    return add_on_ground(state, image);
 }
 
 // Layers it over the selected wire or over the bump that the output `normal` shows, else adds it on
 // empty canvas.
-void place_chosen(State& state, Picture picture) {
-    picture.at =
+void place_chosen(State& state, NewImage image) {
+    image.at =
         to_canvas(state.view, state.view.corner + state.view.extent * 0.5F) - ImVec2(120, 120);
     const auto selected = state.view.selected_wire;
     for (const Wire& each : state.layout.wires)
-        if (selected && each.node == selected->node && each.port == selected->port) {
+        if (selected && each.ends_at(*selected)) {
             const Wire wire = each;
-            picture.at = (wire.start + wire.end) * 0.5F;
-            return add_on_wire(state, picture, wire);
+            image.at = wire.middle();
+            return add_on_wire(state, image, wire);
         }
     if (wire_of_normal(state))
-        place_picture(state, picture, true);
+        place_image(state, image, true);
     else
-        add_on_ground(state, picture);
+        add_on_ground(state, image);
 }
 
-void place(State& state, DropEvent& arrival, const fs::path& file, const Examined& examined) {
-    Picture picture;
-    picture.file = path_in_graph(state, file);
-    if (!examined.problem.empty() || picture.file.empty()) {
+void place(State& state, DropEvent& event, const fs::path& file, const Examined& examined) {
+    NewImage image;
+    image.file = path_in_graph(state, file);
+    if (!examined.problem.empty() || image.file.empty()) {
         state.status = examined.problem;
         return;
     }
-    picture.kind = kind_of(examined, file.filename().string());
-    picture.type = state.registry->find(picture.kind.node_type);
-    if (!picture.type) return;
-    picture.at = arrival.at;
-    picture.merge = arrival.merge;
-    if (arrival.chosen)
-        place_chosen(state, picture);
+    image.kind = kind_of(examined, file.filename().string());
+    image.type = state.registry->find(image.kind.node_type);
+    if (!image.type) return;
+    image.at = event.at;
+    image.merge = event.merge;
+    if (event.chosen)
+        place_chosen(state, image);
     else
-        arrival.layered = place_picture(state, picture, arrival.layered);
-    state.images.paths[picture.file] = file;
+        event.layered = place_image(state, image, event.layered);
+    state.images.paths[image.file] = file;
     ++state.images.changes;
     refresh(state);
 }
 
 // Places files in order until one is not examined yet. All files of one drop are one undo step.
-void place_arrivals(State& state) {
+void place_dropped(State& state) {
     std::vector<DropEvent>& waiting = state.dropped.waiting;
     while (!waiting.empty()) {
         DropEvent& next = waiting.front();
@@ -193,13 +185,13 @@ void place_arrivals(State& state) {
     }
 }
 
-void await(State& state, DropEvent arrival) {
-    for (auto file = arrival.files.rbegin(); file != arrival.files.rend(); ++file)
+void await(State& state, DropEvent event) {
+    for (auto file = event.files.rbegin(); file != event.files.rend(); ++file)
         want_image(state, *file, stamp_of(*file), true);  // reversed: the first ends up in front
-    if (state.images.busy() && !arrival.files.empty())
-        state.status = "Looking at " + arrival.files.front().filename().string() + ".";
-    state.dropped.waiting.push_back(std::move(arrival));
-    place_arrivals(state);
+    if (state.images.busy() && !event.files.empty())
+        state.status = "Looking at " + event.files.front().filename().string() + ".";
+    state.dropped.waiting.push_back(std::move(event));
+    place_dropped(state);
 }
 
 fs::path canonical_or_same(const fs::path& file) {
@@ -209,54 +201,54 @@ fs::path canonical_or_same(const fs::path& file) {
 }
 
 void handle(State& state, const FileDrop& drop) {
-    std::vector<std::string> pictures;
+    std::vector<std::string> images;
     for (const std::string& file : drop.files) {
         const Kind kind = kind_of_name(file);
         if (kind == Kind::graph) return request_action(state, {PendingAction::Kind::open, file});
         if (kind == Kind::mesh || (kind == Kind::environment && on_preview(state, drop)))
             state.dropped.for_preview = file;
         else
-            pictures.push_back(file);
+            images.push_back(file);
     }
-    const bool all_inside = std::all_of(pictures.begin(), pictures.end(), [&](const auto& file) {
+    const bool all_inside = std::all_of(images.begin(), images.end(), [&](const auto& file) {
         return !path_in_graph(state, file).empty();
     });
-    if (all_inside) return add_pictures(state, drop, pictures);
-    state.dropped.outside = {drop.x, drop.y, pictures};
+    if (all_inside) return add_images(state, drop, images);
+    state.dropped.outside = {drop.x, drop.y, images};
     state.dropped.asked = true;
     state.dropped.by_name = false;
 }
 
-void set_picture(State& state, const std::string& id, const std::string& name,
-                 const std::string& file) {
+void set_image(State& state, const std::string& id, const std::string& name,
+               const std::string& file) {
     const NodeType* type = state.type_of(id);
-    const Port* port = type ? picture_port(*type, name) : nullptr;
+    const Port* port = type ? image_port(*type, name) : nullptr;
     if (port) state.commit(id + ": " + name, with_file(state.document(), id, *port, file));
 }
 
 }  // namespace
 
-void add_pictures(State& state, const FileDrop& drop, const std::vector<std::string>& files) {
-    DropEvent arrival;
-    arrival.at = to_canvas(state.view, {drop.x, drop.y});
-    arrival.merge = "drop " + std::to_string(state.history.serial());
+void add_images(State& state, const FileDrop& drop, const std::vector<std::string>& files) {
+    DropEvent event;
+    event.at = to_canvas(state.view, {drop.x, drop.y});
+    event.merge = "drop " + std::to_string(state.history.serial());
     for (const std::string& file : files)
-        arrival.files.push_back(canonical_or_same(file));
-    await(state, std::move(arrival));
+        event.files.push_back(canonical_or_same(file));
+    await(state, std::move(event));
 }
 
-void add_picture(State& state, const std::string& file) {
-    DropEvent arrival;
-    arrival.chosen = true;
-    arrival.files = {canonical_or_same(state.folder() / file)};
-    await(state, std::move(arrival));
+void add_image(State& state, const std::string& file) {
+    DropEvent event;
+    event.chosen = true;
+    event.files = {canonical_or_same(state.folder() / file)};
+    await(state, std::move(event));
 }
 
-void use_picture(State& state, const std::string& node, const std::string& port,
-                 const std::string& file) {
+void use_image(State& state, const std::string& node, const std::string& port,
+               const std::string& file) {
     const std::string place = path_in_graph(state, file);
     if (!place.empty())
-        return node.empty() ? add_picture(state, place) : set_picture(state, node, port, place);
+        return node.empty() ? add_image(state, place) : set_image(state, node, port, place);
     state.dropped.outside = {0, 0, {file}};
     state.dropped.asked = state.dropped.by_name = true;
     state.dropped.node = node;
@@ -268,7 +260,7 @@ void handle_drops(State& state) {
     state.dropped.arrived.clear();
     for (const FileDrop& drop : arrived)
         handle(state, drop);
-    place_arrivals(state);
+    place_dropped(state);
 }
 
 }  // namespace wrinkle::editor

@@ -22,15 +22,15 @@ void handle_drops(State& state);
 std::string path_in_graph(const State& state, const std::filesystem::path& file);
 
 // Adds images of the graph's folder at the drop position.
-void add_pictures(State& state, const FileDrop& drop, const std::vector<std::string>& files);
+void add_images(State& state, const FileDrop& drop, const std::vector<std::string>& files);
 
 // Adds an image chosen by name, a path as written in the graph: layered over the selected wire or
 // over the bump that the output `normal` shows, else as a source on empty canvas.
-void add_picture(State& state, const std::string& file);
+void add_image(State& state, const std::string& file);
 
 // Sets an image from anywhere on a node, "" for a new one; prompts if it is outside the graph's
 // folder.
-void use_picture(State& state, const std::string& node, const std::string& port,
-                 const std::string& file);
+void use_image(State& state, const std::string& node, const std::string& port,
+               const std::string& file);
 
 }  // namespace wrinkle::editor

@@ -36,10 +36,10 @@ std::string copied(State& state, const fs::path& file) {
 
 // Adds the files after the answer; files that are still outside could not be copied.
 void add_answered(State& state, const FileDrop& drop, const std::vector<std::string>& files) {
-    if (!state.dropped.by_name) return add_pictures(state, drop, files);
+    if (!state.dropped.by_name) return add_images(state, drop, files);
     const DropState to = state.dropped;
     for (const std::string& file : files)
-        use_picture(state, to.node, to.port, file);
+        use_image(state, to.node, to.port, file);
 }
 
 void copy_and_add(State& state, const FileDrop& drop) {
@@ -99,7 +99,7 @@ Outside draw_outside_answers(State& state, const fs::path& copies, const fs::pat
         if (button(state, label.c_str(), "copy:refer")) answer = Outside::refer;
         ImGui::SameLine();
     }
-    const bool escape = ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]);
+    const bool escape = is_pressed(ImGuiKey_Escape);
     return button(state, "Cancel", "copy:no") || escape ? Outside::cancel : answer;
 }
 
@@ -133,9 +133,7 @@ void draw_copy_question(State& state) {
         return;
     const fs::path copies = copy_folder(state);
     const fs::path theirs = folder_to_have(state, dropped.outside.files);
-    ImGui::PushTextWrapPos(560);
-    ImGui::TextUnformatted(words_on_outside(state, copies, theirs).c_str());
-    ImGui::PopTextWrapPos();
+    write_paragraph(theme::text, words_on_outside(state, copies, theirs), 560);
     ImGui::Dummy({0, 8});
     const Outside answer = draw_outside_answers(state, copies, theirs);
     if (answer != Outside::asking) {

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "editor/model/document/wiring.h"
+#include "editor/view/canvas/arrange.h"
 #include "editor/view/canvas/layout.h"
-#include "editor/view/canvas/make_space.h"
 #include "editor/view/canvas/new_cards.h"
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
@@ -26,19 +26,9 @@ const Port* port_for(const NodeType& type, const Gesture& wire) {
     return found;
 }
 
-Node fresh_node(const Document& document, const NodeType& type) {
-    Node node;
-    node.id = free_id(document, type.id);
-    node.type = type.id;
-    node.version = static_cast<int>(type.version);
-    return node;
-}
-
-std::string commit_new(State& state, const NodeType& type, const std::string& id,
-                       Document document) {
+void commit_new(State& state, const NodeType& type, const std::string& id, Document document) {
     state.commit("Add " + type.title, settled(state, document));
     show_new(state, {id});
-    return id;
 }
 
 // Returns the selected cards with a typed first output, from top to bottom.
@@ -69,17 +59,15 @@ const Port* free_port(const NodeType& type, const Node& node, PortType given) {
 bool add_in_wire(State& state, const NodeType& type) {
     if (!state.view.selected_wire) return false;
     const Link end = *state.view.selected_wire;
-    const auto wire = std::find_if(
-        state.layout.wires.begin(), state.layout.wires.end(),
-        [&](const Wire& each) { return each.node == end.node && each.port == end.port; });
+    const auto wire = std::find_if(state.layout.wires.begin(), state.layout.wires.end(),
+                                   [&](const Wire& each) { return each.ends_at(end); });
     if (wire == state.layout.wires.end() || !wire->known) return false;
     const auto through =
         passage(type, wire->from_type, wanted_at(state.model, wire->node, wire->port));
     if (!through) return false;
-    Node node = fresh_node(state.document(), type);
+    Node node = node_of_type(state.document(), type);
     const std::string id = node.id;
-    const ImVec2 middle = (wire->start + wire->end) * 0.5F;
-    const ImVec2 at = free_place(state, middle - ImVec2(64, 40), node, &type);
+    const ImVec2 at = free_place(state, wire->middle() - ImVec2(64, 40), node, &type);
     Document document = add_node(state.document(), std::move(node), at.x, at.y);
     const Connection place{wire->from, wire->node, wire->port};
     commit_new(state, type, id, insert_in_wire(document, place, id, *through));
@@ -87,6 +75,14 @@ bool add_in_wire(State& state, const NodeType& type) {
 }
 
 }  // namespace
+
+Node node_of_type(const Document& document, const NodeType& type) {
+    Node node;
+    node.id = free_id(document, type.id);
+    node.type = type.id;
+    node.version = static_cast<int>(type.version);
+    return node;
+}
 
 bool type_fits(const NodeType& type, const Gesture& wire) {
     return wire.kind != Gesture::Kind::wire || port_for(type, wire);
@@ -99,7 +95,7 @@ bool type_matches(const NodeType& type, const Gesture& wire) {
 }
 
 void add_node_of_type(State& state, const NodeType& type, ImVec2 at, const Gesture& wire) {
-    Node node = fresh_node(state.document(), type);
+    Node node = node_of_type(state.document(), type);
     const std::string id = node.id;
     const ImVec2 place = free_place(state, at, node, &type);
     Document document = add_node(state.document(), std::move(node), place.x, place.y);
@@ -111,7 +107,7 @@ void add_node_of_type(State& state, const NodeType& type, ImVec2 at, const Gestu
 
 void add_node_to_selection(State& state, const NodeType& type, ImVec2 at) {
     if (add_in_wire(state, type)) return;
-    Node node = fresh_node(state.document(), type);
+    Node node = node_of_type(state.document(), type);
     const std::string id = node.id;
     Document document = add_node(state.document(), std::move(node));
     float right = 0;

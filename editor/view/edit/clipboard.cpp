@@ -119,17 +119,12 @@ Document with_outer_wires(const State& state, Document document, const std::stri
 }
 
 ImVec2 corner_of(const Document& document, const std::vector<Extent>& places) {
-    std::vector<ImVec2> corners;
+    Extent all;
     for (const Extent& place : places)
-        corners.push_back(place.low);
-    for (const BoxId& id : all_boxes(document)) {
-        const Rectangle& rect = find_box(document, id)->rect;
-        corners.push_back({static_cast<float>(rect.x), static_cast<float>(rect.y)});
-    }
-    ImVec2 low = corners.front();
-    for (const ImVec2& corner : corners)
-        low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
-    return low;
+        all.add(place);
+    for (const BoxId& id : all_boxes(document))
+        all.add(extent_of(*find_box(document, id)));
+    return all.low;
 }
 
 void paste_nodes(State& state, const Document& source, const std::string& text) {

@@ -10,13 +10,15 @@
 namespace wrinkle::editor {
 namespace {
 
-Rectangle rectangle(ImVec2 low, ImVec2 high) {
+// Adds a box with its corners moved out to the grid, selects it and opens its text.
+void commit_new(State& state, bool note, const Extent& extent, const char* text, const char* name) {
     const auto down = [](float at) { return std::floor(static_cast<double>(at) / 8) * 8; };
     const auto up = [](float at) { return std::ceil(static_cast<double>(at) / 8) * 8; };
-    return {down(low.x), down(low.y), up(high.x) - down(low.x), up(high.y) - down(low.y)};
-}
-
-void commit_new(State& state, bool note, Box box, const char* name) {
+    const double x = down(extent.low.x), y = down(extent.low.y);
+    Box box;
+    box.id = free_box_id(state.document(), note);
+    box.text = text;
+    box.rect = {x, y, up(extent.high.x) - x, up(extent.high.y) - y};
     const BoxId id{note, box.id};
     const std::string merge = "box " + std::to_string(state.history.serial());
     state.commit(name, with_box(state.document(), note, std::move(box)), merge);
@@ -29,38 +31,24 @@ void commit_new(State& state, bool note, Box box, const char* name) {
 
 void frame_selected(State& state) {
     const ImVec2 pointer = to_canvas(state.view, pointed_at(state.view));
-    ImVec2 low = pointer, high = pointer + ImVec2(320, 200);
-    bool any = false;
-    for (const Card& card : state.layout.cards) {
-        if (!state.view.selected.contains(card.id)) continue;
-        const ImVec2 end = card.at + card.size;
-        low = any ? ImVec2(std::min(low.x, card.at.x), std::min(low.y, card.at.y)) : card.at;
-        high = any ? ImVec2(std::max(high.x, end.x), std::max(high.y, end.y)) : end;
-        any = true;
-    }
-    if (any) low = low - ImVec2(24, 24 + title_height), high = high + ImVec2(24, 24);
-    Box box;
-    box.id = free_box_id(state.document(), false);
-    box.text = "Frame";
-    box.rect = rectangle(low, high);
-    commit_new(state, false, std::move(box), "Frame");
+    Extent cards;
+    for (const Card& card : state.layout.cards)
+        if (state.view.selected.contains(card.id)) cards.add(card.extent());
+    const Extent extent = cards.empty() ? Extent{pointer, pointer + ImVec2(320, 200)}
+                                        : Extent{cards.low - ImVec2(24, 24 + title_height),
+                                                 cards.high + ImVec2(24, 24)};
+    commit_new(state, false, extent, "Frame", "Frame");
 }
 
 void add_note(State& state) {
     const ImVec2 at = to_canvas(state.view, pointed_at(state.view));
-    Box box;
-    box.id = free_box_id(state.document(), true);
-    box.rect = rectangle(at, at + ImVec2(240, 96));
-    commit_new(state, true, std::move(box), "Note");
+    commit_new(state, true, {at, at + ImVec2(240, 96)}, "", "Note");
 }
 
 void edit_box_text(State& state, const BoxId& id) {
     const Box* box = find_box(state.document(), id);
     if (!box) return;
-    state.box_text = {};
-    state.box_text.open = state.box_text.opening = true;
-    state.box_text.box = id;
-    state.box_text.text = box->text;
+    state.box_text = {true, true, id, box->text, ""};
 }
 
 void accept_box_text(State& state) {

@@ -4,10 +4,13 @@
 #include <optional>
 #include <string>
 
+#include "editor/model/document/wiring.h"
 #include "editor/view/state.h"
 
 namespace wrinkle::editor {
 
+// Returns a node of the type with a new id derived from it.
+Node node_of_type(const Document& document, const NodeType& type);
 // Adds a node of a type near `at` (canvas units), with an id derived from the type, and connects it
 // to the loose end of `wire` by the first port that fits.
 void add_node_of_type(State& state, const NodeType& type, ImVec2 at, const Gesture& wire);
@@ -32,12 +35,37 @@ void mute_selected(State& state);
 
 // Computes once, for all pins and frames, the nodes to which this wire would make a cycle.
 void find_loops(const Document& document, Gesture& wire);
+// Returns the connection that the wire makes at this pin.
+Connection connection_at(const Gesture& wire, const Card& card, const Pin& pin);
+void commit_connection(State& state, const Connection& to, const std::string& merge = {});
 // Returns the reason why a wire may not end at this pin; "" if it may.
 std::string why_not(const State& state, const Gesture& wire, const Card& card, const Pin& pin);
 
 // Initial text of the text field over a number, with all digits.
 std::string typed_value(const Node& node, const Port& port, int lane);
 
-void open_palette(State& state, ImVec2 at, const Gesture& wire);
+void open_palette(Dialogs& dialogs, ImVec2 at, const Gesture& wire);
+
+// Return the selected node if it is the only one, and a sub-graph; otherwise nullptr.
+const Node* selected_node(const State& state);
+const Node* selected_group(const State& state);
+// Opens its graph (document/levels.h).
+void open_selected_group(State& state);
+
+// Groups the selected nodes in one undo step; writes the new graph next to the document's file.
+void group_selected(State& state);
+
+// Inlines the one selected sub-graph in one undo step; its file remains.
+void ungroup_selected(State& state);
+
+// Proposes nodes that convert between two types: they take the one and return the other.
+// Returns at most `most` choices, the best first; empty if no single node converts.
+std::vector<Offer::Choice> between(const Registry& registry, PortType from, PortType to,
+                                   size_t most = 3);
+
+// Opens the offer at the pointer for a wire that was dropped at a pin of another type.
+void offer_between(State& state, const Gesture& wire, const Card& card, const Pin& pin);
+// Inserts the chosen node between the two ends in one undo step.
+void accept_offer(State& state, size_t choice);
 
 }  // namespace wrinkle::editor

@@ -1,4 +1,4 @@
-#include "editor/view/edit/group.h"
+#include "editor/view/edit/edits.h"
 
 #include "base/file.h"
 #include "editor/model/document/folders.h"
@@ -34,10 +34,13 @@ ImVec2 middle_of(const State& state) {
 
 }  // namespace
 
+const Node* selected_node(const State& state) {
+    return state.view.selected.size() == 1 ? state.document().find(*state.view.selected.begin())
+                                           : nullptr;
+}
+
 const Node* selected_group(const State& state) {
-    const Node* node = state.view.selected.size() == 1
-                           ? state.document().find(*state.view.selected.begin())
-                           : nullptr;
+    const Node* node = selected_node(state);
     return node && node->subgraph() ? node : nullptr;
 }
 

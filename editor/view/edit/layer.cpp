@@ -71,12 +71,6 @@ const NodeType* adder(const State& state, PortType from, PortType to, PortType b
     return fits(PortType::gradient_) ? state.registry->find("gradient_add") : nullptr;
 }
 
-const Port* first_output(const NodeType& type) {
-    for (const Port& port : type.ports)
-        if (port.kind == Port::Kind::output) return &port;
-    return nullptr;
-}
-
 // Returns the other input of an addition at the wire's end if it is free; otherwise "".
 std::string free_input(const State& state, const Document& document, const Wire& wire) {
     const Node* reader = document.find(wire.node);
@@ -91,24 +85,33 @@ std::string free_input(const State& state, const Document& document, const Wire&
 
 NewNode with_node(const State& state, const Document& document, const NodeType& type,
                   std::string_view wish, ImVec2 at) {
-    Node node;
+    Node node = node_of_type(document, type);
     node.id = id_after(document, wish, type.id);
-    node.type = type.id;
-    node.version = static_cast<int>(type.version);
     const std::string id = node.id;
     const ImVec2 place = clear_place(state, document, at, usual_size(type));
     return {add_node(document, std::move(node), place.x, place.y), id};
 }
 
-NewNode with_picture(const State& state, const NodeType& type, const std::string& file, ImVec2 at) {
+NewNode with_image_node(const State& state, const NodeType& type, const std::string& file,
+                        ImVec2 at) {
     const std::string stem = std::filesystem::path(file).stem().string();
     NewNode made = with_node(state, state.document(), type, stem, at);
-    for (const Port& port : type.ports)
-        if (port.is_value() && port.type == PortType::image_) {
-            made.document = set_value(made.document, made.id, port.name, json::Value::string(file));
-            break;
-        }
+    if (const Port* port = image_port(type))
+        made.document = set_value(made.document, made.id, port->name, json::Value::string(file));
     return made;
+}
+
+const Port* first_output(const NodeType& type) {
+    for (const Port& port : type.ports)
+        if (port.kind == Port::Kind::output) return &port;
+    return nullptr;
+}
+
+const Port* image_port(const NodeType& type, std::string_view name) {
+    for (const Port& port : type.ports)
+        if (port.is_value() && port.type == PortType::image_ && (name.empty() || port.name == name))
+            return &port;
+    return nullptr;
 }
 
 const Port* bump_of(const NodeType& type) {
@@ -160,10 +163,10 @@ Wire before_resolve(const State& state, const Document& document, const Wire& wi
     return wire;
 }
 
-void leave_empty_graph(State& state) {
-    state.view.surface_at.reset();
-    state.view.outputs_at.reset();
-    state.view.fitted = false;
+void leave_empty_graph(CanvasState& canvas) {
+    canvas.view.surface_at.reset();
+    canvas.view.outputs_at.reset();
+    canvas.view.fitted = false;
 }
 
 }  // namespace wrinkle::editor

@@ -21,8 +21,12 @@ NewNode with_node(const State& state, const Document& document, const NodeType& 
                   std::string_view wish, ImVec2 at);
 
 // Adds a node that reads the image `file`, a path as written in the graph.
-NewNode with_picture(const State& state, const NodeType& type, const std::string& file, ImVec2 at);
+NewNode with_image_node(const State& state, const NodeType& type, const std::string& file,
+                        ImVec2 at);
 
+const Port* first_output(const NodeType& type);  // nullptr if there is none
+// Returns the image input `name`, or the first one for ""; nullptr if there is none.
+const Port* image_port(const NodeType& type, std::string_view name = {});
 // Returns the output with the most information about the bump: a height, else a gradient; nullptr
 // if the type has neither.
 const Port* bump_of(const NodeType& type);
@@ -40,6 +44,6 @@ std::optional<Document> with_bump_on_wire(const State& state, const Document& do
 Wire before_resolve(const State& state, const Document& document, const Wire& wire);
 
 // Resets the border cards to their usual positions when an empty graph gets its first nodes.
-void leave_empty_graph(State& state);
+void leave_empty_graph(CanvasState& canvas);
 
 }  // namespace wrinkle::editor

@@ -1,4 +1,3 @@
-#include "editor/view/edit/offer.h"
 
 #include <algorithm>
 
@@ -50,13 +49,11 @@ std::vector<Offer::Choice> between(const Registry& registry, PortType from, Port
 void offer_between(State& state, const Gesture& wire, const Card& card, const Pin& pin) {
     if (pin.output == wire.from_output || !pin.known) return;
     Offer offer;
-    offer.from = wire.from_output ? wire.from : Link{card.id, pin.port};
-    const std::string id = card.kind == Card::Kind::outputs ? "" : card.id;
-    offer.node = wire.from_output ? id : wire.node;
-    offer.port = wire.from_output ? pin.port : wire.port;
-    const auto given = state.model.type_of(offer.from);
-    const auto wanted = wanted_at(state.model, offer.node, offer.port);
-    if (!given || !wanted || converts(*given, wanted) || wire.loops.contains(id)) return;
+    offer.connection = connection_at(wire, card, pin);
+    const auto given = state.model.type_of(offer.connection.from);
+    const auto wanted = wanted_at(state.model, offer.connection.node, offer.connection.port);
+    if (!given || !wanted || converts(*given, wanted) || wire.loops.contains(card.link_id()))
+        return;
     if (wire.taken) offer.lifted = Link{wire.node, wire.port};
     offer.choices = between(*state.registry, *given, *wanted);
     offer.why = state.status;
@@ -71,21 +68,18 @@ void accept_offer(State& state, size_t choice) {
     state.offer = {};
     if (choice >= offer.choices.size()) return;
     const Offer::Choice& chosen = offer.choices[choice];
-    Node node;
-    node.id = free_id(state.document(), chosen.type->id);
-    node.type = chosen.type->id;
-    node.version = static_cast<int>(chosen.type->version);
+    Node node = node_of_type(state.document(), *chosen.type);
     const std::string id = node.id;
     const ImVec2 wanted = to_canvas(state.view, offer.at) - ImVec2(224, 40);
     const ImVec2 at = free_place(state, wanted, node, chosen.type);
     Document document = state.document();
     if (offer.lifted)
         document = cut_wires(state.model, document,
-                             {{offer.from, offer.lifted->node, offer.lifted->port}});
+                             {{offer.connection.from, offer.lifted->node, offer.lifted->port}});
     document = add_node(document, std::move(node), at.x, at.y);
-    state.commit("Insert " + chosen.type->title,
-                 insert_in_wire(settled(state, document), {offer.from, offer.node, offer.port}, id,
-                                {chosen.in, chosen.out}));
+    state.commit(
+        "Insert " + chosen.type->title,
+        insert_in_wire(settled(state, document), offer.connection, id, {chosen.in, chosen.out}));
     show_new(state, {id});
 }
 

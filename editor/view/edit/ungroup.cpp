@@ -4,7 +4,6 @@
 #include "editor/view/canvas/layout.h"
 #include "editor/view/canvas/new_cards.h"
 #include "editor/view/edit/edits.h"
-#include "editor/view/edit/group.h"
 #include "editor/view/look/draw.h"
 #include "graph/edit.h"
 
@@ -43,13 +42,14 @@ public:
 
 private:
     void place(ImVec2 at) {
-        ImVec2 low = places_.empty() ? ImVec2(0, 0) : places_.front().low;
+        Extent all;
         for (const Extent& each : places_)
-            low = {std::min(low.x, each.low.x), std::min(low.y, each.low.y)};
+            all.add(each);
+        const ImVec2 by = at - all.low;
         std::vector<NodePosition> positions;
         for (size_t i = 0; i < copies.nodes.size(); ++i)
-            positions.push_back({copies.nodes[i].id, places_[i].low.x - low.x + at.x,
-                                 places_[i].low.y - low.y + at.y});
+            positions.push_back(
+                {copies.nodes[i].id, places_[i].low.x + by.x, places_[i].low.y + by.y});
         result = add_nodes(result, copies.nodes, positions);
     }
 
@@ -114,9 +114,7 @@ private:
 }  // namespace
 
 void ungroup_selected(State& state) {
-    const Node* node = state.view.selected.size() == 1
-                           ? state.document().find(*state.view.selected.begin())
-                           : nullptr;
+    const Node* node = selected_node(state);
     const Project::File* file = node ? state.model.project->subgraph(0, node->id) : nullptr;
     if (!file) {
         state.status = "Select one node that is a sub-graph.";

@@ -2,8 +2,10 @@
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <cctype>
+#include <set>
 #include <utility>
 
 #include "base/text.h"
@@ -29,73 +31,45 @@ constexpr std::pair<std::string_view, int> named_keys[] = {
     {"End", GLFW_KEY_END},
 };
 
-unsigned next_code_point(std::string_view text, size_t& at) {
-    const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned first = byte(at++);
-    const int more = first < 0x80 ? 0 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
-    unsigned code = more == 0 ? first : first & (0x3FU >> more);
-    for (int i = 0; i < more && at < text.size(); ++i)
-        code = code << 6 | (byte(at++) & 0x3FU);
-    return code;
-}
+// Kinds of events applied in a frame, as bits.
+enum Applied : unsigned { moved = 1, pressed = 2, wheeled = 4, typed = 8, keyed = 16 };
+
+struct Rule {
+    Applied applies;
+    unsigned waits_for;  // kinds that hide the event from ImGui in one frame
+};
+// By InputEvent::Kind.
+constexpr Rule rules[] = {
+    {keyed, typed | pressed | moved},                    // key
+    {typed, keyed | pressed | moved | wheeled},          // character
+    {pressed, wheeled | keyed | typed},                  // button
+    {moved, pressed | wheeled | keyed | typed},          // motion
+    {wheeled, moved | pressed | wheeled},                // wheel
+    {moved, pressed | wheeled | keyed | typed},          // leave
+    {moved, moved | pressed | wheeled | keyed | typed},  // drop
+};
 
 // Events applied in the current frame so far.
-struct Frame {
-    unsigned buttons = 0;
-    bool moved = false, wheeled = false, typed = false, keyed = false;
-    bool struck = false;  // a non-modifier key was pressed: no more key events in this frame
-    int keys[16] = {};
-    size_t key_count = 0;
-
-    bool had_key(int code) const {
-        for (size_t i = 0; i < key_count; ++i)
-            if (keys[i] == code) return true;
-        return key_count == std::size(keys);
-    }
-
+class Frame {
+public:
     bool takes(const InputEvent& event) const {
-        switch (event.kind) {
-            case InputEvent::Kind::motion:
-            case InputEvent::Kind::leave:
-                return !buttons && !wheeled && !keyed && !typed;
-            case InputEvent::Kind::button:
-                return !(buttons & 1U << event.code) && !wheeled && !keyed && !typed;
-            case InputEvent::Kind::wheel:
-                return !moved && !buttons && !wheeled;
-            case InputEvent::Kind::key:
-                return !struck && !had_key(event.code) && !typed && !buttons && !moved;
-            case InputEvent::Kind::character:
-                return !keyed && !buttons && !moved && !wheeled;
-            case InputEvent::Kind::drop:
-                return !keyed && !buttons && !moved && !wheeled && !typed;
-        }
-        return false;
+        if (applied_ & rules[static_cast<size_t>(event.kind)].waits_for) return false;
+        if (event.kind == InputEvent::Kind::key) return !struck_ && !keys_.contains(event.code);
+        return event.kind != InputEvent::Kind::button || !buttons_.contains(event.code);
+    }
+    void note(const InputEvent& event) {
+        applied_ |= rules[static_cast<size_t>(event.kind)].applies;
+        if (event.kind == InputEvent::Kind::button) buttons_.insert(event.code);
+        if (event.kind != InputEvent::Kind::key) return;
+        keys_.insert(event.code);
+        struck_ |=
+            event.down && (event.code < GLFW_KEY_LEFT_SHIFT || event.code > GLFW_KEY_RIGHT_SUPER);
     }
 
-    void note(const InputEvent& event) {
-        switch (event.kind) {
-            case InputEvent::Kind::motion:
-            case InputEvent::Kind::leave:
-            case InputEvent::Kind::drop:
-                moved = true;
-                break;
-            case InputEvent::Kind::button:
-                buttons |= 1U << event.code;
-                break;
-            case InputEvent::Kind::wheel:
-                wheeled = true;
-                break;
-            case InputEvent::Kind::character:
-                typed = true;
-                break;
-            case InputEvent::Kind::key:
-                keyed = true;
-                struck |= event.down &&
-                          (event.code < GLFW_KEY_LEFT_SHIFT || event.code > GLFW_KEY_RIGHT_SUPER);
-                keys[key_count++] = event.code;
-                break;
-        }
-    }
+private:
+    unsigned applied_ = 0;
+    bool struck_ = false;  // a non-modifier key was pressed: no more key events in this frame
+    std::set<int> keys_, buttons_;
 };
 
 void write(const InputEvent& event, ImGuiIO& io) {
@@ -147,10 +121,8 @@ int key_named(std::string_view name) {
         if (each == name) return code;
     if (name.size() == 1 && std::isalnum(static_cast<unsigned char>(name[0])))
         return std::toupper(static_cast<unsigned char>(name[0]));
-    if (name.size() == 2 && name[0] == 'F' && name[1] >= '1' && name[1] <= '9')
-        return GLFW_KEY_F1 + (name[1] - '1');
-    if (name.size() == 3 && name.substr(0, 2) == "F1" && name[2] >= '0' && name[2] <= '2')
-        return GLFW_KEY_F10 + (name[2] - '0');
+    for (int number = 1; number <= 12; ++number)
+        if (name == "F" + std::to_string(number)) return GLFW_KEY_F1 + number - 1;
     return 0;
 }
 
@@ -166,8 +138,12 @@ bool InputQueue::chord(std::string_view text) {
 }
 
 void InputQueue::type(std::string_view utf8) {
-    for (size_t at = 0; at < utf8.size();)
-        character(next_code_point(utf8, at));
+    const char* const end = utf8.data() + utf8.size();
+    for (const char* at = utf8.data(); at < end;) {
+        unsigned code = 0;
+        at += ImTextCharFromUtf8(&code, at, end);
+        character(code);
+    }
 }
 
 void InputQueue::apply(ImGuiIO& io, bool typing_waits) {

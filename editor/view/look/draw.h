@@ -1,8 +1,9 @@
-// Shapes and text on an ImDrawList, in screen pixels.
+// Shapes, text and icons on an ImDrawList, in screen pixels.
 #pragma once
 
 #include <imgui.h>
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,11 @@ inline ImVec2 operator-(ImVec2 a, ImVec2 b) {
 }
 inline ImVec2 operator*(ImVec2 a, float s) {
     return {a.x * s, a.y * s};
+}
+
+// A GL texture for ImGui's functions that draw images.
+inline ImTextureID texture_id(uint32_t texture) {
+    return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture));
 }
 
 // Draws the outline of the type's pin; `unit` is half its size. A pin that is not `filled` is
@@ -50,5 +56,9 @@ void draw_dashed(ImDrawList& list, const Curve& curve, ImU32 color, float thickn
 void draw_warning(ImDrawList& list, ImVec2 center, float size, ImU32 color);
 // An octagon with an exclamation mark.
 void draw_error(ImDrawList& list, ImVec2 center, float size, ImU32 color);
+
+// Icons of 16 x 16 pixels, drawn as strokes, by name: "undo", "add-node", "fit", "check", ...
+// Unknown names draw nothing.
+void draw_icon(ImDrawList& list, std::string_view name, ImVec2 center, ImU32 color);
 
 }  // namespace wrinkle::editor

@@ -1,4 +1,3 @@
-#include "editor/view/look/icons.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -103,10 +102,6 @@ private:
 
 void draw_icon(ImDrawList& list, std::string_view name, ImVec2 center, ImU32 color) {
     if (const char* strokes = strokes_of(name)) Pen(list, center, color).draw(strokes);
-}
-
-bool has_icon(std::string_view name) {
-    return strokes_of(name) != nullptr;
 }
 
 }  // namespace wrinkle::editor

@@ -1,5 +1,7 @@
 #include "editor/view/look/magnified.h"
 
+#include <imgui_internal.h>
+
 #include <cmath>
 
 #include "editor/view/look/draw.h"
@@ -9,15 +11,6 @@ namespace {
 
 ImFont* measuring_font(const Fonts& fonts, const TextStyle& style) {
     return style.bold ? fonts.bold(style.size) : fonts.regular(style.size);
-}
-
-unsigned next_letter(const char*& at, const char* end) {
-    const auto first = static_cast<unsigned char>(*at++);
-    const int more = first < 0xC0 ? 0 : first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
-    unsigned code = more == 0 ? first : first & (0x3FU >> more);
-    for (int i = 0; i < more && at < end; ++i)
-        code = code << 6 | (static_cast<unsigned char>(*at++) & 0x3FU);
-    return code > IM_UNICODE_CODEPOINT_MAX ? 0xFFFDU : code;
 }
 
 void draw_bar(ImDrawList& list, const TextStyle& style, float zoom, ImVec2 at, ImU32 color,
@@ -70,7 +63,8 @@ void draw_magnified(ImDrawList& list, const Fonts& fonts, const TextStyle& style
     Run run(list, font, drawn, pixel);
     const float step = measure->Scale * zoom;
     for (const char *c = text.data(), *end = c + text.size(); c < end;) {
-        const unsigned code = next_letter(c, end);
+        unsigned code = 0;
+        c += ImTextCharFromUtf8(&code, c, end);
         run.add(at, color, code);
         at.x += measure->GetCharAdvance(static_cast<ImWchar>(code)) * step;
     }

@@ -8,6 +8,7 @@
 
 #include <imgui.h>
 
+#include <array>
 #include "registry/port_type.h"
 
 namespace wrinkle::editor {
@@ -67,3 +68,18 @@ void use(Theme theme);  // also sets ImGui's style if there is a context
 Theme used();
 
 }  // namespace wrinkle::editor::theme
+
+namespace wrinkle::editor {
+
+// Color scale from low to high: cividis, uniform and monotone also with color vision deficiencies.
+inline constexpr std::array<unsigned, 10> heat_stops = {0x00224E, 0x123570, 0x3B496C, 0x575D6D,
+                                                        0x707173, 0x8A8678, 0xA59C74, 0xC3B369,
+                                                        0xE1CC55, 0xFEE838};
+
+struct HeatColor {
+    ImU32 ground;
+    ImU32 text;  // black or white, whichever has more contrast on it
+};
+HeatColor heat_color(float part);  // 0 to 1
+
+}  // namespace wrinkle::editor

@@ -36,19 +36,22 @@ uint32_t texture_of(const std::filesystem::path& file) {
     const uint32_t width = std::max(image->width / step, 1U);
     const uint32_t height = std::max(image->height / step, 1U);
     const auto bytes = reduced(*image, step, width, height);
-    GLuint texture = 0;
-    glGenTextures(1, &texture);
-    glBindTexture(GL_TEXTURE_2D, texture);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, static_cast<GLsizei>(width),
-                 static_cast<GLsizei>(height), 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
-    glBindTexture(GL_TEXTURE_2D, 0);
+    uint32_t texture = 0;
+    allocate_texture(texture, static_cast<int>(width), static_cast<int>(height), bytes.data());
     return texture;
 }
 
 }  // namespace
+
+void allocate_texture(uint32_t& texture, int width, int height, const uint8_t* texels) {
+    if (!texture) glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+    glBindTexture(GL_TEXTURE_2D, 0);
+}
 
 uint32_t Thumbnails::of(const std::filesystem::path& file) {
     if (!gl_) return 0;

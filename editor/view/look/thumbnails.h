@@ -9,6 +9,9 @@
 
 namespace wrinkle::editor {
 
+// Makes an RGBA8 texture, or replaces the one in `texture`; nullptr leaves its texels undefined.
+void allocate_texture(uint32_t& texture, int width, int height, const uint8_t* texels);
+
 class Thumbnails {
 public:
     static constexpr uint32_t side = 168;  // pixels; maximum width and height

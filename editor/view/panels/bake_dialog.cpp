@@ -7,7 +7,6 @@
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
-#include "editor/view/panels/bake_rows.h"
 #include "editor/view/panels/panels.h"
 
 namespace wrinkle::editor {
@@ -19,16 +18,15 @@ constexpr size_t max_names = 4;  // most files that are listed by name
 // Draws the central square of the current preview image.
 void draw_object(const State& state, ImVec2 at) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 end = at + ImVec2(picture_side, picture_side);
+    const ImVec2 end = at + ImVec2(preview_side, preview_side);
     list.AddRectFilled(at, end, theme::rgb(0x212326), 4);
-    const PreviewPicture* shown = state.preview ? &state.preview->shown() : nullptr;
+    const PreviewImage* shown = state.preview ? &state.preview->shown() : nullptr;
     if (shown && shown->texture && shown->width > 0 && shown->height > 0) {
         const auto wide = static_cast<float>(shown->width),
                    tall = static_cast<float>(shown->height);
         const float side = std::min(wide, tall), x = side / wide / 2, y = side / tall / 2;
-        list.AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(shown->texture)),
-                             at, end, {0.5F - x, 0.5F + y}, {0.5F + x, 0.5F - y}, IM_COL32_WHITE,
-                             4);
+        list.AddImageRounded(texture_id(shown->texture), at, end, {0.5F - x, 0.5F + y},
+                             {0.5F + x, 0.5F - y}, IM_COL32_WHITE, 4);
     }
     list.AddRect(at, end, theme::border, 4);
 }
@@ -47,15 +45,6 @@ std::string what_is_replaced(const State& state) {
            " replaced.";
 }
 
-void draw_sentence(ImU32 color, const std::string& text) {
-    if (text.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::PushTextWrapPos(bake_wide - bake_padding);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
 void draw_consequences(State& state) {
     BakeDialog& dialog = state.bake_dialog;
     if (!dialog.looked || *dialog.looked != dialog.choices) {
@@ -63,11 +52,13 @@ void draw_consequences(State& state) {
         dialog.replaces = what_is_replaced(state);
     }
     const std::string why = why_no_bake(state);
-    draw_sentence(why.empty() ? theme::text_dim : theme::warn,
-                  why.empty() ? what_is_written(dialog.choices) : why);
-    draw_sentence(theme::warn, dialog.replaces);
+    constexpr float wrap = bake_wide - bake_padding;
+    write_paragraph(why.empty() ? theme::text_dim : theme::warn,
+                    why.empty() ? what_is_written(dialog.choices) : why, wrap);
+    write_paragraph(theme::warn, dialog.replaces, wrap);
     if (state.view.preview_view.scale != 1)
-        draw_sentence(theme::text_dim, "The mesh is taken in its own size, not in the preview's.");
+        write_paragraph(theme::text_dim, "The mesh is taken in its own size, not in the preview's.",
+                        wrap);
     ImGui::Dummy({0, 8});
 }
 
@@ -97,9 +88,6 @@ void draw_copy_button(State& state) {
 // Returns true when the dialog is to be closed.
 bool draw_bake_buttons(State& state, bool entered) {
     const bool ready = why_no_bake(state).empty();
-    const auto pressed = [](ImGuiKey key) {
-        return ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[key], false);
-    };
     const bool alone = !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
     ImGui::BeginDisabled(!ready);
     ImGui::PushStyleColor(ImGuiCol_Button, theme::accent_fill);
@@ -107,21 +95,22 @@ bool draw_bake_buttons(State& state, bool entered) {
     bool bake = button(state, "Bake", "bake:start", false, {104, 28});
     ImGui::PopStyleColor(2);
     ImGui::EndDisabled();
-    const bool enter = entered || (alone && !ImGui::IsAnyItemActive() && pressed(ImGuiKey_Enter));
+    const bool enter =
+        entered || (alone && !ImGui::IsAnyItemActive() && is_pressed(ImGuiKey_Enter, false));
     bake |= enter && ready && !state.bake_dialog.opening;
     ImGui::SameLine();
     const bool cancel = button(state, "Cancel", "bake:cancel", false, {104, 28});
     draw_copy_button(state);
     if (bake) start_bake(state, state.bake_dialog.choices);
-    return bake || cancel || (alone && pressed(ImGuiKey_Escape));
+    return bake || cancel || (alone && is_pressed(ImGuiKey_Escape, false));
 }
 
 bool draw_bake_rows(State& state) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     draw_text(*ImGui::GetWindowDrawList(), state.fonts.bold(24), 24, at, theme::text, "Bake maps");
     ImGui::Dummy({1, 32});
-    draw_object(state, at + ImVec2(bake_wide - 2 * bake_padding - picture_side, 40));
-    const float beside = ImGui::GetCursorPosY() + picture_side + 16;
+    draw_object(state, at + ImVec2(bake_wide - 2 * bake_padding - preview_side, 40));
+    const float beside = ImGui::GetCursorPosY() + preview_side + 16;
     draw_map_rows(state);
     ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), beside));
     const bool entered = draw_file_rows(state);

@@ -1,4 +1,4 @@
-#include "editor/view/panels/bake_rows.h"
+#include "editor/view/panels/bake_dialog.h"
 
 #include <imgui_stdlib.h>
 
@@ -20,54 +20,60 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr float label_wide = 96, bake_row_tall = 36;
-constexpr float control_wide = bake_wide - 2 * bake_padding - label_wide - picture_side - 16;
+constexpr float control_wide = bake_wide - 2 * bake_padding - label_wide - preview_side - 16;
 constexpr float half_wide = (bake_wide - 2 * bake_padding - 16) / 2 - label_wide;
 constexpr float map_tall = 28, max_map_rows = 4;
 constexpr const char* packs_tip =
     "Maps of others' channels, with a ; between two: orm: r=occlusion g=roughness b=metalness";
 
-// Draws a label with a tooltip; the cursor is then at its control.
-void begin_bake_row(const State& state, const char* label, const char* tip = nullptr) {
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    draw_text(*ImGui::GetWindowDrawList(), state.fonts.regular(16), 16, at + ImVec2(0, 4),
-              theme::text_dim, label);
-    const bool near = ImGui::IsWindowHovered() &&
-                      ImGui::IsMouseHoveringRect(at, at + ImVec2(label_wide, bake_row_tall - 4));
-    if (near && tip) show_tooltip({at, at + ImVec2(label_wide, bake_row_tall - 4)}, tip);
-    ImGui::SetCursorScreenPos(at + ImVec2(label_wide, 0));
-}
+// A row with a label, which has a tooltip, and a control; ended by the destructor.
+class BakeRow {
+public:
+    BakeRow(const State& state, const char* label, const char* tip = nullptr)
+        : state_(state), top_(ImGui::GetCursorPosY()) {
+        draw_label(label, tip);
+    }
+    BakeRow(const BakeRow&) = delete;
+    BakeRow& operator=(const BakeRow&) = delete;
+    ~BakeRow() { ImGui::SetCursorPosY(std::max(top_ + bake_row_tall, ImGui::GetCursorPosY())); }
 
-// Begins the right one of two controls in a row.
-void begin_beside(const State& state, float top, const char* label, const char* tip = nullptr) {
-    ImGui::SetCursorPos({bake_padding + label_wide + half_wide + 16, top});
-    begin_bake_row(state, label, tip);
-}
+    float top() const { return top_; }
+    // Begins the right one of two controls.
+    void begin_beside(const char* label, const char* tip = nullptr) const {
+        ImGui::SetCursorPos({bake_padding + label_wide + half_wide + 16, top_});
+        draw_label(label, tip);
+    }
 
-void end_bake_row(float top) {
-    ImGui::SetCursorPosY(std::max(top + bake_row_tall, ImGui::GetCursorPosY()));
-}
+private:
+    // The cursor is then at the control.
+    void draw_label(const char* label, const char* tip) const {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const ImVec2 end = at + ImVec2(label_wide, bake_row_tall - 4);
+        draw_text(*ImGui::GetWindowDrawList(), state_.fonts.regular(16), 16, at + ImVec2(0, 4),
+                  theme::text_dim, label);
+        if (tip && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, end))
+            show_tooltip({at, end}, tip);
+        ImGui::SetCursorScreenPos(at + ImVec2(label_wide, 0));
+    }
+
+    const State& state_;
+    float top_;
+};
 
 void draw_mesh_row(State& state) {
-    const float top = ImGui::GetCursorPosY();
-    begin_bake_row(state, "Mesh");
+    const BakeRow row(state, "Mesh");
     std::string& mesh = state.bake_dialog.choices.mesh;
     Choices all = mesh_choices(mesh);
     for (std::string& target : all.targets)
         target.insert(0, "bake:");
     const std::string& shown = state.view.preview_view.mesh;
     const size_t shapes_end = all.labels.size();
-    size_t file = shapes_end;  // index of a mesh file: the preview's, or the chosen one
+    // A mesh file follows the shapes: the preview's, or the chosen one.
     for (const std::string& each : {shown, mesh})
-        if (!make_shape(each) && file == shapes_end) {
-            all.labels.push_back(mesh_label(each));
-            all.targets.emplace_back("bake:mesh:file");
-            if (each == mesh) all.chosen = static_cast<int>(file);
-        }
-    all.labels.emplace_back("Choose a file...");
-    all.targets.emplace_back("bake:mesh:browse");
-    const int picked =
-        choose(state, "##bake-mesh", "bake:mesh", mesh_label(mesh), all, control_wide);
-    end_bake_row(top);
+        if (!make_shape(each) && all.labels.size() == shapes_end)
+            all.add(mesh_label(each), "bake:mesh:file", each == mesh);
+    all.add("Choose a file...", "bake:mesh:browse");
+    const int picked = choose(state, "bake:mesh", mesh_label(mesh), all, control_wide);
     if (picked < 0) return;
     const auto index = static_cast<size_t>(picked);
     if (index < shapes_end)
@@ -79,12 +85,19 @@ void draw_mesh_row(State& state) {
                make_shape(mesh) ? state.folder() / "x" : fs::path(mesh));
 }
 
-bool draw_box(State& state, const std::string& label, const std::string& target, bool* on) {
+// Draws a control with a visible border, named `target` for scripts; returns the result of `draw`.
+template <class Draw>
+bool draw_control(State& state, const std::string& target, float wide, Draw draw) {
+    ImGui::SetNextItemWidth(wide);
     ImGui::PushStyleColor(ImGuiCol_Border, theme::control);
-    const bool changed = ImGui::Checkbox(label.c_str(), on);
+    const bool result = draw();
     ImGui::PopStyleColor();
     name_item(state, target);
-    return changed;
+    return result;
+}
+
+bool draw_box(State& state, const std::string& label, const std::string& target, bool* on) {
+    return draw_control(state, target, 0, [&] { return ImGui::Checkbox(label.c_str(), on); });
 }
 
 // Toggles `map` in the chosen maps, which stay in the order of `all`.
@@ -101,8 +114,7 @@ void tick(BakeChoices& choices, const std::vector<std::string>& all, const std::
 void draw_maps_row(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
     const std::vector<std::string> all = maps_of(state.document());
-    const float top = ImGui::GetCursorPosY();
-    begin_bake_row(state, "Maps", bake_words::map);
+    const BakeRow row(state, "Maps", bake_words::map);
     const auto rows = static_cast<float>((all.size() + 1) / 2);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::BeginChild("##maps", {control_wide, std::min(rows, max_map_rows) * map_tall}, false);
@@ -116,38 +128,32 @@ void draw_maps_row(State& state) {
         if (draw_box(state, label, "bake:map:" + all[i], &on)) tick(choices, all, all[i]);
     }
     ImGui::EndChild();
-    end_bake_row(top);
 }
 
 // Combo box of numbers; `word` returns the label of each.
 template <class Numbers, class Word>
-void draw_numbers(State& state, const char* id, const std::string& target, const Numbers& numbers,
-                  uint32_t& chosen, float wide, Word word) {
+void draw_numbers(State& state, const std::string& target, const Numbers& numbers, uint32_t& chosen,
+                  float wide, Word word) {
     Choices all;
-    for (const uint32_t each : numbers) {
-        if (each == chosen) all.chosen = static_cast<int>(all.labels.size());
-        all.labels.push_back(word(each));
-        all.targets.push_back(target + ":" + std::to_string(each));
-    }
-    const int picked = choose(state, id, target, word(chosen), all, wide);
+    for (const uint32_t each : numbers)
+        all.add(word(each), target + ":" + std::to_string(each), each == chosen);
+    const int picked = choose(state, target, word(chosen), all, wide);
     if (picked >= 0) chosen = numbers[static_cast<size_t>(picked)];
 }
 
 // The map is square unless a height is chosen.
 void draw_size_row(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
-    const float top = ImGui::GetCursorPosY();
     constexpr float gap = 8, each_wide = (control_wide - gap) / 2;
-    begin_bake_row(state, "Size", "Width and height of a map, in texels");
-    draw_numbers(state, "##bake-size", "bake:size", bake_sizes, choices.width, each_wide,
+    const BakeRow row(state, "Size", "Width and height of a map, in texels");
+    draw_numbers(state, "bake:size", bake_sizes, choices.width, each_wide,
                  [](uint32_t texels) { return grouped(texels) + " px"; });
-    ImGui::SetCursorPos({bake_padding + label_wide + each_wide + gap, top});
+    ImGui::SetCursorPos({bake_padding + label_wide + each_wide + gap, row.top()});
     std::vector<uint32_t> heights(std::begin(bake_sizes), std::end(bake_sizes));
     heights.insert(heights.begin(), 0);
     draw_numbers(
-        state, "##bake-height", "bake:height", heights, choices.square_or_height, each_wide,
+        state, "bake:height", heights, choices.square_or_height, each_wide,
         [](uint32_t texels) { return texels ? "\u00D7 " + grouped(texels) + " px" : "Square"; });
-    end_bake_row(top);
 }
 
 // Two segments that set a flag.
@@ -159,68 +165,49 @@ void draw_ways(State& state, const Segment& off, const Segment& on, bool& way) {
 
 void draw_normal_rows(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
-    const float top = ImGui::GetCursorPosY();
-    begin_bake_row(state, "Space", "Of normals");
+    const BakeRow row(state, "Space", "Of normals");
     draw_ways(state, {"Tangent", "bake:tangent", "The frame of the mesh's uvs"},
               {"Object", "bake:object", "The mesh's own axes"}, choices.object_space);
-    begin_beside(state, top, "Green", "Of normals");
+    row.begin_beside("Green", "Of normals");
     draw_ways(state, {"Up (gl)", "bake:gl", "OpenGL, Blender, Unity, glTF"},
               {"Down (dx)", "bake:dx", "DirectX, Unreal"}, choices.green_down);
-    end_bake_row(top);
 }
 
 void draw_scale_row(State& state) {
-    const float top = ImGui::GetCursorPosY();
-    begin_bake_row(state, "Scale", bake_words::scale);
-    ImGui::SetNextItemWidth(control_wide);
-    ImGui::PushStyleColor(ImGuiCol_Border, theme::control);
-    ImGui::InputDouble("##bake-scale", &state.bake_dialog.choices.tuning.scale, 0, 0, "%g");
-    ImGui::PopStyleColor();
-    name_item(state, "bake:scale");
-    end_bake_row(top);
+    const BakeRow row(state, "Scale", bake_words::scale);
+    draw_control(state, "bake:scale", control_wide, [&] {
+        return ImGui::InputDouble("##scale", &state.bake_dialog.choices.tuning.scale, 0, 0, "%g");
+    });
 }
 
 void draw_packs_row(State& state) {
-    const float top = ImGui::GetCursorPosY();
-    begin_bake_row(state, "Packed", packs_tip);
-    ImGui::SetNextItemWidth(bake_wide - 2 * bake_padding - label_wide);
-    ImGui::PushStyleColor(ImGuiCol_Border, theme::control);
-    ImGui::InputTextWithHint("##packs", "orm: r=occlusion g=roughness b=metalness",
-                             &state.bake_dialog.choices.packs);
-    ImGui::PopStyleColor();
-    name_item(state, "bake:packs");
-    end_bake_row(top);
+    const BakeRow row(state, "Packed", packs_tip);
+    draw_control(state, "bake:packs", bake_wide - 2 * bake_padding - label_wide, [&] {
+        return ImGui::InputTextWithHint("##packs", "orm: r=occlusion g=roughness b=metalness",
+                                        &state.bake_dialog.choices.packs);
+    });
 }
 
 void draw_edge_rows(State& state) {
     BakeTuning& tuning = state.bake_dialog.choices.tuning;
-    const float top = ImGui::GetCursorPosY();
-    begin_bake_row(state, "Samples", bake_words::samples);
-    draw_numbers(state, "##bake-samples", "bake:samples", bake_sample_counts, tuning.samples,
-                 half_wide, [](uint32_t count) { return std::to_string(count); });
-    begin_beside(state, top, "Dilation", bake_words::dilate);
-    ImGui::SetNextItemWidth(half_wide);
-    ImGui::PushStyleColor(ImGuiCol_Border, theme::control);
+    const BakeRow row(state, "Samples", bake_words::samples);
+    draw_numbers(state, "bake:samples", bake_sample_counts, tuning.samples, half_wide,
+                 [](uint32_t count) { return std::to_string(count); });
+    row.begin_beside("Dilation", bake_words::dilate);
     auto texels = static_cast<int>(tuning.dilate);
-    ImGui::InputInt("##bake-dilate", &texels, 0, 0);
-    ImGui::PopStyleColor();
+    draw_control(state, "bake:dilate", half_wide,
+                 [&] { return ImGui::InputInt("##dilate", &texels, 0, 0); });
     tuning.dilate = static_cast<uint32_t>(std::clamp(texels, 0, static_cast<int>(max_dilation)));
-    name_item(state, "bake:dilate");
-    end_bake_row(top);
 }
 
 void draw_stored(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
     Choices all;
-    for (const StoredAs& each : stored_kinds()) {
-        if (&each == choices.stored) all.chosen = static_cast<int>(all.labels.size());
-        all.labels.emplace_back(each.label);
-        all.targets.push_back("bake:stored:" + each.key);
-    }
+    for (const StoredAs& each : stored_kinds())
+        all.add(std::string(each.label), "bake:stored:" + each.key, &each == choices.stored);
     for (std::string& target : all.targets)
         std::replace(target.begin(), target.end(), ' ', '-');
-    const int picked =
-        choose(state, "##bake-stored", "bake:stored", choices.stored->label, all, half_wide);
+    const int picked = choose(state, "bake:stored", choices.stored->label, all, half_wide);
     if (picked >= 0) choices.stored = &stored_kinds()[static_cast<size_t>(picked)];
 }
 
@@ -230,58 +217,49 @@ void draw_compression(State& state) {
     const std::vector<std::string_view> known = compressions_of(*choices.stored);
     const std::string own = choices.compression_in(*choices.stored);
     Choices all;
-    all.labels = {"Usual"};
-    all.targets = {"bake:compression:usual"};
-    all.chosen = 0;
-    for (const std::string_view each : known) {
-        if (each == own) all.chosen = static_cast<int>(all.labels.size());
-        all.labels.emplace_back(each);
-        all.targets.push_back("bake:compression:" + std::string(each));
-    }
+    all.add("Usual", "bake:compression:usual", true);
+    for (const std::string_view each : known)
+        all.add(std::string(each), "bake:compression:" + std::string(each), each == own);
     ImGui::BeginDisabled(known.empty());
-    const int picked = choose(state, "##bake-compression", "bake:compression",
-                              own.empty() ? "Usual" : own, all, half_wide);
+    const int picked =
+        choose(state, "bake:compression", own.empty() ? "Usual" : own, all, half_wide);
     ImGui::EndDisabled();
     if (picked >= 0) choices.tuning.compression = picked == 0 ? "" : known[picked - 1];
 }
 
-void draw_stored_rows(State& state) {
-    BakeChoices& choices = state.bake_dialog.choices;
-    float top = ImGui::GetCursorPosY();
-    begin_bake_row(state, "Stored as", bake_words::type);
+void draw_stored_row(State& state) {
+    const BakeRow row(state, "Stored as", bake_words::type);
     draw_stored(state);
-    begin_beside(state, top, "Compression", bake_words::compression);
+    row.begin_beside("Compression", bake_words::compression);
     draw_compression(state);
-    end_bake_row(top);
-    top = ImGui::GetCursorPosY();
-    begin_bake_row(state, "Tiled", bake_words::tile);
+}
+
+void draw_tiles_row(State& state) {
+    BakeChoices& choices = state.bake_dialog.choices;
+    const BakeRow row(state, "Tiled", bake_words::tile);
     const bool tiles = choices.tile_in(*choices.stored) == choices.tuning.tile;
     ImGui::BeginDisabled(!tiles || compressions_of(*choices.stored).empty());
-    draw_numbers(state, "##bake-tile", "bake:tile", bake_tiles, choices.tuning.tile, half_wide,
+    draw_numbers(state, "bake:tile", bake_tiles, choices.tuning.tile, half_wide,
                  [](uint32_t side) { return side ? std::to_string(side) + " px" : "In rows"; });
     ImGui::EndDisabled();
-    begin_beside(state, top, "UDIM", bake_words::udim);
+    row.begin_beside("UDIM", bake_words::udim);
     draw_box(state, "All tiles", "bake:udim", &choices.udim);
-    end_bake_row(top);
 }
 
 // Returns true on Enter.
 bool draw_place_row(State& state) {
     BakeDialog& dialog = state.bake_dialog;
-    const float top = ImGui::GetCursorPosY();
-    begin_bake_row(state, "Into", "A folder, or of one map its file; ~ is the home folder");
+    const BakeRow row(state, "Into", "A folder, or of one map its file; ~ is the home folder");
     std::string text = dialog.choices.into.string();
-    ImGui::SetNextItemWidth(bake_wide - 2 * bake_padding - label_wide - 112);
-    ImGui::PushStyleColor(ImGuiCol_Border, theme::control);
-    const bool entered = ImGui::InputTextWithHint("##into", "A folder, or of one map its file",
-                                                  &text, ImGuiInputTextFlags_EnterReturnsTrue);
-    ImGui::PopStyleColor();
-    name_item(state, "bake:into");
+    const float wide = bake_wide - 2 * bake_padding - label_wide - 112;
+    const bool entered = draw_control(state, "bake:into", wide, [&] {
+        return ImGui::InputTextWithHint("##into", "A folder, or of one map its file", &text,
+                                        ImGuiInputTextFlags_EnterReturnsTrue);
+    });
     dialog.choices.into = text;
     ImGui::SameLine(0, 8);
     if (button(state, "Browse...", "bake:browse", false, {104, 0}))
         browse(state, Browser::Purpose::bake_into, place_of(state, dialog.choices));
-    end_bake_row(top);
     return entered;
 }
 
@@ -308,7 +286,8 @@ bool draw_file_rows(State& state) {
     draw_normal_rows(state);
     draw_edge_rows(state);
     draw_rule();
-    draw_stored_rows(state);
+    draw_stored_row(state);
+    draw_tiles_row(state);
     return draw_place_row(state);
 }
 

@@ -4,7 +4,6 @@
 
 #include "editor/view/commands/commands.h"
 #include "editor/view/look/draw.h"
-#include "editor/view/look/icons.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
 #include "editor/view/panels/panels.h"

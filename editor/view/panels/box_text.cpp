@@ -1,4 +1,6 @@
 // In-place editor for the text of a note or the title of a frame.
+#include "editor/view/panels/panels.h"
+
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
@@ -9,8 +11,6 @@
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
-#include "editor/view/panels/panels.h"
-#include "editor/view/panels/fields.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -58,7 +58,7 @@ void draw_box_text(State& state) {
     ImGui::End();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
-    if (ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]))
+    if (is_pressed(ImGuiKey_Escape))
         entry = {};
     else if (done || away)
         accept_box_text(state);

@@ -7,15 +7,14 @@
 #include <utility>
 
 #include "editor/model/code/export.h"
+#include "editor/model/document/files.h"
+#include "editor/model/document/intent.h"
 #include "editor/view/drop/drop.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
-#include "editor/view/panels/fields.h"
-#include "editor/view/panels/file_actions.h"
 #include "editor/view/panels/panels.h"
-#include "editor/view/panels/preview_parts.h"
-#include "editor/view/preview/picture_export.h"
+#include "editor/view/preview/image_export.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
@@ -24,48 +23,40 @@ namespace {
 using Purpose = Browser::Purpose;
 constexpr float file_tall = 28, places_width = 176;
 
+struct PurposeInfo {
+    const char* title;
+    std::vector<std::string> extensions;  // files to list
+    const char* added = "";               // extension of a name without one, if it saves
+    bool saves = false;
+};
+
+const PurposeInfo& info(Purpose purpose) {
+    static const PurposeInfo infos[] = {
+        {"", {}},
+        {"Open a graph", {".json"}},
+        {"Save the graph as", {".json"}, ".json", true},
+        {"Export GLSL", {".glsl", ".frag", ".vert"}, ".glsl", true},
+        {"Save the picture of the preview",
+         {".png", ".jpg", ".jpeg", ".tif", ".tiff"},
+         ".png",
+         true},
+        {"Choose an image",
+         {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr", ".pfm", ".pnm", ".ppm"}},
+        {"Choose a mesh", {".obj", ".gltf", ".glb"}},
+        {"Bake into a folder, or a file", {".png", ".tif", ".exr"}, "", true},
+    };
+    return infos[static_cast<size_t>(purpose)];
+}
+
 bool saves(const Browser& browser) {
-    return browser.purpose == Purpose::save_graph || browser.purpose == Purpose::export_text ||
-           browser.purpose == Purpose::export_picture || browser.purpose == Purpose::bake_into;
-}
-
-std::string title_of(Purpose purpose) {
-    switch (purpose) {
-        case Purpose::open_graph:
-            return "Open a graph";
-        case Purpose::save_graph:
-            return "Save the graph as";
-        case Purpose::export_text:
-            return "Export GLSL";
-        case Purpose::export_picture:
-            return "Save the picture of the preview";
-        case Purpose::picture:
-            return "Choose an image";
-        case Purpose::bake_mesh:
-            return "Choose a mesh";
-        case Purpose::bake_into:
-            return "Bake into a folder, or a file";
-        case Purpose::none:
-            break;
-    }
-    return {};
-}
-
-std::vector<std::string> extensions_of(Purpose purpose) {
-    if (purpose == Purpose::picture)
-        return {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr", ".pfm", ".pnm", ".ppm"};
-    if (purpose == Purpose::bake_mesh) return {".obj", ".gltf", ".glb"};
-    if (purpose == Purpose::bake_into) return {".png", ".tif", ".exr"};
-    if (purpose == Purpose::export_picture) return {".png", ".jpg", ".jpeg", ".tif", ".tiff"};
-    if (purpose == Purpose::export_text) return {".glsl", ".frag", ".vert"};
-    return {".json"};
+    return info(browser.purpose).saves;
 }
 
 void go_to(Browser& browser, const fs::path& folder) {
     std::error_code error;
     const fs::path whole = fs::weakly_canonical(folder, error);
     browser.folder = error ? folder : whole;
-    browser.listing = list_folder(browser.folder, extensions_of(browser.purpose));
+    browser.listing = list_folder(browser.folder, info(browser.purpose).extensions);
     browser.chosen = 0;
     browser.focus = true;
     browser.shown = filtered(browser.listing, "");
@@ -73,47 +64,42 @@ void go_to(Browser& browser, const fs::path& folder) {
     browser.filtered_by = browser.text;
 }
 
-std::string with_extension(const Browser& browser, std::string name, const State& state) {
-    const bool stages =
-        browser.purpose == Purpose::export_text && state.code.options.form == Form::shader;
-    const bool folder = browser.purpose == Purpose::bake_into;
-    if (!saves(browser) || stages || folder || !fs::path(name).extension().empty()) return name;
-    return name + (browser.purpose == Purpose::save_graph    ? ".json"
-                   : browser.purpose == Purpose::export_text ? ".glsl"
-                                                             : ".png");
+std::string with_extension(const State& state, const std::string& name) {
+    const Purpose purpose = state.browser.purpose;
+    const bool stages = purpose == Purpose::export_text && state.code.options.form == Form::shader;
+    return stages || fs::path(name).has_extension() ? name : name + info(purpose).added;
 }
 
-// Uses the chosen file for the purpose; returns true when the browser is to be closed.
-bool take(State& state, const fs::path& file) {
+// Uses the chosen file for the purpose.
+void take(State& state, const fs::path& file) {
     const Browser browser = state.browser;
     switch (browser.purpose) {
         case Purpose::open_graph:
-            open_chosen(state, file);
-            return true;
+            return open_chosen(state, file);
         case Purpose::save_graph:
-            save_chosen(state, file);
-            return true;
+            return save_chosen(state, file);
         case Purpose::export_text:
             start_code_export(state, file);
-            return true;
-        case Purpose::export_picture: {
-            const std::vector<PictureSize> sizes = picture_sizes(state);
-            start_picture_export(state, file, sizes[std::min(browser.size, sizes.size() - 1)]);
-            return true;
+            break;
+        case Purpose::export_image: {
+            const std::vector<ImageSize> sizes = image_sizes(state);
+            return start_image_export(state, file, sizes[std::min(browser.size, sizes.size() - 1)]);
         }
-        case Purpose::picture:
-            use_picture(state, browser.node, browser.port, file.string());
-            return true;
+        case Purpose::image:
+            return use_image(state, browser.node, browser.port, file.string());
         case Purpose::bake_mesh:
             state.bake_dialog.choices.mesh = file.string();
-            return true;
+            break;
         case Purpose::bake_into:
             state.bake_dialog.choices.into = file;
-            return true;
+            break;
         case Purpose::none:
             break;
     }
-    return true;
+}
+
+const Entry& chosen_entry(const Browser& browser) {
+    return browser.listing.entries[browser.shown[static_cast<size_t>(browser.chosen)]];
 }
 
 // Uses the typed path or the chosen entry. Returns true when the browser is to be closed.
@@ -127,18 +113,19 @@ bool enter(State& state) {
         go_to(browser, typed);
         return false;
     }
-    if (saves(browser) || path) {
-        if (browser.text.empty()) return false;
-        return take(state, with_extension(browser, typed.string(), state));
+    const bool named = saves(browser) || path;
+    if (named || browser.shown.empty()) {
+        if (browser.text.empty() || (!named && browser.purpose != Purpose::open_graph))
+            return false;
+        take(state, with_extension(state, typed.string()));
+        return true;
     }
-    if (browser.shown.empty()) {
-        const bool named = browser.purpose == Purpose::open_graph && !browser.text.empty();
-        return named && take(state, typed);
-    }
-    const Entry entry = browser.listing.entries[browser.shown[static_cast<size_t>(browser.chosen)]];
-    if (!entry.folder) return take(state, browser.folder / entry.name);
-    go_to(browser, browser.folder / entry.name);
-    return false;
+    const Entry entry = chosen_entry(browser);
+    if (entry.folder)
+        go_to(browser, browser.folder / entry.name);
+    else
+        take(state, browser.folder / entry.name);
+    return !entry.folder;
 }
 
 bool draw_field(State& state) {
@@ -153,16 +140,8 @@ bool draw_field(State& state) {
     note_field(state);
     name_item(state, "browser:name");
     name_item(state, "answer:path");
-    if (!browser.trouble.empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::PushStyleColor(ImGuiCol_Text, theme::error);
-        ImGui::TextUnformatted(browser.trouble.c_str());
-        ImGui::PopStyleColor();
-        ImGui::PopTextWrapPos();
-    }
-    const ImGuiIO& io = ImGui::GetIO();
-    if (was_empty && browser.text.empty() &&
-        ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Backspace], false))
+    write_paragraph(theme::error, browser.error_text);
+    if (was_empty && browser.text.empty() && is_pressed(ImGuiKey_Backspace, false))
         go_to(browser, browser.folder.parent_path());
     if (entered) browser.focus = true;
     if (browser.filtered_by != browser.text) {
@@ -218,15 +197,16 @@ void draw_places(State& state) {
 
 void draw_entry(State& state, const Entry& entry, ImVec2 low, ImVec2 high, bool chosen) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const bool pictures = state.browser.purpose == Purpose::picture && !entry.folder;
-    const uint32_t picture = pictures ? state.thumbnails.of(state.browser.folder / entry.name) : 0;
+    const bool has_thumbnail = state.browser.purpose == Purpose::image && !entry.folder;
+    const uint32_t thumbnail =
+        has_thumbnail ? state.thumbnails.of(state.browser.folder / entry.name) : 0;
     if (chosen) list.AddRectFilled(low, high, theme::accent_soft, 4);
     if (entry.folder) {
         list.AddRectFilled(low + ImVec2(9, 8), low + ImVec2(16, 12), theme::text_dim, 1);
         list.AddRectFilled(low + ImVec2(9, 10), low + ImVec2(25, 21), theme::text_dim, 2);
-    } else if (picture) {
-        list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture)),
-                      low + ImVec2(5, 2), low + ImVec2(29, 26), {0, 1}, {1, 0});
+    } else if (thumbnail) {
+        list.AddImage(texture_id(thumbnail), low + ImVec2(5, 2), low + ImVec2(29, 26), {0, 1},
+                      {1, 0});
     } else {
         list.AddRect(low + ImVec2(11, 6), low + ImVec2(23, 22), theme::text_dim, 2, 0, 1.5F);
     }
@@ -240,10 +220,8 @@ bool draw_list(State& state) {
     Browser& browser = state.browser;
     bool taken = false;
     ImGui::BeginChild("##entries", {0, -36}, true, ImGuiWindowFlags_NoNavInputs);
-    if (!browser.listing.trouble.empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextUnformatted(browser.listing.trouble.c_str());
-        ImGui::PopTextWrapPos();
+    if (!browser.listing.error_text.empty()) {
+        write_paragraph(theme::text, browser.listing.error_text);
     } else if (browser.shown.empty()) {
         ImGui::TextDisabled("%s", browser.listing.entries.empty() ? "Nothing here can be opened."
                                                                   : "No name matches.");
@@ -264,8 +242,7 @@ bool draw_list(State& state) {
                 taken |= entry.folder;
             }
             taken |= ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
-            state.targets.add("file:" + entry.name,
-                              {low.x, low.y, low.x + size.x, low.y + file_tall});
+            name_area(state, "file:" + entry.name, low, low + size);
             draw_entry(state, entry, low, low + size, i == browser.chosen);
             ImGui::PopID();
         }
@@ -274,39 +251,29 @@ bool draw_list(State& state) {
 }
 
 void move_choice(Browser& browser) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const auto pressed = [&](ImGuiKey key) { return ImGui::IsKeyPressed(io.KeyMap[key]); };
-    const int before = browser.chosen;
-    browser.chosen += pressed(ImGuiKey_DownArrow) - pressed(ImGuiKey_UpArrow) +
-                      12 * (pressed(ImGuiKey_PageDown) - pressed(ImGuiKey_PageUp));
-    const int last = std::max(static_cast<int>(browser.shown.size()) - 1, 0);
-    browser.chosen = std::clamp(browser.chosen, 0, last);
+    const int before =
+        std::exchange(browser.chosen, moved_choice(browser.chosen, browser.shown.size(), 12));
     browser.scroll |= browser.chosen != before;
 }
 
 // Opens the clicked entry; a folder even if the field holds the name of a file to save.
 bool enter_chosen(State& state) {
-    const Browser& browser = state.browser;
-    const Entry& entry =
-        browser.listing.entries[browser.shown[static_cast<size_t>(browser.chosen)]];
+    const Entry entry = chosen_entry(state.browser);
     if (!entry.folder) return enter(state);
-    const fs::path folder = browser.folder / entry.name;
-    go_to(state.browser, folder);
+    go_to(state.browser, state.browser.folder / entry.name);
     return false;
 }
 
 void draw_sizes(State& state) {
     Choices choices;
-    for (const PictureSize& size : picture_sizes(state)) {
-        choices.targets.push_back("size:" + std::to_string(choices.labels.size()));
-        choices.labels.push_back(grouped(static_cast<size_t>(size.width)) + " \u00D7 " +
-                                 grouped(static_cast<size_t>(size.height)) + " px");
-    }
+    for (const ImageSize& size : image_sizes(state))
+        choices.add(grouped(static_cast<size_t>(size.width)) + " \u00D7 " +
+                        grouped(static_cast<size_t>(size.height)) + " px",
+                    "size:" + std::to_string(choices.labels.size()));
     size_t& chosen = state.browser.size;
     chosen = std::min(chosen, choices.labels.size() - 1);
     choices.chosen = static_cast<int>(chosen);
-    const int picked =
-        choose(state, "##size", "browser:size", choices.labels[chosen], choices, 176);
+    const int picked = choose(state, "browser:size", choices.labels[chosen], choices, 176);
     if (picked >= 0) chosen = static_cast<size_t>(picked);
     ImGui::SameLine();
 }
@@ -315,7 +282,7 @@ void draw_sizes(State& state) {
 bool draw_content(State& state) {
     Browser& browser = state.browser;
     draw_text(*ImGui::GetWindowDrawList(), state.fonts.bold(24), 24, ImGui::GetCursorScreenPos(),
-              theme::text, title_of(browser.purpose));
+              theme::text, info(browser.purpose).title);
     ImGui::Dummy({1, 28});
     draw_path(state);
     bool done = draw_field(state) && enter(state);
@@ -324,12 +291,12 @@ bool draw_content(State& state) {
     if (browser.purpose == Purpose::none) return true;
     ImGui::SameLine();
     if (draw_list(state)) done |= enter_chosen(state);
-    if (browser.purpose == Purpose::export_picture) draw_sizes(state);
+    if (browser.purpose == Purpose::export_image) draw_sizes(state);
     const std::string label = saves(browser) ? "Save" : "Open";
     if (button(state, label.c_str(), "browser:take", true, {104, 28})) done |= enter(state);
     name_item(state, saves(browser) ? "answer:save" : "answer:open");
     ImGui::SameLine();
-    const bool escape = ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]);
+    const bool escape = is_pressed(ImGuiKey_Escape);
     return button(state, "Cancel", "browser:cancel", false, {104, 28}) || escape || done;
 }
 
@@ -345,11 +312,11 @@ void browse(State& state, Purpose purpose, const fs::path& file) {
     state.browser = std::move(browser);
 }
 
-void browse_picture(State& state, const std::string& node, const std::string& port) {
+void browse_image(State& state, const std::string& node, const std::string& port) {
     std::error_code ignored;
     const fs::path textures = state.folder() / "textures";
     const bool there = fs::is_directory(textures, ignored);
-    browse(state, Purpose::picture, (there ? textures : state.folder()) / "x");
+    browse(state, Purpose::image, (there ? textures : state.folder()) / "x");
     state.browser.node = node;
     state.browser.port = port;
 }
@@ -365,7 +332,7 @@ void take_question(State& state) {
     browse(state, saving ? Purpose::save_graph : Purpose::open_graph, file);
     if (!saving) state.browser.text = asked.text.empty() ? "" : file.filename().string();
     state.browser.then = asked.then;
-    state.browser.trouble = asked.trouble;
+    state.browser.error_text = asked.trouble;
 }
 
 }  // namespace
@@ -388,6 +355,17 @@ void draw_browser(State& state) {
         if (done) state.browser = {};
     }
     ImGui::PopStyleVar();
+}
+
+void open_chosen(State& state, const fs::path& file) {
+    state.question = {.kind = Question::Kind::open, .text = file.string()};
+    answer_path(state);
+}
+
+void save_chosen(State& state, const fs::path& file) {
+    state.question = {
+        .kind = Question::Kind::save_as, .then = state.browser.then, .text = file.string()};
+    answer_path(state);
 }
 
 }  // namespace wrinkle::editor

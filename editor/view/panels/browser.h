@@ -13,6 +13,13 @@ namespace wrinkle::editor {
 // Opens the browser in the folder of `file`; if the purpose is to save, proposes its name.
 void browse(State& state, Browser::Purpose purpose, const std::filesystem::path& file);
 // Opens the browser to choose an image for an input of a node; "" as `node` adds a node.
-void browse_picture(State& state, const std::string& node, const std::string& port);
+void browse_image(State& state, const std::string& node, const std::string& port);
+
+// Actions of the browser and the start page for a chosen file.
+//
+// Opens the file; prompts for unsaved work first, and for another path if opening fails.
+void open_chosen(State& state, const std::filesystem::path& file);
+// Saves to the file; prompts before it replaces one, and for another path if saving fails.
+void save_chosen(State& state, const std::filesystem::path& file);
 
 }  // namespace wrinkle::editor

@@ -17,30 +17,18 @@ namespace {
 constexpr float code_head = 38, line_height = 17, number_right = 32, text_left = 44;
 constexpr float narrow = 520;  // below this width the options are in a menu
 
-ImU32 color_of(Token token) {
-    switch (token) {
-        case Token::keyword:
-            return theme::code_keyword;
-        case Token::type:
-            return theme::code_type;
-        case Token::function:
-            return theme::code_function;
-        case Token::number:
-            return theme::code_number;
-        case Token::comment:
-            return theme::code_comment;
-        case Token::text:
-            break;
-    }
-    return theme::code_text;
-}
+// By Token; pointers, because the theme changes the colors.
+const ImU32* const token_colors[] = {&theme::code_text,   &theme::code_keyword,
+                                     &theme::code_type,   &theme::code_function,
+                                     &theme::code_number, &theme::code_comment};
 
 void draw_line(ImDrawList& list, ImFont* font, ImVec2 at, std::string_view line) {
     const float advance = font->GetCharAdvance('m') * font->Scale;
     for (const Piece& piece : pieces_of(line))
         list.AddText(font, font->FontSize * font->Scale,
                      {at.x + advance * static_cast<float>(piece.begin), at.y},
-                     color_of(piece.token), line.data() + piece.begin, line.data() + piece.end);
+                     *token_colors[static_cast<size_t>(piece.token)], line.data() + piece.begin,
+                     line.data() + piece.end);
 }
 
 void take(Code& code, CodeText text) {
@@ -88,16 +76,12 @@ std::string label_of(const std::string& item) {
 // Combo box; scripts name it `target` and its items `target`:item. Returns the chosen index.
 int draw_choice(State& state, const std::string& target, std::span<const std::string> items,
                 int chosen, float width) {
-    const std::string& shown = items[static_cast<size_t>(chosen)];
-    if (!begin_choice(state, ("##" + target).c_str(), target, label_of(shown), width))
-        return chosen;
-    for (size_t i = 0; i < items.size(); ++i) {
-        const bool own = static_cast<int>(i) == chosen;
-        if (ImGui::Selectable(label_of(items[i]).c_str(), own)) chosen = static_cast<int>(i);
-        name_item(state, target + ":" + items[i]);
-    }
-    ImGui::EndCombo();
-    return chosen;
+    Choices choices{{}, {}, chosen};
+    for (const std::string& item : items)
+        choices.add(label_of(item), target + ":" + item);
+    const std::string& shown = choices.labels[static_cast<size_t>(chosen)];
+    const int picked = choose(state, target, shown, choices, width);
+    return picked < 0 ? chosen : picked;
 }
 
 // Translated targets do not have the form "Function".
@@ -177,8 +161,7 @@ void draw_row(State& state, size_t index, float width) {
     }
     if (hovered) list.AddRect(at, at + size, theme::border);
     if (hovered) state.code.hovered = node;
-    state.targets.add("line:" + std::to_string(index + 1),
-                      {at.x, at.y, at.x + size.x, at.y + size.y});
+    name_area(state, "line:" + std::to_string(index + 1), at, at + size);
     draw_text(list, state.fonts.regular(14), 14, at + ImVec2(number_right, 1), theme::text_off,
               std::to_string(index + 1), true);
     draw_line(list, state.fonts.code(), at + ImVec2(text_left, 0), text.line(index));
@@ -237,7 +220,7 @@ void draw_code(State& state) {
         !why.empty() && state.code.problem.empty()) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
         draw_strip(state, theme::accent, why);
-        state.targets.add("code:why", {at.x, at.y, at.x + 28, at.y + 28});
+        name_area(state, "code:why", at, at + ImVec2(28, 28));
     }
     const CodeText& text = state.code.text;
     ImGui::BeginChild("##lines", {0, 0}, false,

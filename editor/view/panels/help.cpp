@@ -5,10 +5,10 @@
 #include "base/text.h"
 #include "editor/view/canvas/canvas.h"
 #include "editor/view/commands/commands.h"
+#include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
-#include "editor/view/panels/image_section.h"
 #include "editor/view/panels/panels.h"
 
 namespace wrinkle::editor {
@@ -127,9 +127,7 @@ const NodeType* help_type(const State& state) {
 bool hover_words(const State& state, std::string& name, std::string& title, std::string& facts,
                  std::string& doc, std::string& image) {
     const Hit& hit = state.hovered;
-    if (hit.kind == Hit::Kind::nothing || hit.kind == Hit::Kind::wire ||
-        hit.card >= state.layout.cards.size())
-        return false;
+    if (!hit.on_card(state.layout)) return false;
     const Card& card = state.layout.cards[hit.card];
     if (!card.type) return false;
     const Port* port = nullptr;
@@ -189,9 +187,9 @@ void show_shortcuts(State& state) {
 
 void show_help(State& state) {
     show_shortcuts(state);
-    if (state.view.selected.size() != 1) return;
-    const std::string& id = *state.view.selected.begin();
-    if (const NodeType* type = state.type_of(id)) state.help = {true, true, id, type->id};
+    const Node* node = selected_node(state);
+    if (const NodeType* type = node ? state.type_of(node->id) : nullptr)
+        state.help = {true, true, node->id, type->id};
 }
 
 void write_wrapped(const State& state, const std::string& text, ImU32 color, bool bold,
@@ -224,13 +222,12 @@ void draw_help(State& state) {
         draw_shortcuts(state);
     ImGui::PopTextWrapPos();
     const ImVec2 low = ImGui::GetWindowPos();
-    state.targets.add(type ? "help:" + type->id : "help:shortcuts",
-                      {low.x, low.y, low.x + size.x, low.y + size.y});
+    name_area(state, type ? "help:" + type->id : "help:shortcuts", low, low + size);
     const bool away = !state.help.opening && !ImGui::IsWindowFocused();
     state.help.opening = false;
     ImGui::End();
     ImGui::PopStyleVar(3);
-    if (away || ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape])) state.help = {};
+    if (away || is_pressed(ImGuiKey_Escape)) state.help = {};
 }
 
 // Draws a tooltip after the pointer has rested (0.6 s) on a node, a pin or a value.
@@ -250,7 +247,7 @@ void draw_hover_docs(State& state) {
     write_wrapped(state, doc, theme::text);
     write_wrapped(state, facts, theme::text_dim, false, 14);
     if (!image.empty()) write_wrapped(state, image + " F1 says more.", theme::text);
-    state.targets.add("tip:" + name, {io.MousePos.x, io.MousePos.y, io.MousePos.x, io.MousePos.y});
+    name_area(state, "tip:" + name, io.MousePos, io.MousePos);
 }
 
 }  // namespace wrinkle::editor

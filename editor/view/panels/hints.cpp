@@ -1,65 +1,58 @@
-#include "editor/view/panels/hints.h"
-
 #include "editor/view/panels/panels.h"
 
 namespace wrinkle::editor {
 namespace {
 
-std::string_view hint_of_gesture(const State& state) {
-    switch (state.gesture.kind) {
-        case Gesture::Kind::wire:
-            return "Drop on a pin, or on empty ground for a node that fits   Esc to drop the wire";
-        case Gesture::Kind::value:
-            return "Ctrl is fine, Shift coarse   Esc gives the value back";
-        case Gesture::Kind::move:
-            return state.gesture.under_wire ? "Let go to put it in this wire   Esc puts it back"
-                                            : "Esc puts it back";
-        case Gesture::Kind::box:
-        case Gesture::Kind::lasso:
-            return "Shift adds to the selection   Ctrl takes away";
-        case Gesture::Kind::cut:
-            return "Wires under the stroke are cut when the button is let go   Esc keeps them";
-        case Gesture::Kind::reroute:
-            return "Wires under the stroke get a reroute when the button is let go";
-        case Gesture::Kind::lazy:
-            return "Let go on a node to connect what fits best   Esc to drop the wire";
-        case Gesture::Kind::resize:
-            return "Esc gives the size back";
-        case Gesture::Kind::pan:
-            return "Let go where it shall stay";
-        case Gesture::Kind::none:
-            break;
-    }
+using Gestures = Gesture::Kind;
+
+struct GestureHint {
+    Gestures kind;
+    std::string_view text;
+};
+constexpr GestureHint gesture_hints[] = {
+    {Gestures::wire,
+     "Drop on a pin, or on empty ground for a node that fits   Esc to drop the wire"},
+    {Gestures::value, "Ctrl is fine, Shift coarse   Esc gives the value back"},
+    {Gestures::move, "Esc puts it back"},
+    {Gestures::box, "Shift adds to the selection   Ctrl takes away"},
+    {Gestures::lasso, "Shift adds to the selection   Ctrl takes away"},
+    {Gestures::cut, "Wires under the stroke are cut when the button is let go   Esc keeps them"},
+    {Gestures::reroute, "Wires under the stroke get a reroute when the button is let go"},
+    {Gestures::lazy, "Let go on a node to connect what fits best   Esc to drop the wire"},
+    {Gestures::resize, "Esc gives the size back"},
+    {Gestures::pan, "Let go where it shall stay"},
+};
+
+// By Popup::Kind.
+constexpr std::string_view popup_hints[] = {
+    "",
+    "Enter takes it   Tab goes on to the next value   Esc leaves it",
+    "Enter renames   Esc leaves the name",
+    "Up and Down choose   Enter takes it   Esc leaves it",
+    "Type to narrow the list   Enter takes it   Esc leaves it",
+    "Drag in the field   Esc closes",
+};
+
+std::string_view hint_of_gesture(const Gesture& gesture) {
+    if (gesture.under_wire) return "Let go to put it in this wire   Esc puts it back";
+    for (const GestureHint& hint : gesture_hints)
+        if (hint.kind == gesture.kind) return hint.text;
     return {};
 }
 
-std::string_view hint_of_open(const State& state) {
-    if (state.palette.open && state.palette.commands) return "Enter runs it   Esc closes";
-    if (state.palette.open && state.palette.find) return "Enter shows the node   Esc closes";
-    if (state.palette.open && state.palette.wire.kind == Gesture::Kind::wire)
+std::string_view hint_of_open(const Dialogs& open) {
+    if (open.palette.open && open.palette.commands) return "Enter runs it   Esc closes";
+    if (open.palette.open && open.palette.find) return "Enter shows the node   Esc closes";
+    if (open.palette.open && open.palette.wire.kind == Gestures::wire)
         return "Pick a node to place it on the wire   Esc to drop the wire";
-    if (state.palette.open) return "Pick a node to place it   Esc closes";
-    if (state.offer.open) return "Enter takes the first   Esc to drop the wire";
-    if (state.box_text.open) return "Enter ends   Ctrl+Enter is a new line";
-    switch (state.popup.kind) {
-        case Popup::Kind::text:
-            return "Enter takes it   Tab goes on to the next value   Esc leaves it";
-        case Popup::Kind::rename:
-            return "Enter renames   Esc leaves the name";
-        case Popup::Kind::choice:
-            return "Up and Down choose   Enter takes it   Esc leaves it";
-        case Popup::Kind::file:
-            return "Type to narrow the list   Enter takes it   Esc leaves it";
-        case Popup::Kind::color:
-            return "Drag in the field   Esc closes";
-        case Popup::Kind::none:
-            break;
-    }
-    return {};
+    if (open.palette.open) return "Pick a node to place it   Esc closes";
+    if (open.offer.open) return "Enter takes the first   Esc to drop the wire";
+    if (open.box_text.open) return "Enter ends   Ctrl+Enter is a new line";
+    return popup_hints[static_cast<size_t>(open.popup.kind)];
 }
 
-std::string_view hint_of_canvas(const State& state) {
-    switch (state.hovered.kind) {
+std::string_view hint_of_canvas(const Hit& hovered) {
+    switch (hovered.kind) {
         case Hit::Kind::pin:
             return "Drag to connect";
         case Hit::Kind::field:
@@ -78,7 +71,7 @@ std::string_view hint_of_canvas(const State& state) {
 }  // namespace
 
 std::string_view hint_of(const State& state, const Regions& regions) {
-    if (const std::string_view hint = hint_of_gesture(state); !hint.empty()) return hint;
+    if (const std::string_view hint = hint_of_gesture(state.gesture); !hint.empty()) return hint;
     if (const std::string_view hint = hint_of_open(state); !hint.empty()) return hint;
     if (state.question.open() || state.browser.purpose != Browser::Purpose::none) return {};
     switch (regions.at(ImGui::GetIO().MousePos)) {
@@ -93,7 +86,7 @@ std::string_view hint_of(const State& state, const Regions& regions) {
             break;
     }
     if (is_at_start(state)) return "Drop an image, or open a sample with a click";
-    return hint_of_canvas(state);
+    return hint_of_canvas(state.hovered);
 }
 
 }  // namespace wrinkle::editor

@@ -1,4 +1,3 @@
-#include "editor/view/panels/image_section.h"
 
 #include "editor/model/images/facts.h"
 #include "editor/model/images/remarks.h"

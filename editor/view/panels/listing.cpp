@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include <deque>
+#include <set>
 #include "editor/view/panels/search.h"
 
 namespace wrinkle::editor {
@@ -57,11 +59,11 @@ Listing list_folder(const fs::path& folder, std::span<const std::string> extensi
         if (!entry.folder && !has_extension(entry.name, extensions)) continue;
         listing.entries.push_back(std::move(entry));
         if (listing.entries.size() < Listing::max_entries) continue;
-        listing.trouble = "Only the first " + std::to_string(Listing::max_entries) +
-                          " entries are listed. Type a name to go to the others.";
+        listing.error_text = "Only the first " + std::to_string(Listing::max_entries) +
+                             " entries are listed. Type a name to go to the others.";
         break;
     }
-    if (error) listing.trouble = folder.string() + " cannot be read: " + error.message() + ".";
+    if (error) listing.error_text = folder.string() + " cannot be read: " + error.message() + ".";
     std::sort(listing.entries.begin(), listing.entries.end(), [](const Entry& a, const Entry& b) {
         return a.folder != b.folder ? a.folder : name_before(a.name, b.name);
     });
@@ -69,17 +71,34 @@ Listing list_folder(const fs::path& folder, std::span<const std::string> extensi
 }
 
 std::vector<size_t> filtered(const Listing& listing, std::string_view query) {
-    const std::string wanted = lower_case(query);
-    std::vector<std::pair<int, size_t>> found;
-    for (size_t i = 0; i < listing.entries.size(); ++i)
-        if (const auto matched = match(listing.entries[i].name, "", "", wanted))
-            found.emplace_back(matched->rank, i);
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<size_t> indices;
-    for (const auto& [rank, index] : found)
-        indices.push_back(index);
-    return indices;
+    return find_matches(listing.entries, &Entry::name, query);
+}
+
+// Breadth-first, so that the limits drop the files deepest below `folder`.
+std::vector<std::string> image_files(const fs::path& folder, size_t limit, size_t max_entries) {
+    constexpr std::string_view known[] = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr"};
+    std::vector<std::string> files;
+    std::deque<fs::path> folders{folder};
+    size_t entries = 0;
+    for (; !folders.empty() && files.size() < limit && entries < max_entries; folders.pop_front()) {
+        std::set<fs::path> inner, images;
+        std::error_code error, ignored;
+        for (fs::directory_iterator at(folders.front(), error), end; !error && at != end;
+             at.increment(error)) {
+            if (++entries > max_entries) break;
+            const std::string extension = at->path().extension().string();
+            if (at->is_directory(ignored) && !at->is_symlink(ignored))
+                inner.insert(at->path());
+            else if (std::find(std::begin(known), std::end(known), extension) != std::end(known))
+                images.insert(at->path());
+        }
+        folders.insert(folders.end(), inner.begin(), inner.end());
+        for (const fs::path& image : images)
+            if (files.size() < limit)
+                files.push_back(image.lexically_relative(folder).generic_string());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 }  // namespace wrinkle::editor

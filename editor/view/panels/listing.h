@@ -18,7 +18,7 @@ struct Listing {
     static constexpr size_t max_entries = 100'000;
 
     std::vector<Entry> entries;  // folders first, then files, each in name_before() order
-    std::string trouble;         // why the list is empty or incomplete
+    std::string error_text;      // why the list is empty or incomplete
 };
 
 // Lists folders and the files with one of the extensions (".png", lower case; empty: all files).
@@ -30,5 +30,10 @@ std::vector<size_t> filtered(const Listing& listing, std::string_view query);
 
 // Natural order, case-insensitive; compares numbers by value: "wood2" before "wood10".
 bool name_before(std::string_view a, std::string_view b);
+
+// Returns the image files below `folder`, relative to it, sorted: at most `limit`. The search stops
+// after `max_entries` files and folders.
+std::vector<std::string> image_files(const std::filesystem::path& folder, size_t limit = 500,
+                                     size_t max_entries = 20'000);
 
 }  // namespace wrinkle::editor

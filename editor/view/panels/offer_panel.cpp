@@ -1,7 +1,7 @@
 // Popup for a wire dropped on a pin of another type: the reason, and node types to insert.
 #include <algorithm>
 
-#include "editor/view/edit/offer.h"
+#include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
@@ -15,11 +15,8 @@ constexpr float width = 440;
 // Returns the index of the chosen row, or -1.
 int draw_offered(State& state) {
     Offer& offer = state.offer;
-    const ImGuiIO& io = ImGui::GetIO();
     const int count = static_cast<int>(offer.choices.size());
-    if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_DownArrow])) ++offer.chosen;
-    if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_UpArrow])) --offer.chosen;
-    offer.chosen = std::clamp(offer.chosen, 0, std::max(count - 1, 0));
+    offer.chosen = moved_choice(offer.chosen, offer.choices.size());
     int taken = -1;
     for (int i = 0; i < count; ++i) {
         const Offer::Choice& choice = offer.choices[static_cast<size_t>(i)];
@@ -29,7 +26,7 @@ int draw_offered(State& state) {
             taken = i;
         if (ImGui::IsItemHovered()) show_tooltip(beside_window(), choice.type->doc);
     }
-    const bool enter = ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false);
+    const bool enter = is_pressed(ImGuiKey_Enter, false);
     return enter && !offer.opening && count > 0 ? offer.chosen : taken;
 }
 
@@ -51,9 +48,7 @@ void draw_offer(State& state) {
     ImGui::Begin("##offer", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                      ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-    ImGui::PushTextWrapPos(width - 12);
-    ImGui::TextUnformatted(offer.why.c_str());
-    ImGui::PopTextWrapPos();
+    write_paragraph(theme::text, offer.why, width - 12);
     const int taken = draw_offered(state);
     const bool away = !offer.opening && !ImGui::IsWindowFocused();
     ImGui::End();
@@ -62,7 +57,7 @@ void draw_offer(State& state) {
     offer.opening = false;
     if (taken >= 0)
         accept_offer(state, static_cast<size_t>(taken));
-    else if (away || ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]))
+    else if (away || is_pressed(ImGuiKey_Escape))
         offer = {};
 }
 

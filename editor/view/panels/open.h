@@ -11,9 +11,9 @@
 
 #include "editor/model/bake/choices.h"
 #include "editor/model/document/intent.h"
+#include "editor/model/document/wiring.h"
 #include "editor/view/canvas/gesture.h"
 #include "editor/view/panels/listing.h"
-#include "editor/view/panels/samples.h"
 #include "registry/registry.h"
 
 namespace wrinkle::editor {
@@ -39,8 +39,8 @@ struct Browser {
         open_graph,
         save_graph,
         export_text,
-        export_picture,
-        picture,
+        export_image,
+        image,
         bake_mesh,
         bake_into  // a folder, or a file
     };
@@ -51,10 +51,10 @@ struct Browser {
     int chosen = 0;             // index into `shown`
     std::string text, filtered_by;
     bool focus = false, scroll = false;
-    std::string node, port;  // purpose `picture`; "" adds a node
-    size_t size = 0;         // purpose `export_picture`: index into picture_sizes()
+    std::string node, port;  // purpose `image`; "" adds a node
+    size_t size = 0;         // purpose `export_image`: index into image_sizes()
     PendingAction then;      // action after the graph is saved
-    std::string trouble;     // why the last answer failed
+    std::string error_text;  // why the last answer failed
 };
 
 // State of the bake dialog.
@@ -63,6 +63,14 @@ struct BakeDialog {
     BakeChoices choices;
     std::optional<BakeChoices> looked;  // choices for which `replaces` was computed
     std::string replaces;               // one sentence on the files that would be overwritten
+};
+
+// Sample graph that is installed with the program.
+struct Sample {
+    std::filesystem::path file;
+    std::filesystem::path image;  // small image of its result; may not exist
+    std::string name;             // name of the graph; if it has none, of the file
+    size_t nodes = 0;
 };
 
 // Start page, drawn in place of the canvas while there is no graph.
@@ -103,11 +111,8 @@ struct Offer {
     std::string why;  // one sentence
     std::vector<Choice> choices;
     int chosen = 0;
-    // The wire from the output `from` to the input node.port; `lifted` is the input that it was
-    // disconnected from, if any.
-    Link from;
-    std::string node, port;
-    std::optional<Link> lifted;
+    Connection connection;       // the wire
+    std::optional<Link> lifted;  // the input that it was disconnected from
 };
 
 // Editor for the text of a note or the title of a frame.

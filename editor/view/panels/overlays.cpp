@@ -6,7 +6,6 @@
 #include "editor/view/canvas/layout.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/look/draw.h"
-#include "editor/view/look/icons.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/panels/panels.h"
 #include "editor/view/panels/regions.h"
@@ -17,33 +16,14 @@ namespace {
 constexpr float margin = 16, tall = 28, crumb_gap = 24;
 const ImVec2 map_size(168, 112);
 
-// Undecorated window on the canvas. It does not take focus, so a drag on the canvas continues.
-class Overlay {
+// Window on the canvas with the background of a bar.
+class Overlay : FixedWindow {
 public:
-    Overlay(const char* id, ImVec2 at, ImVec2 size) : low_(at), high_(at + size) {
-        ImGui::SetNextWindowPos(at);
-        ImGui::SetNextWindowSize(size);
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-        ImGui::Begin(id, nullptr,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
-                         ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavInputs |
-                         ImGuiWindowFlags_NoNavFocus);
-        list().AddRectFilled(low_, high_, theme::bar, 5);
-        list().AddRect(low_, high_, theme::border, 5);
-    }
-    Overlay(const Overlay&) = delete;
-    Overlay& operator=(const Overlay&) = delete;
-    ~Overlay() {
-        ImGui::End();
-        ImGui::PopStyleVar(2);
+    Overlay(const char* id, ImVec2 at, ImVec2 size) : FixedWindow(id, at, size, overlay_flags) {
+        list().AddRectFilled(at, at + size, theme::bar, 5);
+        list().AddRect(at, at + size, theme::border, 5);
     }
     static ImDrawList& list() { return *ImGui::GetWindowDrawList(); }
-    ImVec2 low() const { return low_; }
-
-private:
-    ImVec2 low_, high_;
 };
 
 // One open file of the breadcrumb, or "..." for several.
@@ -102,9 +82,9 @@ void draw_crumbs(State& state) {
     float width = 0;
     for (const Crumb& crumb : crumbs)
         width += crumb.width + crumb_gap;
-    const Overlay overlay("##crumbs", view.corner + ImVec2(margin, margin), {width, tall});
-    const ImVec2 low = overlay.low();
-    state.targets.add("crumbs", {low.x, low.y, low.x + width, low.y + tall});
+    const ImVec2 low = view.corner + ImVec2(margin, margin);
+    const Overlay overlay("##crumbs", low, {width, tall});
+    name_area(state, "crumbs", low, low + ImVec2(width, tall));
     ImDrawList& list = Overlay::list();
     ImVec2 at = low + ImVec2(12, 6);
     std::optional<size_t> pressed;
@@ -134,8 +114,8 @@ bool draw_part(State& state, const char* id, ImVec2 at, float width) {
 void draw_zoom(State& state) {
     const View& view = state.view;
     const float y = view.corner.y + view.extent.y - margin - tall;
-    const Overlay overlay("##zoom", {view.corner.x + margin, y}, {188, tall});
-    const ImVec2 at = overlay.low();
+    const ImVec2 at(view.corner.x + margin, y);
+    const Overlay overlay("##zoom", at, {188, tall});
     ImDrawList& list = Overlay::list();
     ImFont* font = state.fonts.regular(16);
     draw_part(state, "fit", at, 64);
@@ -158,10 +138,11 @@ struct Map {
 };
 
 Map fit_map(const Layout& layout, ImVec2 low) {
-    const ImVec2 size = layout.high - layout.low, room = map_size - ImVec2(16, 16);
+    const Extent& all = layout.bounds;
+    const ImVec2 size = all.high - all.low, room = map_size - ImVec2(16, 16);
     const float scale =
         std::min({room.x / std::max(size.x, 1.0F), room.y / std::max(size.y, 1.0F), 0.12F});
-    const ImVec2 middle = (layout.low + layout.high) * 0.5F;
+    const ImVec2 middle = (all.low + all.high) * 0.5F;
     return {low + map_size * 0.5F - middle * scale, scale};
 }
 

@@ -7,9 +7,10 @@
 #include "editor/view/canvas/layout.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/edit/edits.h"
+#include "editor/view/edit/layer.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
-#include "editor/view/panels/fields.h"
+#include "editor/view/panels/panels.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -68,12 +69,11 @@ void draw_title(const State& state, ImDrawList& list, ImVec2 at, const PaletteRo
 }
 
 void draw_output(ImDrawList& list, const NodeType& type, ImVec2 at, bool chosen) {
-    for (const Port& port : type.ports) {
-        if (port.kind != Port::Kind::output) continue;
-        if (chosen) list.AddCircleFilled(at, 11, theme::panel);
-        return draw_pin(list, port.type, at, 6, theme::of(port.type), true,
-                        chosen ? theme::panel : theme::node);
-    }
+    const Port* port = first_output(type);
+    if (!port) return;
+    if (chosen) list.AddCircleFilled(at, 11, theme::panel);
+    draw_pin(list, port->type, at, 6, theme::of(port->type), true,
+             chosen ? theme::panel : theme::node);
 }
 
 void draw_row(const State& state, const PaletteRow& row, ImVec2 low, ImVec2 high, bool chosen) {
@@ -99,18 +99,12 @@ void draw_row(const State& state, const PaletteRow& row, ImVec2 low, ImVec2 high
 }
 
 void move_choice(Palette& palette, int count) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const auto pressed = [&](ImGuiKey key) { return ImGui::IsKeyPressed(io.KeyMap[key]); };
+    const float wheel = ImGui::GetIO().MouseWheel;
     const int before = palette.chosen;
-    if (pressed(ImGuiKey_DownArrow)) ++palette.chosen;
-    if (pressed(ImGuiKey_UpArrow)) --palette.chosen;
-    if (pressed(ImGuiKey_PageDown)) palette.chosen += rows_shown;
-    if (pressed(ImGuiKey_PageUp)) palette.chosen -= rows_shown;
-    palette.chosen = std::clamp(palette.chosen, 0, std::max(count - 1, 0));
+    palette.chosen = moved_choice(palette.chosen, static_cast<size_t>(count), rows_shown);
     if (palette.chosen != before || palette.first > palette.chosen)
         palette.first = std::clamp(palette.first, palette.chosen - rows_shown + 1, palette.chosen);
-    if (ImGui::IsWindowHovered() && io.MouseWheel != 0)
-        palette.first -= static_cast<int>(io.MouseWheel * 3);
+    if (ImGui::IsWindowHovered()) palette.first -= static_cast<int>(wheel * 3);
     palette.first = std::clamp(palette.first, 0, std::max(count - rows_shown, 0));
 }
 
@@ -128,7 +122,7 @@ int draw_rows(State& state, const std::vector<PaletteRow>& rows) {
         if (ImGui::IsItemHovered() && (moved.x != 0 || moved.y != 0)) palette.chosen = i;
         const PaletteRow& row = rows[static_cast<size_t>(i)];
         draw_row(state, row, low, high, i == palette.chosen);
-        state.targets.add(row.target, {low.x, low.y, high.x, high.y});
+        name_area(state, row.target, low, high);
         ImGui::PopID();
     }
     return taken;
@@ -188,11 +182,7 @@ void draw_nothing(const State& state) {
     const std::string text = std::string("No ") + (palette.commands ? "command" : "node") +
                              " matches \"" + palette.query + "\". Backspace to widen" +
                              (filtered ? ", or Tab to search all types." : ".");
-    ImGui::PushTextWrapPos(width_of(palette) - padding);
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::text_dim);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopStyleColor();
-    ImGui::PopTextWrapPos();
+    write_paragraph(theme::text_dim, text, width_of(palette) - padding);
 }
 
 void draw_footer(const State& state) {
@@ -233,8 +223,7 @@ int draw_window(State& state, std::vector<PaletteRow>& rows, bool& away) {
     away = !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) && !palette.opening;
     ImGui::End();
     // ImGui unfocuses the field on Enter; focus it again if Enter had no effect.
-    const bool in_vain = enter && (taken < 0 || !rows[static_cast<size_t>(taken)].off.empty());
-    palette.opening = in_vain;
+    palette.opening = enter && (taken < 0 || !rows[static_cast<size_t>(taken)].off.empty());
     return taken;
 }
 
@@ -258,7 +247,7 @@ void draw_palette(State& state) {
     ImGui::PopStyleVar(4);
     if (taken >= 0)
         choose(state, rows[static_cast<size_t>(taken)]);
-    else if (away || ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]))
+    else if (away || is_pressed(ImGuiKey_Escape))
         state.palette = {};
 }
 

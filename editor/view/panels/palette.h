@@ -7,14 +7,9 @@
 
 namespace wrinkle::editor {
 
-// Returns the matches of a query, best first. Sort keys: the rank of search.h, no conversion on the
-// wire before a conversion, most recently used first, shorter title first. For an empty query, the
-// last key is the family instead: images, gradients, noises, then the rest.
-struct FoundNode {
-    const NodeType* type = nullptr;
-    Match match;
-};
-std::vector<FoundNode> find_nodes(const State& state, std::string_view query);
+// Returns the node types that match a query, best first. Sort keys: the rank of search.h, no
+// conversion on the wire before a conversion, most recently used first, shorter title first. For an
+// empty query, the last key is the family instead: images, gradients, noises, then the rest.
 std::vector<const NodeType*> search_nodes(const State& state, std::string_view query);
 
 // One row of the list.

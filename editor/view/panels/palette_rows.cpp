@@ -23,18 +23,28 @@ size_t order_of_use(const std::vector<std::string>& recent, std::string_view id)
     return static_cast<size_t>(std::find(recent.begin(), recent.end(), id) - recent.begin());
 }
 
-std::vector<PaletteRow> node_rows(const State& state) {
-    std::vector<PaletteRow> rows;
-    for (FoundNode& found : find_nodes(state, state.palette.query)) {
+// Matching node types, best first (palette.h).
+std::vector<PaletteRow> node_rows(const State& state, std::string_view query) {
+    const std::string wanted = lower_case(query);
+    const Gesture wire = state.palette.all_types ? Gesture() : state.palette.wire;
+    using Key = std::tuple<int, bool, size_t, size_t>;
+    std::vector<std::pair<Key, PaletteRow>> found;
+    for (const NodeType& type : state.registry->list()) {
+        if (!type_fits(type, wire)) continue;
+        auto matched = match(type.title, type.id, type.doc, wanted);
+        if (!matched) continue;
+        const size_t last = wanted.empty() ? order_of_family(type.family) : type.title.size();
+        const Key key{matched->rank, !type_matches(type, wire),
+                      order_of_use(state.recent.nodes, type.id), last};
         PaletteRow row;
-        row.title = found.type->title;
-        row.doc = found.type->doc;
-        row.target = "palette:" + found.type->id;
-        row.letters = std::move(found.match.letters);
-        row.type = found.type;
-        rows.push_back(std::move(row));
+        row.title = type.title;
+        row.doc = type.doc;
+        row.target = "palette:" + type.id;
+        row.letters = std::move(matched->letters);
+        row.type = &type;
+        found.emplace_back(key, std::move(row));
     }
-    return rows;
+    return best_first(std::move(found));
 }
 
 PaletteRow row_of(const State& state, const Command& command, Match match) {
@@ -60,12 +70,7 @@ std::vector<PaletteRow> command_rows(const State& state) {
                       order_of_use(state.recent.commands, command.id)};
         found.emplace_back(key, row_of(state, command, std::move(*matched)));
     }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<PaletteRow> rows;
-    for (auto& [key, row] : found)
-        rows.push_back(std::move(row));
-    return rows;
+    return best_first(std::move(found));
 }
 
 // Returns the nodes of the graph that match the query by id, type or title.
@@ -85,48 +90,21 @@ std::vector<PaletteRow> graph_rows(const State& state) {
         row.type = type;
         found.emplace_back(matched->rank, std::move(row));
     }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<PaletteRow> rows;
-    for (auto& [rank, row] : found)
-        rows.push_back(std::move(row));
-    return rows;
+    return best_first(std::move(found));
 }
 
 }  // namespace
 
-std::vector<FoundNode> find_nodes(const State& state, std::string_view query) {
-    const std::string wanted = lower_case(query);
-    const Gesture wire = state.palette.all_types ? Gesture() : state.palette.wire;
-    using Key = std::tuple<int, bool, size_t, size_t>;
-    std::vector<std::pair<Key, FoundNode>> found;
-    for (const NodeType& type : state.registry->list()) {
-        if (!type_fits(type, wire)) continue;
-        auto matched = match(type.title, type.id, type.doc, wanted);
-        if (!matched) continue;
-        const size_t last = wanted.empty() ? order_of_family(type.family) : type.title.size();
-        const Key key{matched->rank, !type_matches(type, wire),
-                      order_of_use(state.recent.nodes, type.id), last};
-        found.emplace_back(key, FoundNode{&type, std::move(*matched)});
-    }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<FoundNode> nodes;
-    for (auto& [key, node] : found)
-        nodes.push_back(std::move(node));
-    return nodes;
-}
-
 std::vector<const NodeType*> search_nodes(const State& state, std::string_view query) {
     std::vector<const NodeType*> types;
-    for (const FoundNode& found : find_nodes(state, query))
-        types.push_back(found.type);
+    for (const PaletteRow& row : node_rows(state, query))
+        types.push_back(row.type);
     return types;
 }
 
 std::vector<PaletteRow> palette_rows(const State& state) {
     if (state.palette.find) return graph_rows(state);
-    return state.palette.commands ? command_rows(state) : node_rows(state);
+    return state.palette.commands ? command_rows(state) : node_rows(state, state.palette.query);
 }
 
 void note_use(std::vector<std::string>& recent, std::string_view id) {

@@ -1,5 +1,5 @@
-#include "editor/view/panels/popups.h"
 
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -12,7 +12,6 @@
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/panels/browser.h"
-#include "editor/view/panels/fields.h"
 #include "editor/view/panels/panels.h"
 #include "editor/view/panels/search.h"
 #include "graph/edit.h"
@@ -78,27 +77,12 @@ bool draw_text_entry(State& state) {
     return true;
 }
 
-// Returns the indices of the names that match the query, best first.
-std::vector<size_t> narrowed(const std::vector<std::string>& names, const std::string& query) {
-    std::vector<std::pair<int, size_t>> found;
-    for (size_t i = 0; i < names.size(); ++i)
-        if (const auto matched = match(names[i], "", "", lower_case(query)))
-            found.emplace_back(matched->rank, i);
-    std::sort(found.begin(), found.end());
-    std::vector<size_t> shown;
-    for (const auto& [rank, index] : found)
-        shown.push_back(index);
-    return shown;
-}
-
 // Returns true on Enter; Tab sets `next`.
 bool draw_query(State& state, bool field) {
     Popup& popup = state.popup;
-    const ImGuiIO& io = ImGui::GetIO();
     if (!field) {
-        const bool tab = ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Tab], false);
-        if (tab) popup.next = io.KeyShift ? -1 : 1;
-        return !popup.opening && ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false);
+        if (is_pressed(ImGuiKey_Tab, false)) popup.next = ImGui::GetIO().KeyShift ? -1 : 1;
+        return !popup.opening && is_pressed(ImGuiKey_Enter, false);
     }
     if (popup.opening) focus_field(state);
     ImGui::SetNextItemWidth(-1);
@@ -116,12 +100,9 @@ bool draw_query(State& state, bool field) {
 bool draw_list(State& state, const std::vector<std::string>& names, bool field, size_t& taken) {
     Popup& popup = state.popup;
     const bool entered = draw_query(state, field);
-    const std::vector<size_t> shown = narrowed(names, popup.query);
-    const ImGuiIO& io = ImGui::GetIO();
-    const auto pressed = [&](ImGuiKey key) { return ImGui::IsKeyPressed(io.KeyMap[key]); };
+    const std::vector<size_t> shown = find_matches(names, std::identity(), popup.query);
     const int before = popup.chosen;
-    popup.chosen += pressed(ImGuiKey_DownArrow) - pressed(ImGuiKey_UpArrow);
-    popup.chosen = std::clamp(popup.chosen, 0, std::max(static_cast<int>(shown.size()) - 1, 0));
+    popup.chosen = moved_choice(popup.chosen, shown.size());
     const float rows =
         std::min(static_cast<float>(std::max<size_t>(shown.size(), 1)), choices_shown);
     ImGui::BeginChild("##names", {0, rows * choice_tall}, false, ImGuiWindowFlags_NoNavInputs);
@@ -176,13 +157,13 @@ bool draw_files(State& state) {
     if (files.empty()) ImGui::TextDisabled("There are no images below the graph's folder.");
     const std::string node = state.popup.node, name = port ? port->name : "";
     if (button(state, "Browse...", "choice:browse")) {
-        browse_picture(state, node, name);
+        browse_image(state, node, name);
         return true;
     }
     size_t taken = 0;
     if (!draw_list(state, files, true, taken)) return state.popup.next != 0;
     if (adds)
-        add_picture(state, files[taken]);
+        add_image(state, files[taken]);
     else
         state.commit(state.popup.node + ": " + port->name,
                      with_file(state.document(), state.popup.node, *port, files[taken]));
@@ -211,9 +192,8 @@ bool draw_color(State& state) {
                 with_number(document, state.popup.node, *port, i, static_cast<double>(color[i]));
         state.commit(state.popup.node + ": " + port->name, document, state.popup.merge);
     }
-    const ImGuiIO& io = ImGui::GetIO();
-    if (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Tab], false)) state.popup.next = 1;
-    return state.popup.next != 0 || ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false);
+    if (is_pressed(ImGuiKey_Tab, false)) state.popup.next = 1;
+    return state.popup.next != 0 || is_pressed(ImGuiKey_Enter, false);
 }
 
 bool draw_popup_content(State& state) {
@@ -296,7 +276,7 @@ void edit_values(State& state) {
     if (card && !card->fields.empty()) open_field(state, Card(*card), Field(card->fields.front()));
 }
 
-void choose_picture(State& state) {
+void choose_image(State& state) {
     Popup popup;
     popup.kind = Popup::Kind::file;
     popup.opening = true;
@@ -323,7 +303,7 @@ void draw_popup(State& state) {
     const bool done = draw_window(state);
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(3);
-    const bool escape = ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[ImGuiKey_Escape]);
+    const bool escape = is_pressed(ImGuiKey_Escape);
     if (!done && !escape) return;
     const Popup closed = std::move(state.popup);
     state.popup = {};

@@ -39,14 +39,10 @@ void choose_other(State& state, float width) {
     PreviewRequest& request = state.view.preview_request;
     const std::vector<PreviewRequest> all = others(state);
     Choices choices;
-    for (const PreviewRequest& other : all) {
-        if (other.against == request.against && other.name == request.name)
-            choices.chosen = static_cast<int>(choices.labels.size());
-        choices.labels.push_back(against_label(other));
-        choices.targets.push_back("against:" + other.name);
-    }
-    const int picked =
-        choose(state, "##against", "compare:against", against_label(request), choices, width);
+    for (const PreviewRequest& other : all)
+        choices.add(against_label(other), "against:" + other.name,
+                    other.against == request.against && other.name == request.name);
+    const int picked = choose(state, "compare:against", against_label(request), choices, width);
     if (picked < 0) return;
     request.against = all[static_cast<size_t>(picked)].against;
     request.name = all[static_cast<size_t>(picked)].name;
@@ -101,8 +97,8 @@ void draw_compare(State& state, ImVec2 at, float width) {
     word(state, "as");
     const Choices as{
         {"Picture", "Difference"}, {"as:picture", "as:difference"}, compare.difference ? 1 : 0};
-    const int picked = choose(state, "##as", "compare:as", as.labels[compare.difference ? 1 : 0],
-                              as, std::max(left * 0.45F, 60.0F));
+    const int picked = choose(state, "compare:as", as.labels[compare.difference ? 1 : 0], as,
+                              std::max(left * 0.45F, 60.0F));
     if (picked >= 0) compare.difference = picked == 1;
     ImGui::EndDisabled();
 }

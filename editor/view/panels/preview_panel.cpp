@@ -4,6 +4,9 @@
 #include <filesystem>
 #include <utility>
 
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
 #include "editor/view/commands/commands.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
@@ -24,11 +27,9 @@ std::string capitalised(std::string text) {
 
 Choices lights(const PreviewView& view) {
     Choices choices{{"Studio", "Phong"}, {"light:studio", "light:phong"}, 0};
-    if (!view.environment.empty()) {
-        choices.labels.push_back(std::filesystem::path(view.environment).filename().string());
-        choices.targets.push_back("light:file");
-        choices.chosen = 2;
-    }
+    if (!view.environment.empty())
+        choices.add(std::filesystem::path(view.environment).filename().string(), "light:file",
+                    true);
     if (view.lighting == gpu::Lighting::phong) choices.chosen = 1;
     return choices;
 }
@@ -40,14 +41,12 @@ void choose_light(PreviewView& view, int picked) {
 
 void edit_path(State& state, const char* label, const char* hint, const char* target,
                std::string& path, const char* none) {
-    char text[1024] = "";
-    path.copy(text, sizeof text - 1);
+    std::string text = path;
     ImGui::TextUnformatted(label);
     ImGui::SetNextItemWidth(280);
     ImGui::PushID(label);
-    if (ImGui::InputTextWithHint("##path", hint, text, sizeof text,
-                                 ImGuiInputTextFlags_EnterReturnsTrue))
-        path = text[0] ? text : none;
+    if (ImGui::InputTextWithHint("##path", hint, &text, ImGuiInputTextFlags_EnterReturnsTrue))
+        path = text.empty() ? none : text;
     ImGui::PopID();
     name_item(state, target);
 }
@@ -120,26 +119,10 @@ std::string mesh_label(const std::string& mesh) {
 Choices mesh_choices(const std::string& mesh) {
     Choices choices;
     for (const Shape& shape : shapes()) {
-        if (mesh == shape.name) choices.chosen = static_cast<int>(choices.labels.size());
-        choices.labels.push_back(capitalised(std::string(shape.name)));
-        choices.targets.push_back("mesh:" + std::string(shape.name));
+        const std::string name(shape.name);
+        choices.add(capitalised(name), "mesh:" + name, mesh == name);
     }
     return choices;
-}
-
-int choose(State& state, const char* id, const std::string& target, const std::string& shown,
-           const Choices& choices, float width) {
-    int picked = -1;
-    if (!begin_choice(state, id, target, shown, width)) return picked;
-    for (size_t i = 0; i < choices.labels.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable(choices.labels[i].c_str(), choices.chosen == static_cast<int>(i)))
-            picked = static_cast<int>(i);
-        ImGui::PopID();
-        name_item(state, choices.targets[i]);
-    }
-    ImGui::EndCombo();
-    return picked;
 }
 
 void draw_preview_head(State& state) {
@@ -157,13 +140,13 @@ void draw_preview_head(State& state) {
     PreviewView& view = state.view.preview_view;
     const float room = std::floor((controls - icons - 16) / 2);
     ImGui::SetCursorPos({width - controls, 5});
-    const int mesh = choose(state, "##mesh", "preview:mesh", mesh_label(view.mesh),
-                            mesh_choices(view.mesh), room);
+    const int mesh =
+        choose(state, "preview:mesh", mesh_label(view.mesh), mesh_choices(view.mesh), room);
     if (mesh >= 0) view.mesh = std::string(shapes()[static_cast<size_t>(mesh)].name);
     ImGui::SameLine(0, 6);
     const Choices all = lights(view);
-    const int light = choose(state, "##light", "preview:light",
-                             all.labels[static_cast<size_t>(all.chosen)], all, room);
+    const int light =
+        choose(state, "preview:light", all.labels[static_cast<size_t>(all.chosen)], all, room);
     if (light >= 0) choose_light(view, light);
     ImGui::SameLine(0, 8);
     draw_head_icons(state);
@@ -189,13 +172,11 @@ void draw_preview_strip(State& state) {
         picked = segments(state, all, chosen, width);
     } else {  // too narrow for one row of segments
         Choices choices{{}, {}, chosen};
-        for (const Segment& each : all) {
-            choices.labels.push_back(each.label);
-            choices.targets.push_back(each.target);
-        }
+        for (const Segment& each : all)
+            choices.add(each.label, each.target);
         const std::string shown =
             chosen < 0 ? "Difference" : all[static_cast<size_t>(chosen)].label;
-        picked = choose(state, "##view", "preview:view", shown, choices, width);
+        picked = choose(state, "preview:view", shown, choices, width);
     }
     if (picked >= 0) view.view = views[picked];
 }
@@ -208,7 +189,7 @@ void draw_preview(State& state) {
     const float compare = compare_height(whole.x);
     const ImVec2 at = corner + ImVec2(0, preview_head + strip_height);
     const ImVec2 size(whole.x, whole.y - preview_head - strip_height - compare);
-    if (size.x >= 1 && size.y >= 1) draw_preview_picture(state, at, size);
+    if (size.x >= 1 && size.y >= 1) draw_preview_image(state, at, size);
     draw_compare(state, corner + ImVec2(0, whole.y - compare), whole.x);
 }
 

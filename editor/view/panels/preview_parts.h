@@ -1,27 +1,18 @@
 // Parts of the preview panel.
 #pragma once
 
-#include "editor/view/state.h"
+#include "editor/view/panels/panels.h"
 
 namespace wrinkle::editor {
 
 void draw_preview_head(State& state);
 void draw_preview_strip(State& state);
-void draw_preview_picture(State& state, ImVec2 at, ImVec2 size);
+void draw_preview_image(State& state, ImVec2 at, ImVec2 size);
 float compare_height(float width);
 void draw_compare(State& state, ImVec2 at, float width);
 
 // Returns the label of the method or value on side B of the comparison: "UDN blend".
 std::string against_label(const PreviewRequest& request);
-
-// Items of a combo box: labels and script targets by index; `chosen` is the current one, or -1.
-struct Choices {
-    std::vector<std::string> labels, targets;
-    int chosen = -1;
-};
-// Draws the combo box; returns the index that was picked, or -1.
-int choose(State& state, const char* id, const std::string& target, const std::string& shown,
-           const Choices& choices, float width);
 
 // Returns the shapes of the preview. `mesh`, the current one: a shape's name or a file's path.
 Choices mesh_choices(const std::string& mesh);

@@ -10,7 +10,6 @@
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
 #include "editor/view/panels/panels.h"
-#include "editor/view/panels/popups.h"
 #include "lower/conversion.h"
 
 namespace wrinkle::editor {
@@ -84,8 +83,8 @@ std::string port_of(const Diagnostic& problem) {
 }
 
 struct Fix {
-    std::string label = {};  // "": there is no certain fix
-    bool picture = false;    // true: choose an image; false: disconnect the wire
+    std::string label = {};      // "": there is no certain fix
+    bool chooses_image = false;  // true: choose an image; false: disconnect the wire
     std::string node = {}, port = {};
     const ImageWarning* remark = nullptr;  // if set, the fix is its remedy
     bool can_go = false;                   // the row can be dismissed without a fix
@@ -138,7 +137,7 @@ Fix fix_at(const State& state, const Diagnostic& problem, size_t index, size_t o
 
 void apply(State& state, const Fix& fix) {
     if (fix.remark) return apply_remedy(state, *fix.remark);
-    if (!fix.picture) {
+    if (!fix.chooses_image) {
         state.commit("Disconnect " + fix.node + "." + fix.port,
                      without_wire(state.document(), fix.node, fix.port));
         return;
@@ -209,7 +208,7 @@ Pressed draw_problem(State& state, const Diagnostic& problem, size_t index, cons
     const bool clicked = ImGui::InvisibleButton("problem", size, ImGuiButtonFlags_None);
     ImGui::SetItemAllowOverlap();
     const std::string target = "problem:" + std::to_string(index + 1);
-    state.targets.add(target, {at.x, at.y, at.x + size.x, at.y + size.y});
+    name_area(state, target, at, at + size);
     const bool current = index == state.problems.current;
     list.AddRect(at, at + size,
                  ImGui::IsItemHovered() ? theme::accent

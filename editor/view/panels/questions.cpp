@@ -137,18 +137,12 @@ Sheet sheet_of(const Session& session) {
 }
 
 void draw_words(const State& state, const Sheet& sheet) {
-    ImGui::PushTextWrapPos(dialog_width - dialog_padding);
+    constexpr float wrap = dialog_width - dialog_padding;
     ImGui::PushFont(state.fonts.bold(18));
-    ImGui::TextUnformatted(sheet.sentence.c_str());
+    write_paragraph(theme::text, sheet.sentence, wrap);
     ImGui::PopFont();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::text_dim);
-    if (!sheet.detail.empty()) ImGui::TextUnformatted(sheet.detail.c_str());
-    ImGui::PopStyleColor();
-    ImGui::PushStyleColor(ImGuiCol_Text, theme::error);
-    const std::string& trouble = state.question.trouble;
-    if (!trouble.empty()) ImGui::TextUnformatted(trouble.c_str());
-    ImGui::PopStyleColor();
-    ImGui::PopTextWrapPos();
+    write_paragraph(theme::text_dim, sheet.detail, wrap);
+    write_paragraph(theme::error, state.question.trouble, wrap);
 }
 
 const Answer* draw_answers(State& state, const Sheet& sheet) {
@@ -161,11 +155,8 @@ const Answer* draw_answers(State& state, const Sheet& sheet) {
         if (button(state, answer.label, answer.target, false, {104, 28})) taken = &answer;
         if (first) ImGui::PopStyleColor();
     }
-    const auto pressed = [](ImGuiKey key) {
-        return ImGui::IsKeyPressed(ImGui::GetIO().KeyMap[key]);
-    };
-    if (pressed(ImGuiKey_Escape)) return &sheet.answers.back();
-    const bool enter = pressed(ImGuiKey_Enter) && !state.question.opening;
+    if (is_pressed(ImGuiKey_Escape)) return &sheet.answers.back();
+    const bool enter = is_pressed(ImGuiKey_Enter) && !state.question.opening;
     return enter ? &sheet.answers.front() : taken;
 }
 

@@ -6,6 +6,7 @@
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/panels/panels.h"
+#include "editor/view/state.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -60,16 +61,8 @@ struct Splitter {
 
 void draw_splitter(const Splitter& splitter) {
     const ImVec2 reach = splitter.upright ? ImVec2(grab, 0) : ImVec2(0, grab);
-    ImGui::SetNextWindowPos(splitter.line.at - reach);
     const ImVec2 size = splitter.line.size + reach * 2;
-    ImGui::SetNextWindowSize(size);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-    ImGui::Begin(splitter.id, nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBackground |
-                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavInputs |
-                     ImGuiWindowFlags_NoNavFocus);
+    const FixedWindow window(splitter.id, splitter.line.at - reach, size, overlay_flags);
     ImGui::InvisibleButton(splitter.id, size);
     const bool held = ImGui::IsItemActive(), bright = held || ImGui::IsItemHovered();
     if (bright)
@@ -90,27 +83,14 @@ void draw_splitter(const Splitter& splitter) {
     else if (dragged)
         splitter.fraction =
             std::clamp(std::fabs(splitter.edge - mouse) / splitter.whole, 0.02F, 0.98F);
-    ImGui::End();
-    ImGui::PopStyleVar(2);
 }
 
 }  // namespace
 
 const Rect& Regions::of(Pane pane) const {
     static const Rect nowhere;
-    switch (pane) {
-        case Pane::canvas:
-            return canvas;
-        case Pane::problems:
-            return problems;
-        case Pane::preview:
-            return preview;
-        case Pane::code:
-            return code;
-        case Pane::none:
-            break;
-    }
-    return nowhere;
+    const Rect* const of_pane[] = {&nowhere, &canvas, &problems, &preview, &code};
+    return *of_pane[static_cast<size_t>(pane)];
 }
 
 Pane Regions::at(ImVec2 point) const {

@@ -6,9 +6,26 @@
 //   problems      height of its rows, at most 20 %; only its header in windows lower than 800
 #pragma once
 
-#include "editor/view/state.h"
+#include <imgui.h>
+
+#include <cstdint>
+#include <optional>
 
 namespace wrinkle::editor {
+
+struct State;
+
+enum class Pane : uint8_t { none, canvas, problems, preview, code };
+
+// Window layout as changed by the user. Sizes are fractions, so that they apply to every window
+// size; 0 means the default rule above.
+struct Panes {
+    float side = 0;                  // right column; fraction of the window width
+    float preview = 0;               // fraction of the column height
+    float problems = 0;              // fraction of the work area height
+    std::optional<bool> side_shown;  // std::nullopt: shown if the window is wide enough
+    Pane maximised = Pane::none;
+};
 
 struct Rect {
     ImVec2 at{0, 0}, size{0, 0};

@@ -1,6 +1,7 @@
 #include "editor/view/panels/search.h"
 
 #include <cctype>
+#include <numeric>
 
 namespace wrinkle::editor {
 namespace {
@@ -19,9 +20,8 @@ size_t find_word(std::string_view text, std::string_view query) {
 }
 
 std::vector<size_t> run_of(size_t at, size_t length) {
-    std::vector<size_t> letters;
-    for (size_t i = 0; i < length; ++i)
-        letters.push_back(at + i);
+    std::vector<size_t> letters(length);
+    std::iota(letters.begin(), letters.end(), at);
     return letters;
 }
 

@@ -7,9 +7,12 @@
 //      word of the title              8  the beginning of a word of the doc line
 #pragma once
 
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace wrinkle::editor {
@@ -25,5 +28,27 @@ struct Match {
 // matches everything at rank 0. The doc line is searched only for queries of three bytes or more.
 std::optional<Match> match(std::string_view title, std::string_view id, std::string_view doc,
                            std::string_view query);
+
+// Returns the values in ascending order of their keys; equal keys stay in order.
+template <class Key, class Value>
+std::vector<Value> best_first(std::vector<std::pair<Key, Value>> found) {
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Value> values;
+    for (auto& [key, value] : found)
+        values.push_back(std::move(value));
+    return values;
+}
+
+// Returns the indices of the elements with names, `name` of the element, that match, best first.
+template <class List, class Name>
+std::vector<size_t> find_matches(const List& list, Name name, std::string_view query) {
+    const std::string wanted = lower_case(query);
+    std::vector<std::pair<int, size_t>> found;
+    for (size_t i = 0; i < list.size(); ++i)
+        if (const auto matched = match(std::invoke(name, list[i]), "", "", wanted))
+            found.emplace_back(matched->rank, i);
+    return best_first(std::move(found));
+}
 
 }  // namespace wrinkle::editor

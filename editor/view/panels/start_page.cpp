@@ -3,22 +3,26 @@
 #include <cmath>
 #include <utility>
 
+#include "base/file.h"
+#include "base/folders.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
-#include "editor/view/panels/file_actions.h"
+#include "editor/view/panels/browser.h"
+#include "editor/view/panels/help.h"
+#include "editor/view/panels/listing.h"
 #include "editor/view/panels/panels.h"
-#include "editor/view/panels/samples.h"
+#include "graph/read.h"
 
 namespace wrinkle::editor {
 namespace {
 
 constexpr float drop_tall = 160, recent_tall = 24;
-constexpr float card_width = 168, card_tall = 140, gap = 16, picture_tall = 72;
+constexpr float card_width = 168, card_tall = 140, gap = 16, thumbnail_tall = 72;
 constexpr int most_columns = 4;
 constexpr size_t recent_shown = 5, name_lines = 4;
-constexpr ImU32 picture_ground = theme::rgb(0x282A2D), on_picture = theme::rgb(0xB0B8C4);
+constexpr ImU32 thumbnail_ground = theme::rgb(0x282A2D), on_thumbnail = theme::rgb(0xB0B8C4);
 
 void dash(ImDrawList& list, ImVec2 from, ImVec2 to) {
     const ImVec2 whole = to - from;
@@ -54,7 +58,7 @@ void draw_drop_area(State& state, float width) {
                                       "Drop two images here to layer them");
     draw_centered(list, state.fonts, false, 16, {at.x, below + 8}, width, theme::text_dim,
                   "Normal maps, heights, slopes: their pixels say which. I chooses one by name.");
-    state.targets.add("start:drop", {at.x, at.y, end.x, end.y});
+    name_area(state, "start:drop", at, end);
     ImGui::Dummy({width, drop_tall});
 }
 
@@ -72,17 +76,11 @@ void draw_buttons(State& state) {
     }
 }
 
-void draw_heading(const State& state, const char* words) {
-    ImGui::PushFont(state.fonts.bold(18));
-    ImGui::TextUnformatted(words);
-    ImGui::PopFont();
-}
-
 // Draws the recent files; returns true if one was chosen, which changes the list.
 bool draw_recent(State& state, float width) {
     const std::vector<std::filesystem::path>& recent = state.keeping.settings.recent;
     if (recent.empty()) return false;
-    draw_heading(state, "Recent");
+    write_wrapped(state, "Recent", theme::text, true, 18);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 0));
     std::filesystem::path taken;
     for (size_t i = 0; i < std::min(recent.size(), recent_shown); ++i) {
@@ -108,14 +106,14 @@ bool draw_recent(State& state, float width) {
 }
 
 // Draws the uncropped image of a sample on the background color of the preview.
-void draw_card_picture(State& state, ImDrawList& list, ImVec2 at, const Sample& sample) {
-    const ImVec2 low = at + ImVec2(1, 1), high = at + ImVec2(card_width - 1, picture_tall);
-    list.AddRectFilled(low, high, picture_ground, 6, ImDrawFlags_RoundCornersTop);
-    const uint32_t picture = ImGui::IsItemVisible() ? state.thumbnails.of(sample.picture) : 0;
-    if (!picture) return;
-    const float side = picture_tall - 1, left = 10;  // the node count is next to it
-    list.AddImage(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(picture)),
-                  at + ImVec2(left, 1), at + ImVec2(left + side, picture_tall), {0, 1}, {1, 0});
+void draw_thumbnail(State& state, ImDrawList& list, ImVec2 at, const Sample& sample) {
+    const ImVec2 low = at + ImVec2(1, 1), high = at + ImVec2(card_width - 1, thumbnail_tall);
+    list.AddRectFilled(low, high, thumbnail_ground, 6, ImDrawFlags_RoundCornersTop);
+    const uint32_t thumbnail = ImGui::IsItemVisible() ? state.thumbnails.of(sample.image) : 0;
+    if (!thumbnail) return;
+    const float side = thumbnail_tall - 1, left = 10;  // the node count is next to it
+    list.AddImage(texture_id(thumbnail), at + ImVec2(left, 1),
+                  at + ImVec2(left + side, thumbnail_tall), {0, 1}, {1, 0});
 }
 
 // Returns true if the card was clicked.
@@ -123,20 +121,19 @@ bool draw_card(State& state, const Sample& sample) {
     const ImVec2 at = ImGui::GetCursorScreenPos(), size(card_width, card_tall);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool clicked = ImGui::InvisibleButton("card", size);
-    state.targets.add("sample:" + sample.file.stem().string(),
-                      {at.x, at.y, at.x + size.x, at.y + size.y});
+    name_area(state, "sample:" + sample.file.stem().string(), at, at + size);
     const bool hovered = ImGui::IsItemHovered();
     list.AddRectFilled(at, at + size, theme::node, 6);
-    draw_card_picture(state, list, at, sample);
+    draw_thumbnail(state, list, at, sample);
     list.AddRect(at, at + size, hovered ? theme::accent : theme::border, 6, 0, hovered ? 2 : 1);
     ImFont* bold = state.fonts.bold(14);
-    float y = picture_tall + 3;
+    float y = thumbnail_tall + 3;
     for (const std::string& line : wrapped(bold, 14, sample.name, card_width - 20, name_lines)) {
         draw_text(list, bold, 14, at + ImVec2(10, y), theme::text, line);
         y += 15;
     }
-    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(card_width - 8, picture_tall - 17),
-              on_picture, counted(sample.nodes, "node"), true);
+    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(card_width - 8, thumbnail_tall - 17),
+              on_thumbnail, counted(sample.nodes, "node"), true);
     if (hovered) show_tooltip({at, at + size}, sample.name);
     return clicked;
 }
@@ -148,7 +145,7 @@ void draw_samples(State& state, int columns) {
     }
     const std::vector<Sample>& samples = state.start.samples;
     if (samples.empty()) return;
-    draw_heading(state, "Samples");
+    write_wrapped(state, "Samples", theme::text, true, 18);
     std::filesystem::path taken;
     for (size_t i = 0; i < samples.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));
@@ -170,8 +167,7 @@ void draw_start_page(State& state) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     state.view.corner = ImGui::GetCursorScreenPos();
     state.view.extent = room;
-    state.targets.add("canvas", {state.view.corner.x, state.view.corner.y,
-                                 state.view.corner.x + room.x, state.view.corner.y + room.y});
+    name_area(state, "canvas", state.view.corner, state.view.corner + room);
     // The width is a multiple of the cards' width, so that all parts of the page are aligned.
     const float scrollbar = ImGui::GetStyle().ScrollbarSize;
     const int columns = std::clamp(
@@ -187,6 +183,38 @@ void draw_start_page(State& state) {
     ImGui::Dummy({1, 16});
     ImGui::PopStyleVar();
     ImGui::EndChild();
+}
+
+std::filesystem::path samples_folder() {
+    std::error_code error;
+    const std::filesystem::path program = program_folder();
+    if (program.empty()) return {};
+    for (const char* place : {"../share/wrinkle/graphs", "../../../graphs"}) {
+        const std::filesystem::path folder = (program / place).lexically_normal();
+        if (std::filesystem::exists(folder / "base_and_detail.json", error)) return folder;
+    }
+    return {};
+}
+
+std::vector<Sample> list_samples(const std::filesystem::path& folder) {
+    std::vector<Sample> samples;
+    const std::string extension = ".json";
+    for (const Entry& entry : list_folder(folder, {&extension, 1}).entries) {
+        const std::filesystem::path file = folder / entry.name, stem = file.stem();
+        if (entry.folder || stem.extension() == ".test") continue;
+        std::string why;
+        const auto bytes = read_file(file, why);
+        if (!bytes) continue;
+        Diagnostics problems;
+        const Document document = read_document(*bytes, file.string(), problems);
+        if (problems.has_errors()) continue;
+        samples.push_back({file, folder / "golden" / (stem.string() + ".png"),
+                           document.name.empty() ? stem.string() : document.name,
+                           document.nodes.size()});
+    }
+    std::sort(samples.begin(), samples.end(),
+              [](const Sample& a, const Sample& b) { return name_before(a.name, b.name); });
+    return samples;
 }
 
 }  // namespace wrinkle::editor

@@ -6,10 +6,8 @@
 #include "editor/model/document/recovery.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/look/draw.h"
-#include "editor/view/look/icons.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
-#include "editor/view/panels/hints.h"
 #include "editor/view/panels/panels.h"
 #include "editor/view/panels/regions.h"
 
@@ -100,7 +98,7 @@ void draw_under_side(State& state, const Writer& w, float left, float right) {
     if (const Costs* costs = state.costs()) {
         const std::string cost = in_words(costs->total, costs->estimated);
         const ImVec2 low(left, w.y - 4), high(left + w.width(cost), w.y + 18);
-        state.targets.add("status:cost", {low.x, low.y, high.x, high.y});
+        name_area(state, "status:cost", low, high);
         if (ImGui::IsMouseHoveringRect(low, high))
             show_tooltip({low, high}, state.fonts.bold(16), cost, in_full(costs->total, *costs));
         left = w.write(left, theme::text_dim, cost) + 16;
@@ -109,9 +107,9 @@ void draw_under_side(State& state, const Writer& w, float left, float right) {
     if (x < left) return;
     w.write(x, saved.color, saved.text);
     state.targets.add("status:saved", {x, w.y - 4, right, w.y + 18});
-    const PreviewPicture* picture = state.preview ? &state.preview->shown() : nullptr;
-    if (!picture || !picture->texture || picture->first) return;
-    const std::string time = "Preview " + milliseconds(picture->milliseconds);
+    const PreviewImage* image = state.preview ? &state.preview->shown() : nullptr;
+    if (!image || !image->texture || image->first) return;
+    const std::string time = "Preview " + milliseconds(image->milliseconds);
     x -= w.width(time) + (saved.text.empty() ? 0 : 16);
     if (x < left) return;
     w.write(x, theme::text_dim, time);

@@ -1,11 +1,8 @@
-#include "editor/view/panels/ui.h"
-
 #include "editor/view/canvas/canvas.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/drop/drop.h"
 #include "editor/view/lifecycle.h"
 #include "editor/view/look/theme.h"
-#include "editor/view/panels/fields.h"
 #include "editor/view/panels/panels.h"
 #include "editor/view/panels/regions.h"
 #include "editor/view/refresh.h"
@@ -37,27 +34,13 @@ void draw_question(State& state);
 
 namespace {
 
-// ImGui window at a fixed position, ended by the destructor.
-class Region {
+// Window of a panel.
+class Region : FixedWindow {
 public:
-    Region(const char* name, const Rect& rect, ImU32 color, ImVec2 padding) {
-        ImGui::SetNextWindowPos(rect.at);
-        ImGui::SetNextWindowSize(rect.size);
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-        ImGui::PushStyleColor(ImGuiCol_WindowBg, color);
-        ImGui::Begin(name, nullptr,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                         ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus |
-                         ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNavInputs);
-    }
-    Region(const Region&) = delete;
-    Region& operator=(const Region&) = delete;
-    ~Region() {
-        ImGui::End();
-        ImGui::PopStyleColor();
-        ImGui::PopStyleVar(2);
-    }
+    Region(const char* id, const Rect& rect, ImU32 color, ImVec2 padding = {0, 0})
+        : FixedWindow(id, rect.at, rect.size,
+                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse,
+                      color, padding) {}
 };
 
 void draw_graph_pane(State& state) {

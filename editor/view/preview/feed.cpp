@@ -56,7 +56,7 @@ void send(State& state, const Change::Place& place) {
 PreviewRequest wanted_request(const State& state) {
     PreviewRequest request = state.view.preview_request;
     request.displaced = state.view.preview_view.displaced;
-    if (state.preview) request.double_sided = state.preview->picture().double_sided;
+    if (state.preview) request.double_sided = state.preview->newest().double_sided;
     if (state.view.compare.mode == CompareView::Mode::off) {
         request.against = Against::nothing;
         request.name.clear();
@@ -65,7 +65,7 @@ PreviewRequest wanted_request(const State& state) {
     return request;
 }
 
-void forget_images(State& state) {
+void forget_images(PreviewState& state) {
     if (state.preview) state.preview->forget_images();
     ++state.node_feed.images;
 }
@@ -135,17 +135,17 @@ Diagnostic at_node(const Diagnostic& refusal, const Reflection& reflection,
 
 void poll_preview_diagnostics(State& state) {
     if (!state.preview) return;
-    const PreviewPicture& picture = state.preview->picture();
-    if (picture.version == state.follow.diagnosed_version) return;
-    state.follow.diagnosed_version = picture.version;
-    state.counters.programs = picture.programs;
+    const PreviewImage& image = state.preview->newest();
+    if (image.version == state.follow.diagnosed_version) return;
+    state.follow.diagnosed_version = image.version;
+    state.counters.programs = image.programs;
     state.preview_problems = Diagnostics();
-    for (const Diagnostic& problem : picture.problems.list())
+    for (const Diagnostic& problem : image.problems.list())
         state.preview_problems.add(
             state.follow.running
                 ? at_node(problem, state.follow.running->reflection, state.follow.copied)
                 : problem);
-    state.preview_stale = !state.built.running() || picture.refused;
+    state.preview_stale = !state.built.running() || image.refused;
 }
 
 std::string other_normal(const State& state) {

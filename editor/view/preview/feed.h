@@ -10,7 +10,7 @@ namespace wrinkle::editor {
 PreviewRequest wanted_request(const State& state);
 
 // Image files are read again, for the preview and for node previews.
-void forget_images(State& state);
+void forget_images(PreviewState& state);
 
 // Called after a build: replaces the program only if more than names and values differ.
 void apply_latest_build(State& state);

@@ -16,13 +16,13 @@ public:
     // A frame is drawn while this object exists.
     class Frame {
     public:
-        explicit Frame(FrameGate& turns) : turns_(turns) { turns_.set(true); }
-        ~Frame() { turns_.set(false); }
+        explicit Frame(FrameGate& gate) : gate_(gate) { gate_.set(true); }
+        ~Frame() { gate_.set(false); }
         Frame(const Frame&) = delete;
         Frame& operator=(const Frame&) = delete;
 
     private:
-        FrameGate& turns_;
+        FrameGate& gate_;
     };
 
     // Waits until no frame is drawn, at most `longest`: a frame that waits for the screen leaves

@@ -13,29 +13,27 @@ void put_beside(Image& image, const Image& other, uint32_t from) {
                 image.texel(x, y)[c] = other.texel(x, y)[c];
 }
 
-Image opaque(const Image& picture) {
-    Image image = make_image(picture.width, picture.height, 3, PixelType::u8);
-    put_beside(image, picture, 0);
+Image opaque(const Image& source) {
+    Image image = make_image(source.width, source.height, 3, PixelType::u8);
+    put_beside(image, source, 0);
     return image;
 }
 
 }  // namespace
 
-std::optional<Image> still_picture(gpu::Renderer& renderer, gpu::Scene scene, const PreviewJob& job,
-                                   float heat_degrees, Diagnostics& problems) {
-    const ImageRequest& still = *job.still;
-    gpu::TargetOptions options;
-    options.width = still.width;
-    options.height = still.height;
-    options.samples = 4;
-    const auto target = gpu::Target::make(options, problems);
+std::optional<Image> draw_requested_image(gpu::Renderer& renderer, gpu::Scene scene,
+                                          const PreviewJob& job, float heat_degrees,
+                                          Diagnostics& problems) {
+    const ImageRequest& request = *job.image_request;
+    const auto target = gpu::Target::make(
+        {.width = request.width, .height = request.height, .samples = 4}, problems);
     if (!target) return std::nullopt;
     scene.background.a = 1;
     gpu::ViewOptions view;
     view.view = job.view.view;
     if (!renderer.draw(scene, view, *target, problems)) return std::nullopt;
     Image image = opaque(target->read_image());
-    if (job.against.empty() || still.split >= 1 || still.cancelled) return image;
+    if (job.against.empty() || request.split >= 1 || request.cancelled) return image;
     if (job.difference) {
         view.view = gpu::View::difference;
         view.against = job.against;
@@ -44,7 +42,7 @@ std::optional<Image> still_picture(gpu::Renderer& renderer, gpu::Scene scene, co
         view.normal = job.against;
     }
     if (!renderer.draw(scene, view, *target, problems)) return std::nullopt;
-    const auto from = static_cast<uint32_t>(still.split * static_cast<float>(still.width));
+    const auto from = static_cast<uint32_t>(request.split * static_cast<float>(request.width));
     put_beside(image, target->read_image(), from);
     return image;
 }

@@ -15,7 +15,7 @@ namespace {
 bool is_asked(const State& state) {
     const NodeFeed& feed = state.node_feed;
     const auto shown = std::count_if(state.layout.cards.begin(), state.layout.cards.end(),
-                                     [](const Card& card) { return card.picture_y >= 0; });
+                                     [](const Card& card) { return card.preview_y >= 0; });
     return feed.has_asked() && static_cast<size_t>(shown) == feed.requested_nodes.size() &&
            feed.images == feed.requested_images && state.registry == feed.requested_registry &&
            same_document(feed.requested_snapshot, state.document());
@@ -24,7 +24,7 @@ bool is_asked(const State& state) {
 std::set<std::string> wanted_nodes(const State& state) {
     std::set<std::string> wanted;
     for (const Card& card : state.layout.cards)
-        if (card.picture_y >= 0) wanted.insert(card.id);
+        if (card.preview_y >= 0) wanted.insert(card.id);
     return wanted;
 }
 
@@ -40,8 +40,8 @@ void feed_node_previews(State& state) {
     NodeFeed& feed = state.node_feed;
     if (!feed.maker) return;
     if (auto newest = feed.maker->take(); newest && newest->version >= feed.first) {
-        feed.pictures = std::move(*newest);
-        feed.atlas.fill(feed.pictures.texels, NodePreviews::width, NodePreviews::height);
+        feed.previews = std::move(*newest);
+        feed.atlas.fill(feed.previews.texels, NodePreviews::width, NodePreviews::height);
     }
     const bool busy = state.follow.building() || (state.preview && !state.preview->idle()) ||
                       state.gesture.kind != Gesture::Kind::none;

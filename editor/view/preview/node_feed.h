@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "editor/view/look/picture_atlas.h"
+#include "editor/view/look/preview_atlas.h"
 #include "editor/view/preview/node_previews.h"
 
 namespace wrinkle::editor {
@@ -13,9 +13,9 @@ namespace wrinkle::editor {
 struct State;
 
 struct NodeFeed {
-    NodePictureMaker* maker = nullptr;  // nullptr: no node previews
-    PictureAtlas atlas;
-    NodePreviews pictures;           // the newest; its texels are in the atlas
+    NodePreviewMaker* maker = nullptr;  // nullptr: no node previews
+    PreviewAtlas atlas;
+    NodePreviews previews;           // the newest; its texels are in the atlas
     uint64_t requested_version = 0;  // version of the newest job
     uint64_t first = 1;   // first version of the open graph; older previews are another graph's
     uint64_t images = 0;  // when it changes, image files are read again
@@ -28,7 +28,7 @@ struct NodeFeed {
     bool has_asked() const { return requested_version >= first; }
     // Called when another graph is opened or the textures are lost.
     void forget() {
-        pictures = {};
+        previews = {};
         first = requested_version + 1;
     }
     bool idle() const { return !maker || maker->idle(); }

@@ -126,9 +126,9 @@ void append(std::vector<uint8_t>& texels, PortType type, const std::vector<doubl
 
 }  // namespace
 
-NodePreviews NodePainter::draw(const NodePictureJob& job) {
-    NodePreviews pictures;
-    pictures.version = job.version;
+NodePreviews NodePainter::draw(const NodePreviewJob& job) {
+    NodePreviews previews;
+    previews.version = job.version;
     if (std::exchange(images_, job.images) != job.images) textures_.forget();
     std::vector<std::string> wanted;
     for (const NodePtr& node : job.document.nodes)
@@ -139,16 +139,16 @@ NodePreviews NodePainter::draw(const NodePictureJob& job) {
     while (!groups.empty()) {
         const std::vector<std::string> group = std::move(groups.back());
         groups.pop_back();
-        if (draw_group(job, group, pictures) || group.size() < 2) continue;
+        if (draw_group(job, group, previews) || group.size() < 2) continue;
         const auto middle = group.begin() + static_cast<std::ptrdiff_t>(group.size() / 2);
         groups.emplace_back(middle, group.end());
         groups.emplace_back(group.begin(), middle);
     }
-    return pictures;
+    return previews;
 }
 
-bool NodePainter::draw_group(const NodePictureJob& job, const std::vector<std::string>& nodes,
-                             NodePreviews& pictures) {
+bool NodePainter::draw_group(const NodePreviewJob& job, const std::vector<std::string>& nodes,
+                             NodePreviews& previews) {
     Document document = job.document;
     const std::vector<Shown> shown = show_nodes(document, job.model, nodes);
     if (shown.empty()) return true;
@@ -173,8 +173,8 @@ bool NodePainter::draw_group(const NodePictureJob& job, const std::vector<std::s
             return one.output == program.outputs[i].name;
         });
         if (found == shown.end()) continue;
-        pictures.places[found->node] = static_cast<uint32_t>(pictures.places.size());
-        append(pictures.texels, static_cast<PortType>(program.outputs[i].port_type),
+        previews.places[found->node] = static_cast<uint32_t>(previews.places.size());
+        append(previews.texels, static_cast<PortType>(program.outputs[i].port_type),
                results.values[i]);
     }
     return true;

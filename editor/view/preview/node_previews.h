@@ -22,7 +22,7 @@
 
 namespace wrinkle::editor {
 
-struct NodePictureJob {
+struct NodePreviewJob {
     uint64_t version = 0;  // increases with every job
     const Registry* registry = nullptr;
     Model model;
@@ -44,33 +44,33 @@ class NodePainter {
 public:
     // Draws no preview of a node that does not compile. Errors of other nodes or of the graph's
     // outputs have no effect.
-    NodePreviews draw(const NodePictureJob& job);
+    NodePreviews draw(const NodePreviewJob& job);
 
 private:
     // Returns false, and draws nothing, if the nodes do not compile together.
-    bool draw_group(const NodePictureJob& job, const std::vector<std::string>& nodes,
-                    NodePreviews& pictures);
+    bool draw_group(const NodePreviewJob& job, const std::vector<std::string>& nodes,
+                    NodePreviews& previews);
 
     uint64_t images_ = 0;
     TextureStore textures_;
 };
 
 // Runs a NodePainter on a worker thread; the newest job wins.
-class NodePictureMaker {
+class NodePreviewMaker {
 public:
     // `wake` is called on the worker thread.
-    explicit NodePictureMaker(std::function<void()> wake = {})
+    explicit NodePreviewMaker(std::function<void()> wake = {})
         : worker_(
-              [painter = NodePainter()](NodePictureJob&& job) mutable { return painter.draw(job); },
+              [painter = NodePainter()](NodePreviewJob&& job) mutable { return painter.draw(job); },
               std::move(wake)) {}
 
-    void submit(NodePictureJob job) { worker_.post(std::move(job)); }
+    void submit(NodePreviewJob job) { worker_.post(std::move(job)); }
     std::optional<NodePreviews> take() { return worker_.take(); }
     bool idle() const { return worker_.idle(); }
     void wait_idle() { worker_.wait_idle(); }
 
 private:
-    Worker<NodePictureJob, NodePreviews> worker_;
+    Worker<NodePreviewJob, NodePreviews> worker_;
 };
 
 }  // namespace wrinkle::editor

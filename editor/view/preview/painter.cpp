@@ -107,8 +107,8 @@ void PreviewPainter::use_light(const PreviewJob& job) {
         renderer_.forget_environment();
         dark_ = Diagnostics();
         if (!environment_.empty())
-            if (const auto picture = load_image(environment_, dark_))
-                renderer_.set_environment(*picture);
+            if (const auto image = load_image(environment_, dark_))
+                renderer_.set_environment(*image);
     }
     if (view.lighting != lighting_) {
         lighting_ = view.lighting;
@@ -120,7 +120,7 @@ void PreviewPainter::use_light(const PreviewJob& job) {
 void PreviewPainter::begin_graph(uint64_t graph) {
     if (std::exchange(graph_, graph) == graph) return;
     const int slot = last_.slot;
-    last_ = PreviewPicture();
+    last_ = PreviewImage();
     last_.slot = slot;
     has_material_ = false;
     tried_ = nullptr;
@@ -170,100 +170,95 @@ gpu::ViewOptions PreviewPainter::patient() const {
     return options;
 }
 
-bool PreviewPainter::measure(const PreviewJob& job, const gpu::Scene& scene,
-                             PreviewPicture& picture) {
-    gpu::TargetOptions options;
-    options.width = job.width;
-    options.height = job.height;
-    options.format = gpu::PixelFormat::rgba32f;
-    if (!fit(numbers_, options, picture.problems)) return false;
+bool PreviewPainter::measure(const PreviewJob& job, const gpu::Scene& scene, PreviewImage& image) {
+    const gpu::TargetOptions options{
+        .width = job.width, .height = job.height, .format = gpu::PixelFormat::rgba32f};
+    if (!fit(numbers_, options, image.problems)) return false;
     gpu::ViewOptions raw = patient();
     raw.view = gpu::View::difference;
     raw.against = job.against;
     raw.raw = true;
-    if (!renderer_.draw(scene, raw, *numbers_, picture.problems)) return false;
-    picture.angles = figures_of(numbers_->read(), job.degrees);
+    if (!renderer_.draw(scene, raw, *numbers_, image.problems)) return false;
+    image.angles = figures_of(numbers_->read(), job.degrees);
     return true;
 }
 
-bool PreviewPainter::draw_sides(const PreviewJob& job, PreviewPicture& picture) {
-    Slot& slot = slots_[static_cast<size_t>(picture.slot)];
-    gpu::TargetOptions options;
-    options.width = job.width;
-    options.height = job.height;
-    options.samples = 4;
-    if (!fit(slot.a, options, picture.problems)) return false;
+bool PreviewPainter::draw_sides(const PreviewJob& job, PreviewImage& image) {
+    Slot& slot = slots_[static_cast<size_t>(image.slot)];
+    const gpu::TargetOptions options{.width = job.width, .height = job.height, .samples = 4};
+    if (!fit(slot.a, options, image.problems)) return false;
     const gpu::Scene scene = scene_of(job.view);
     gpu::ViewOptions view = patient();
     view.view = job.view.view;
-    if (!renderer_.draw(scene, view, *slot.a, picture.problems)) return false;
-    picture.texture = slot.a->texture();
-    picture.other = 0;
-    picture.angles = {};
+    if (!renderer_.draw(scene, view, *slot.a, image.problems)) return false;
+    image.texture = slot.a->texture();
+    image.other = 0;
+    image.angles = {};
     if (job.against.empty()) return true;
-    if (!fit(slot.b, options, picture.problems)) return false;
+    if (!fit(slot.b, options, image.problems)) return false;
     if (job.difference) {
-        if (!measure(job, scene, picture)) return false;
+        if (!measure(job, scene, image)) return false;
         view.view = gpu::View::difference;
         view.against = job.against;
-        view.heat_degrees = picture.angles.end;
+        view.heat_degrees = image.angles.end;
     } else {
         view.normal = job.against;
     }
-    if (!renderer_.draw(scene, view, *slot.b, picture.problems)) return false;
-    picture.other = slot.b->texture();
+    if (!renderer_.draw(scene, view, *slot.b, image.problems)) return false;
+    image.other = slot.b->texture();
     return true;
 }
 
-PreviewPicture PreviewPainter::draw(const PreviewJob& job, int held) {
+PreviewImage PreviewPainter::draw(const PreviewJob& job, int held) {
     const auto start = std::chrono::steady_clock::now();
     begin_graph(job.graph);
-    PreviewPicture picture = last_;
-    picture.version = job.version;
-    picture.graph = job.graph;
-    picture.problems = Diagnostics();
+    PreviewImage image = last_;
+    image.version = job.version;
+    image.graph = job.graph;
+    image.problems = Diagnostics();
     const auto before = std::tuple(renderer_.programs_linked(), images_, mesh_, scale_);
     use_light(job);
-    if (use_material(job) && use_mesh(job, picture.problems) && job.width > 0 && job.height > 0) {
-        PreviewPicture next = picture;
+    if (use_material(job) && use_mesh(job, image.problems) && job.width > 0 && job.height > 0) {
+        PreviewImage next = image;
         next.slot = 0;
         while (next.slot == held || next.slot == last_.slot)
             ++next.slot;
         next.width = job.width;
         next.height = job.height;
         if (draw_sides(job, next))
-            picture = std::move(next);
+            image = std::move(next);
         else
-            picture.problems = std::move(next.problems);
+            image.problems = std::move(next.problems);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     gpu::Context::finish();
-    picture.refused = refusal_.has_errors();
-    picture.lost = gpu::Context::was_lost();
-    picture.double_sided = double_sided_ ? mesh_ : "";
+    image.refused = refusal_.has_errors();
+    image.lost = gpu::Context::was_lost();
+    image.double_sided = double_sided_ ? mesh_ : "";
     Diagnostics problems = refusal_;
     problems.append(dark_);
-    problems.append(picture.problems);
-    picture.problems = std::move(problems);
-    picture.programs = renderer_.programs_linked();
-    picture.first = before != std::tuple(renderer_.programs_linked(), images_, mesh_, scale_);
+    problems.append(image.problems);
+    image.problems = std::move(problems);
+    image.programs = renderer_.programs_linked();
+    image.first = before != std::tuple(renderer_.programs_linked(), images_, mesh_, scale_);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-    picture.milliseconds = time.count();
+    image.milliseconds = time.count();
     slow_ = (slow_ ? renderer_.strips_took() : time.count()) > slow_milliseconds;
-    last_ = picture;
-    if (job.still && !job.still->answered()) draw_still(job);
-    return picture;
+    last_ = image;
+    if (job.image_request && !job.image_request->answered()) draw_image_request(job);
+    return image;
 }
 
 // Uses the state of the last rendering, with an opaque background.
-void PreviewPainter::draw_still(const PreviewJob& job) {
-    ImageRequest& still = *job.still;
+void PreviewPainter::draw_image_request(const PreviewJob& job) {
+    ImageRequest& request = *job.image_request;
     Diagnostics problems = last_.problems;
     std::optional<Image> image;
-    if (!still.cancelled && last_.texture && !last_.refused)
-        image = still_picture(renderer_, scene_of(job.view), job, last_.angles.end, problems);
+    if (!request.cancelled && last_.texture && !last_.refused)
+        image =
+            draw_requested_image(renderer_, scene_of(job.view), job, last_.angles.end, problems);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    still.answer(std::move(image), std::move(problems));
+    request.answer(std::move(image), std::move(problems));
 }
 
 }  // namespace wrinkle::editor

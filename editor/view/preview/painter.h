@@ -34,7 +34,7 @@ struct PreviewJob {
     int width = 0, height = 0;
     // If one of them changes, its files are read again.
     uint64_t images = 0, meshes = 0, lights = 0;
-    std::shared_ptr<ImageRequest> still;  // answered once, after the preview
+    std::shared_ptr<ImageRequest> image_request;  // answered once, after the preview
 };
 
 // Angles between the two normals, over the pixels of the mesh.
@@ -44,7 +44,7 @@ struct AngleFigures {
     std::shared_ptr<const std::vector<float>> degrees;  // by pixel, bottom row first; < 0 outside
 };
 
-struct PreviewPicture {
+struct PreviewImage {
     uint64_t version = 0;             // version of the drawn job
     uint64_t graph = 0;               // graph of that job
     uint32_t texture = 0, other = 0;  // sides A and B, bottom row first; 0: absent
@@ -60,10 +60,11 @@ struct PreviewPicture {
     uint64_t programs = 0;    // linked so far
 };
 
-// Draws the image requested by `job.still` from the renderer's state; std::nullopt with the reason
-// in `problems` on failure.
-std::optional<Image> still_picture(gpu::Renderer& renderer, gpu::Scene scene, const PreviewJob& job,
-                                   float heat_degrees, Diagnostics& problems);
+// Draws the image that `job` requests from the renderer's state; std::nullopt with the reason in
+// `problems` on failure.
+std::optional<Image> draw_requested_image(gpu::Renderer& renderer, gpu::Scene scene,
+                                          const PreviewJob& job, float heat_degrees,
+                                          Diagnostics& problems);
 
 class PreviewPainter {
 public:
@@ -72,7 +73,7 @@ public:
         : before_strip_(std::move(before_strip)) {}
 
     // Does not write the textures of slot `held`, which are on screen.
-    PreviewPicture draw(const PreviewJob& job, int held);
+    PreviewImage draw(const PreviewJob& job, int held);
 
 private:
     struct Slot {
@@ -82,9 +83,9 @@ private:
     bool use_material(const PreviewJob& job);
     bool use_mesh(const PreviewJob& job, Diagnostics& problems);
     void use_light(const PreviewJob& job);
-    bool draw_sides(const PreviewJob& job, PreviewPicture& picture);
-    void draw_still(const PreviewJob& job);
-    bool measure(const PreviewJob& job, const gpu::Scene& scene, PreviewPicture& picture);
+    bool draw_sides(const PreviewJob& job, PreviewImage& image);
+    void draw_image_request(const PreviewJob& job);
+    bool measure(const PreviewJob& job, const gpu::Scene& scene, PreviewImage& image);
     gpu::Scene scene_of(const PreviewView& view) const;
     gpu::ViewOptions patient() const;
 
@@ -93,7 +94,7 @@ private:
     std::array<Slot, 3> slots_;
     std::optional<gpu::Target> numbers_;
     gpu::OrbitCamera framing_;
-    PreviewPicture last_;
+    PreviewImage last_;
     std::shared_ptr<const gpu::Material> tried_;
     Diagnostics refusal_;  // errors of `tried_`
     Diagnostics dark_;     // problems of the environment

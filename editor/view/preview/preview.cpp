@@ -15,7 +15,7 @@ void Preview::begin() {
     const auto work = [this](PreviewJob&& job) {
         if (!painter_) {
             context_->make_current();
-            painter_ = std::make_unique<PreviewPainter>([this] { turns_.wait_for_frame(); });
+            painter_ = std::make_unique<PreviewPainter>([this] { gate_.wait_for_frame(); });
         }
         return painter_->draw(job, held_);
     };
@@ -23,12 +23,12 @@ void Preview::begin() {
         painter_.reset();
         context_->release_current();
     };
-    worker_ = std::make_unique<Worker<PreviewJob, PreviewPicture>>(work, wake_, finish);
+    worker_ = std::make_unique<Worker<PreviewJob, PreviewImage>>(work, wake_, finish);
 }
 
 Preview::~Preview() {
     worker_.reset();
-    if (job_.still) job_.still->answer(std::nullopt, Diagnostics());
+    if (job_.image_request) job_.image_request->answer(std::nullopt, Diagnostics());
 }
 
 void Preview::leave_context() {
@@ -36,7 +36,7 @@ void Preview::leave_context() {
     painter_.reset();
     context_.reset();
     held_ = -1;
-    picture_ = PreviewPicture();
+    image_ = PreviewImage();
 }
 
 void Preview::recreate_context() {
@@ -55,7 +55,7 @@ void Preview::set_material(std::shared_ptr<const gpu::Material> material,
 void Preview::forget_material() {
     ++job_.graph;
     set_material(nullptr, nullptr);
-    picture_ = PreviewPicture();
+    image_ = PreviewImage();
 }
 
 void Preview::set_uniform(const std::string& name, std::span<const float> value) {
@@ -78,10 +78,10 @@ void Preview::forget_light() {
     changed_ = true;
 }
 
-void Preview::draw_still(std::shared_ptr<ImageRequest> still) {
+void Preview::draw_image_request(std::shared_ptr<ImageRequest> image_request) {
     // Cancels the previous request.
-    if (job_.still) job_.still->answer(std::nullopt, Diagnostics());
-    job_.still = std::move(still);
+    if (job_.image_request) job_.image_request->answer(std::nullopt, Diagnostics());
+    job_.image_request = std::move(image_request);
     submit();
 }
 
@@ -107,16 +107,16 @@ void Preview::submit() {
     ++job_.version;
     if (worker_) return worker_->post(job_);
     if (!painter_) painter_ = std::make_unique<PreviewPainter>();
-    picture_ = painter_->draw(job_, -1);
+    image_ = painter_->draw(job_, -1);
 }
 
-const PreviewPicture& Preview::picture() {
+const PreviewImage& Preview::newest() {
     if (worker_)
         if (auto newer = worker_->take(); newer && newer->graph == job_.graph) {
             held_ = newer->slot;
-            picture_ = std::move(*newer);
+            image_ = std::move(*newer);
         }
-    return picture_;
+    return image_;
 }
 
 bool Preview::idle() const {

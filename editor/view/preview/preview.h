@@ -33,13 +33,13 @@ public:
     void forget_mesh();
     void forget_light();
     // Drawn once, as requested by the last show().
-    void draw_still(std::shared_ptr<ImageRequest> still);
+    void draw_image_request(std::shared_ptr<ImageRequest> request);
     // Sets view and comparison for the same material; width and height in pixels.
     void show(const PreviewView& view, const std::string& against, const CompareView& compare,
               int width, int height);
 
     // While the returned object exists, the window draws a frame and a slow rendering pauses.
-    FrameGate::Frame frame() { return FrameGate::Frame(turns_); }
+    FrameGate::Frame frame() { return FrameGate::Frame(gate_); }
 
     // leave_context() releases everything made in the window's context, which is destroyed next;
     // recreate_context() makes it again in the current one and draws again.
@@ -47,8 +47,8 @@ public:
     void recreate_context();
 
     // Returns the newest rendering. Its textures are valid until the next call.
-    const PreviewPicture& picture();
-    const PreviewPicture& shown() const { return picture_; }  // the last result, without polling
+    const PreviewImage& newest();
+    const PreviewImage& shown() const { return image_; }  // the last result, without polling
     uint64_t asked() const { return job_.version; }
     bool idle() const;  // no job is pending; none is posted while no preview is visible
     void wait_idle();
@@ -62,12 +62,12 @@ private:
     PreviewJob job_;
     std::function<void()> wake_;
     bool changed_ = false;
-    PreviewPicture picture_;
+    PreviewImage image_;
     std::atomic<int> held_ = -1;
-    FrameGate turns_;
-    std::unique_ptr<PreviewPainter> painter_;                     // used by one thread only
-    std::optional<gpu::Context> context_;                         // owned by the worker
-    std::unique_ptr<Worker<PreviewJob, PreviewPicture>> worker_;  // destroyed first
+    FrameGate gate_;
+    std::unique_ptr<PreviewPainter> painter_;                   // used by one thread only
+    std::optional<gpu::Context> context_;                       // owned by the worker
+    std::unique_ptr<Worker<PreviewJob, PreviewImage>> worker_;  // destroyed first
 };
 
 }  // namespace wrinkle::editor

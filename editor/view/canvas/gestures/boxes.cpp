@@ -17,22 +17,22 @@ double on_grid(double length) {
 
 }  // namespace
 
-void select_box(State& state, const BoxId& id) {
+void select_box(CanvasState& canvas, const BoxId& id) {
     const ImGuiIO& io = ImGui::GetIO();
-    std::set<BoxId>& boxes = state.view.boxes;
+    std::set<BoxId>& boxes = canvas.view.boxes;
     if (io.KeyShift || io.KeyCtrl) {
         if (!boxes.erase(id)) boxes.insert(id);
     } else if (!boxes.contains(id)) {
         boxes = {id};
-        state.view.selected.clear();
+        canvas.view.selected.clear();
     }
 }
 
-void click_box(State& state, const BoxId& id) {
+void click_box(CanvasState& canvas, const BoxId& id) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.KeyShift || io.KeyCtrl) return;
-    state.view.boxes = {id};
-    state.view.selected.clear();
+    canvas.view.boxes = {id};
+    canvas.view.selected.clear();
 }
 
 void begin_box(State& state, const Hit& hit) {

@@ -16,13 +16,13 @@ float push(float at, float low, float high) {
 
 }  // namespace
 
-void pan_at_edges(State& state) {
-    Gesture& g = state.gesture;
+void pan_at_edges(CanvasState& canvas) {
+    Gesture& g = canvas.gesture;
     const ImGuiIO& io = ImGui::GetIO();
     g.panning = false;
     if (!g.moved || g.kind == Gesture::Kind::pan || g.kind == Gesture::Kind::value) return;
     if (!ImGui::IsMousePosValid()) return;
-    const View& view = state.view;
+    const View& view = canvas.view;
     const ImVec2 end = view.corner + view.extent;
     const ImVec2 by = ImVec2(push(io.MousePos.x, view.corner.x, end.x),
                              push(io.MousePos.y, view.corner.y, end.y)) *
@@ -30,7 +30,7 @@ void pan_at_edges(State& state) {
     if (by.x == 0 && by.y == 0) return;
     g.panning = true;
     g.start = g.start + by;
-    state.view.pan = state.view.pan + by;
+    canvas.view.pan = canvas.view.pan + by;
 }
 
 }  // namespace wrinkle::editor

@@ -9,19 +9,19 @@ namespace wrinkle::editor {
 void begin_gesture(State& state, Gesture::Kind kind, int button = 0);
 
 // select.cpp
-void select_card(State& state, const std::string& id);
-void click_card(State& state, const std::string& id);  // a press without a drag
+void select_card(CanvasState& canvas, const std::string& id);
+void click_card(CanvasState& canvas, const std::string& id);  // a press without a drag
 void drag_box(State& state);
-void drag_lasso(State& state);
+void drag_lasso(CanvasState& canvas);
 
 // boxes.cpp
-void select_box(State& state, const BoxId& id);
+void select_box(CanvasState& canvas, const BoxId& id);
 void begin_box(State& state, const Hit& hit);  // moves it by its title, resizes it at its edges
-void click_box(State& state, const BoxId& id);
+void click_box(CanvasState& canvas, const BoxId& id);
 void drag_resize(State& state, ImVec2 delta);
 
 // edge_pan.cpp
-void pan_at_edges(State& state);
+void pan_at_edges(CanvasState& canvas);
 
 // move.cpp
 void begin_move(State& state, const std::string& id);
@@ -46,8 +46,8 @@ void drop_value(State& state);
 
 // stroke.cpp
 // Appends the pointer position to the stroke; returns false if the pointer has not moved.
-bool follow_stroke(State& state);
-void drag_stroke(State& state);
+bool follow_stroke(CanvasState& canvas);
+void drag_stroke(CanvasState& canvas);
 void drop_cut(State& state);
 void drop_reroutes(State& state);
 // Inserts a reroute into the wire at `at`, in canvas units.

@@ -15,15 +15,11 @@ int score(const Pin& out, const Pin& in, bool reroute) {
     return 8 * (out.type == in.type) + 6 * !in.connected + (out.port == in.port);
 }
 
-std::string id_of(const Card& card) {
-    return card.kind == Card::Kind::outputs ? "" : card.id;
-}
-
 bool is_possible(const State& state, const LazyWire& wire) {
     const bool nodes = wire.to->kind == Card::Kind::node && wire.from->kind == Card::Kind::node;
     if (nodes && would_cycle(state.document(), {wire.from->id, ""}, wire.to->id)) return false;
     return wire_is_legal(state.model, state.document(), wire.from->pins[wire.pins.out].type,
-                         id_of(*wire.to), wire.to->pins[wire.pins.in].port);
+                         wire.to->link_id(), wire.to->pins[wire.pins.in].port);
 }
 
 }  // namespace
@@ -53,9 +49,7 @@ std::optional<LazyWire> lazy_wire(const State& state, const Card& first, const C
 
 void drop_lazy(State& state) {
     const Hit hit = state.hovered;
-    const bool on_card = hit.kind != Hit::Kind::nothing && hit.kind != Hit::Kind::wire &&
-                         hit.card < state.layout.cards.size();
-    if (!on_card || hit.card == state.gesture.card) return;
+    if (!hit.on_card(state.layout) || hit.card == state.gesture.card) return;
     const Card &first = state.layout.cards[state.gesture.card],
                &last = state.layout.cards[hit.card];
     const auto wire = lazy_wire(state, first, last);
@@ -63,10 +57,9 @@ void drop_lazy(State& state) {
         state.status = "No output of " + first.id + " fits an input of " + last.id + ".";
         return;
     }
-    const Link from{wire->from->id, wire->from->pins[wire->pins.out].port};
-    const std::string id = id_of(*wire->to), port = wire->to->pins[wire->pins.in].port;
-    state.commit("Connect " + from.text() + " to " + (id.empty() ? "output" : id) + "." + port,
-                 with_wire(state.document(), from, id, port));
+    commit_connection(state, {{wire->from->id, wire->from->pins[wire->pins.out].port},
+                              wire->to->link_id(),
+                              wire->to->pins[wire->pins.in].port});
 }
 
 }  // namespace wrinkle::editor

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "editor/model/document/wiring.h"
+#include "editor/view/canvas/arrange.h"
 #include "editor/view/canvas/boxes.h"
-#include "editor/view/canvas/crossing.h"
+#include "editor/view/canvas/canvas.h"
 #include "editor/view/canvas/layout.h"
-#include "editor/view/canvas/make_space.h"
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/refresh.h"

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "editor/model/document/wiring.h"
-#include "editor/view/canvas/crossing.h"
+#include "editor/view/canvas/canvas.h"
 #include "editor/view/canvas/gestures/gestures.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/edit/edits.h"
@@ -41,22 +41,22 @@ Document with_reroute(const Document& document, const std::vector<Connection>& w
 
 }  // namespace
 
-bool follow_stroke(State& state) {
-    Gesture& g = state.gesture;
-    const ImVec2 at = to_canvas(state.view, ImGui::GetIO().MousePos);
-    if (g.stroke.empty()) g.stroke.push_back(to_canvas(state.view, g.start));
+bool follow_stroke(CanvasState& canvas) {
+    Gesture& g = canvas.gesture;
+    const ImVec2 at = to_canvas(canvas.view, ImGui::GetIO().MousePos);
+    if (g.stroke.empty()) g.stroke.push_back(to_canvas(canvas.view, g.start));
     const ImVec2 last = g.stroke.back();
     if ((last.x == at.x && last.y == at.y) || g.stroke.size() == max_points) return false;
     g.stroke.push_back(at);
     return true;
 }
 
-void drag_stroke(State& state) {
-    if (!follow_stroke(state)) return;
-    Gesture& g = state.gesture;
+void drag_stroke(CanvasState& canvas) {
+    if (!follow_stroke(canvas)) return;
+    Gesture& g = canvas.gesture;
     const ImVec2 last = g.stroke[g.stroke.size() - 2], at = g.stroke.back();
-    for (size_t i = 0; i < state.layout.wires.size(); ++i) {
-        const auto place = crossing(state.layout, i, last, at);
+    for (size_t i = 0; i < canvas.layout.wires.size(); ++i) {
+        const auto place = crossing(canvas.layout, i, last, at);
         if (!place) continue;
         const bool known = std::any_of(g.crossed.begin(), g.crossed.end(),
                                        [&](const auto& each) { return each.wire == i; });

@@ -6,7 +6,7 @@
 #include "editor/view/canvas/layout.h"
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
-#include "editor/view/panels/popups.h"
+#include "editor/view/panels/panels.h"
 
 namespace wrinkle::editor {
 namespace {

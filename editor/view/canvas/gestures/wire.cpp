@@ -5,7 +5,6 @@
 #include "editor/view/canvas/gestures/gestures.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/edit/edits.h"
-#include "editor/view/edit/offer.h"
 #include "editor/view/look/draw.h"
 
 namespace wrinkle::editor {
@@ -29,8 +28,8 @@ struct Aim {
 };
 
 bool is_over(const Card& card, ImVec2 at, float margin) {
-    return at.x >= card.at.x - margin && at.y >= card.at.y - margin &&
-           at.x < card.at.x + card.size.x + margin && at.y < card.at.y + card.size.y + margin;
+    const ImVec2 around(margin, margin);
+    return Extent{card.at - around, card.at + card.size + around}.contains(at);
 }
 
 Aim pin_in_reach(const State& state, ImVec2 mouse) {
@@ -69,8 +68,8 @@ Aim pin_of_card(const State& state, size_t index, ImVec2 at) {
     return aim;
 }
 
-bool is_own(const State& state, const Card& card) {
-    const Gesture& wire = state.gesture;
+bool is_own(const CanvasState& canvas, const Card& card) {
+    const Gesture& wire = canvas.gesture;
     return card.kind == Card::Kind::node &&
            card.id == (wire.from_output ? wire.from.node : wire.node);
 }
@@ -84,9 +83,7 @@ Hit snap_wire(const State& state, ImVec2 mouse) {
     for (size_t i = state.layout.cards.size(); i-- > 0;) {
         const Card& card = state.layout.cards[i];
         if (!is_over(card, at, 0)) continue;
-        if (is_own(state, card))
-            return near.hit.kind == Hit::Kind::pin ? near.hit : Hit{Hit::Kind::card, i, 0};
-        const Aim aim = pin_of_card(state, i, at);
+        const Aim aim = is_own(state, card) ? near : pin_of_card(state, i, at);
         if (aim.hit.kind == Hit::Kind::pin) return aim.hit;
         return near.hit.kind == Hit::Kind::pin ? near.hit : Hit{Hit::Kind::card, i, 0};
     }
@@ -96,16 +93,15 @@ Hit snap_wire(const State& state, ImVec2 mouse) {
 void begin_wire(State& state, const Card& card, const Pin& pin) {
     begin_gesture(state, Gesture::Kind::wire);
     Gesture& wire = state.gesture;
-    const std::string id = card.kind == Card::Kind::outputs ? "" : card.id;
-    if (!pin.output) {
-        wire.node = id;
-        wire.port = pin.port;
-    }
     wire.from_output = pin.output;
     wire.type = pin.type;
     if (pin.output) {
-        wire.from = {id, pin.port};
-    } else if (const auto link = link_at(state.document(), id, pin.port)) {
+        wire.from = {card.id, pin.port};
+        return find_loops(state.document(), wire);
+    }
+    wire.node = card.link_id();
+    wire.port = pin.port;
+    if (const auto link = link_at(state.document(), wire.node, wire.port)) {
         wire.from_output = wire.taken = true;
         wire.from = *link;
         wire.type = state.model.type_of(*link).value_or(pin.type);
@@ -135,7 +131,7 @@ void drop_wire(State& state) {
 
 bool wire_fits(const State& state, const Gesture& wire, const Card& card, const Pin& pin) {
     if (pin.output == wire.from_output || !pin.known) return false;
-    const std::string id = card.kind == Card::Kind::outputs ? "" : card.id;
+    const std::string id = card.link_id();
     if (!id.empty() && wire.loops.contains(id)) return false;
     if (wire.from_output)
         return wire_is_legal(state.model, state.document(), wire.type, id, pin.port);
@@ -143,8 +139,7 @@ bool wire_fits(const State& state, const Gesture& wire, const Card& card, const 
 }
 
 void connect_wire(State& state, const Gesture& wire, const Card& card, const Pin& pin) {
-    const std::string id = card.kind == Card::Kind::outputs ? "" : card.id;
-    if (wire.taken && id == wire.node && pin.port == wire.port && !pin.output) {
+    if (wire.taken && card.link_id() == wire.node && pin.port == wire.port && !pin.output) {
         if (wire.moved) state.history.cancel(wire.merge);
         return;
     }
@@ -155,11 +150,7 @@ void connect_wire(State& state, const Gesture& wire, const Card& card, const Pin
         offer_between(state, wire, card, pin);
         return;
     }
-    const Link from = wire.from_output ? wire.from : Link{card.id, pin.port};
-    const std::string to = wire.from_output ? id : wire.node;
-    const std::string port = wire.from_output ? pin.port : wire.port;
-    state.commit("Connect " + from.text() + " to " + (to.empty() ? "output" : to) + "." + port,
-                 with_wire(state.document(), from, to, port), wire.merge);
+    commit_connection(state, connection_at(wire, card, pin), wire.merge);
 }
 
 }  // namespace wrinkle::editor

@@ -6,7 +6,6 @@
 
 #include "editor/view/input/input_queue.h"
 #include "editor/view/look/draw.h"
-#include "editor/view/look/heat.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/panels/panels.h"
 #include "editor/view/panels/preview_parts.h"
@@ -29,8 +28,8 @@ void turn_light(PreviewView& view, ImVec2 delta) {
 
 // Left drag: orbit; with Shift: pan; with L: turn the light. Middle drag: pan. Right drag: turn the
 // light; with Shift: turn the environment. Wheel: camera distance.
-void handle(State& state, const Area& area) {
-    PreviewView& view = state.view.preview_view;
+void handle(CanvasState& canvas, const Area& area) {
+    PreviewView& view = canvas.view.preview_view;
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActive()) {
         const ImVec2 d = io.MouseDelta;
@@ -52,8 +51,8 @@ void handle(State& state, const Area& area) {
         view.distance = std::clamp(view.distance * std::pow(1.1F, -io.MouseWheel), 0.05F, 20.0F);
 }
 
-bool splits(const State& state, const PreviewPicture& picture) {
-    return state.view.compare.mode == CompareView::Mode::split && picture.other != 0;
+bool splits(const CanvasState& canvas, const PreviewImage& image) {
+    return canvas.view.compare.mode == CompareView::Mode::split && image.other != 0;
 }
 
 // Returns true while the line between the sides is hovered or dragged.
@@ -82,8 +81,7 @@ void draw_ground(ImDrawList& list, const Area& area) {
 
 void draw_image(ImDrawList& list, const Area& area, uint32_t texture, float from, float to) {
     if (!texture || from >= to) return;
-    const auto id = reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture));
-    list.AddImage(id, {area.at.x + area.size.x * from, area.at.y},
+    list.AddImage(texture_id(texture), {area.at.x + area.size.x * from, area.at.y},
                   {area.at.x + area.size.x * to, area.end().y}, {from, 1}, {to, 0});
 }
 
@@ -96,20 +94,20 @@ void draw_line(ImDrawList& list, const Area& area, float split) {
         list.AddRectFilled({x + dx, y - 6}, {x + dx + 1.5F, y + 6}, theme::canvas);
 }
 
-void draw_sides(State& state, const Area& area, const PreviewPicture& picture) {
+void draw_sides(State& state, const Area& area, const PreviewImage& image) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const CompareView& compare = state.view.compare;
-    const bool other = compare.mode == CompareView::Mode::flip && compare.flipped && picture.other;
-    const float split = splits(state, picture) ? compare.split : 1;
-    draw_image(list, area, other ? picture.other : picture.texture, 0, split);
-    draw_image(list, area, picture.other, split, 1);
-    if (splits(state, picture)) draw_line(list, area, split);
-    if (!picture.other) return;
+    const bool other = compare.mode == CompareView::Mode::flip && compare.flipped && image.other;
+    const float split = splits(state, image) ? compare.split : 1;
+    draw_image(list, area, other ? image.other : image.texture, 0, split);
+    draw_image(list, area, image.other, split, 1);
+    if (splits(state, image)) draw_line(list, area, split);
+    if (!image.other) return;
     const std::string b = (compare.difference ? "B  Difference to " : "B  ") +
                           against_label(state.view.preview_request);
-    if (splits(state, picture) || !other)
+    if (splits(state, image) || !other)
         draw_chip(state, area.at + ImVec2(12, 12), "A  Surface gradient");
-    if (splits(state, picture) || other)
+    if (splits(state, image) || other)
         draw_chip(state, {area.end().x - 12, area.at.y + 12}, b, true);
 }
 
@@ -156,20 +154,19 @@ void draw_legend(State& state, const Area& area, const AngleFigures& angles) {
 }
 
 // Draws the angle at the pointer if side B shows angles.
-void draw_angle_here(State& state, const Area& area, const PreviewPicture& picture) {
+void draw_angle_here(State& state, const Area& area, const PreviewImage& image) {
     const ImVec2 mouse = ImGui::GetIO().MousePos - area.at;
-    const auto& list = picture.angles.degrees;
-    if (!list || picture.width < 1 || mouse.x < 0 || mouse.y < 0 || mouse.x >= area.size.x ||
+    const auto& list = image.angles.degrees;
+    if (!list || image.width < 1 || mouse.x < 0 || mouse.y < 0 || mouse.x >= area.size.x ||
         mouse.y >= area.size.y)
         return;
-    const bool side_b = splits(state, picture) ? mouse.x > area.size.x * state.view.compare.split
-                                               : state.view.compare.flipped;
+    const bool side_b = splits(state, image) ? mouse.x > area.size.x * state.view.compare.split
+                                             : state.view.compare.flipped;
     if (!side_b) return;
-    const auto x = static_cast<int>(mouse.x / area.size.x * static_cast<float>(picture.width));
-    const auto y =
-        static_cast<int>((1 - mouse.y / area.size.y) * static_cast<float>(picture.height));
-    const int row = std::clamp(y, 0, picture.height - 1);
-    const float value = (*list)[static_cast<size_t>(row * picture.width + x)];
+    const auto x = static_cast<int>(mouse.x / area.size.x * static_cast<float>(image.width));
+    const auto y = static_cast<int>((1 - mouse.y / area.size.y) * static_cast<float>(image.height));
+    const int row = std::clamp(y, 0, image.height - 1);
+    const float value = (*list)[static_cast<size_t>(row * image.width + x)];
     if (value >= 0) draw_chip(state, ImGui::GetIO().MousePos + ImVec2(14, 10), degrees(value));
 }
 
@@ -193,20 +190,20 @@ void draw_stale(const State& state, const Area& area, const std::string& text) {
               fitting(font, 14, text, area.size.x - 20));
 }
 
-void draw_notes(const State& state, const Area& area, const PreviewPicture& picture) {
+void draw_notes(const State& state, const Area& area, const PreviewImage& image) {
     const PreviewView& view = state.view.preview_view;
     const std::string mesh = std::filesystem::path(view.mesh).stem().string();
     char text[96];
     std::snprintf(text, sizeof text, "%.40s %.2f m", mesh.c_str(), static_cast<double>(view.scale));
     if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    const std::string time = picture.first ? "" : ", frame " + milliseconds(picture.milliseconds);
-    if (picture.texture) draw_chip(state, {area.at.x + 12, area.end().y - 38}, text + time);
+    const std::string time = image.first ? "" : ", frame " + milliseconds(image.milliseconds);
+    if (image.texture) draw_chip(state, {area.at.x + 12, area.end().y - 38}, text + time);
     const std::string reason = first_reason(state);
-    if (!picture.texture && holds_nothing(state.document())) return;
+    if (!image.texture && holds_nothing(state.document())) return;
     if (state.preview_stale)
         draw_stale(
             state, area,
-            (picture.texture ? "Showing the last good picture. " : "No picture yet. ") + reason);
+            (image.texture ? "Showing the last good picture. " : "No picture yet. ") + reason);
     else if (state.preview_problems.has_errors())
         draw_stale(state, area, first_reason(state));
     else if (!state.built.why_not_shown.empty())
@@ -226,16 +223,16 @@ float draw_chip(const State& state, ImVec2 at, const std::string& text, bool rig
     return width;
 }
 
-void draw_preview_picture(State& state, ImVec2 at, ImVec2 size) {
+void draw_preview_image(State& state, ImVec2 at, ImVec2 size) {
     const Area area{at, size};
-    static const PreviewPicture none;
+    static const PreviewImage none;
     const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
     if (state.preview)
         state.preview->show(state.view.preview_view, other_normal(state), state.view.compare,
                             static_cast<int>(size.x * pixels.x),
                             static_cast<int>(size.y * pixels.y));
-    const PreviewPicture& picture = state.preview ? state.preview->shown() : none;
-    const bool on_line = splits(state, picture) && drag_split(state, area);
+    const PreviewImage& image = state.preview ? state.preview->shown() : none;
+    const bool on_line = splits(state, image) && drag_split(state, area);
     ImGui::SetCursorScreenPos(at);
     if (!on_line) {
         ImGui::InvisibleButton("picture", size,
@@ -244,15 +241,15 @@ void draw_preview_picture(State& state, ImVec2 at, ImVec2 size) {
                                    ImGuiButtonFlags_MouseButtonMiddle);
         handle(state, area);
     }
-    state.targets.add("preview", {at.x, at.y, area.end().x, area.end().y});
+    name_area(state, "preview", at, area.end());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(at, area.end(), true);
     draw_ground(list, area);
-    draw_sides(state, area, picture);
-    draw_notes(state, area, picture);
-    if (picture.angles.degrees) {
-        draw_legend(state, area, picture.angles);
-        draw_angle_here(state, area, picture);
+    draw_sides(state, area, image);
+    draw_notes(state, area, image);
+    if (image.angles.degrees) {
+        draw_legend(state, area, image.angles);
+        draw_angle_here(state, area, image);
     }
     list.PopClipRect();
 }

@@ -1,4 +1,4 @@
-#include "editor/view/preview/picture_export.h"
+#include "editor/view/preview/image_export.h"
 
 #include <algorithm>
 
@@ -17,11 +17,11 @@ float shown_split(const State& state) {
     return compare.mode == CompareView::Mode::flip && compare.flipped ? 0.0F : 1.0F;
 }
 
-TaskOutcome draw_and_write(ImageRequest& still, const fs::path& file, TaskProgress& progress) {
+TaskOutcome draw_and_write(ImageRequest& request, const fs::path& file, TaskProgress& progress) {
     const std::string name = file.filename().string();
     progress.total = 2;
     Diagnostics problems;
-    const auto image = still.wait(progress.cancelled, problems);
+    const auto image = request.wait(progress.cancelled, problems);
     if (progress.cancelled) return {};
     if (!image) return {false, name + " was not drawn: " + sentence(first_error(problems))};
     progress.done = 1;
@@ -35,30 +35,31 @@ TaskOutcome draw_and_write(ImageRequest& still, const fs::path& file, TaskProgre
 
 }  // namespace
 
-std::vector<PictureSize> picture_sizes(const State& state) {
-    std::vector<PictureSize> sizes{{1024, 1024}, {2048, 2048}, {4096, 4096}};
+std::vector<ImageSize> image_sizes(const PreviewState& state) {
+    std::vector<ImageSize> sizes{{1024, 1024}, {2048, 2048}, {4096, 4096}};
     if (!state.preview) return sizes;
-    const PreviewPicture& shown = state.preview->shown();
+    const PreviewImage& shown = state.preview->shown();
     sizes.insert(sizes.begin(), {std::max(shown.width, 1), std::max(shown.height, 1)});
     return sizes;
 }
 
-void start_picture_export(State& state, const fs::path& file, PictureSize size) {
+void start_image_export(State& state, const fs::path& file, ImageSize size) {
     if (!state.preview) return;
-    const auto still = std::make_shared<ImageRequest>(size.width, size.height, shown_split(state));
-    const auto work = [still, file](TaskProgress& progress) {
-        return draw_and_write(*still, file, progress);
+    const auto request =
+        std::make_shared<ImageRequest>(size.width, size.height, shown_split(state));
+    const auto work = [request, file](TaskProgress& progress) {
+        return draw_and_write(*request, file, progress);
     };
     if (start_task(state, {"Drawing " + file.filename().string(), work,
-                           [&state, file, size] { start_picture_export(state, file, size); }}))
-        state.preview->draw_still(still);
+                           [&state, file, size] { start_image_export(state, file, size); }}))
+        state.preview->draw_image_request(request);
 }
 
-fs::path usual_picture(const State& state) {
+fs::path usual_image_path(const State& state) {
     return state.folder() / (fs::path(state.file_name()).stem().string() + ".png");
 }
 
-std::string_view no_picture(const State& state) {
+std::string_view why_no_image(const State& state) {
     return state.preview && state.preview->shown().texture ? "" : "There is no picture yet.";
 }
 

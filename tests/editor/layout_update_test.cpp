@@ -1,4 +1,4 @@
-// Tests of incremental layout: a layout updated after an edit equals one built from scratch.
+// Tests that a layout updated after an edit, which reuses cards, equals one built from scratch.
 #include <tuple>
 
 #include "editor/view/canvas/layout.h"
@@ -48,7 +48,7 @@ std::string told(const Layout& layout) {
             line("box", told(box.low), told(box.high));
     for (size_t i = 0; i < layout.nodes.size(); ++i)
         line("node", layout.cards[layout.card_of_node[i]].id, std::to_string(layout.readers[i]));
-    line("all", told(layout.low), told(layout.high), std::to_string(layout.links));
+    line("all", told(layout.bounds.low), told(layout.bounds.high));
     return text;
 }
 
@@ -124,7 +124,7 @@ private:
     Random& random_;
 };
 
-class PatchedLayout : public Headless {
+class UpdatedLayout : public Headless {
 protected:
     void step(Random& random, RandomEdits& edits) {
         const size_t what = random() % 10;
@@ -148,11 +148,10 @@ protected:
     }
 };
 
-TEST_F(PatchedLayout, IsTheOneMadeFromNothing) {
+TEST_F(UpdatedLayout, IsTheOneMadeFromNothing) {
     open(small_graph);
     Random random(7);
     RandomEdits edits(random);
-    size_t patched = 0, anew = 0;
     for (int graph = 0; graph < 40; ++graph) {
         Document start = random_graph(random);
         for (size_t i = 0; graph % 4 && i < start.nodes.size(); ++i)
@@ -163,19 +162,14 @@ TEST_F(PatchedLayout, IsTheOneMadeFromNothing) {
         for (int i = 0; i < 60; ++i) {
             const std::string before = write_document(state.document());
             step(random, edits);
-            ++(state.layout.patched ? patched : anew);
-            if (!state.layout.patched) continue;
             const Layout kept = state.layout;
-            state.layout_stale = true;
+            state.layout = {};
             update_layout(state);
             ASSERT_EQ(told(kept), told(state.layout))
                 << before << "\n-> " << write_document(state.document());
-            EXPECT_LE(kept.placed, state.layout.placed);
             state.layout = kept;
         }
     }
-    std::printf("%zu layouts patched, %zu made anew\n", patched, anew);
-    EXPECT_GT(patched, 1000U) << "the test tries too little";
 }
 
 }  // namespace

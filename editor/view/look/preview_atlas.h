@@ -7,7 +7,7 @@
 
 namespace wrinkle::editor {
 
-class PictureAtlas {
+class PreviewAtlas {
 public:
     void use_gl() { gl_ = true; }
     void forget() { texture_ = 0; }  // after its GL context was destroyed
