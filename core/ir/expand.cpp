@@ -33,8 +33,8 @@ struct Expander {
     std::optional<ScreenDerivatives> screen;
     std::optional<GradientAlgebra> algebra;
     std::optional<NormalVariance> variance;  // only if an output or the options need it
-    // An opaque value is mapped to its index in the vector of its type, in place of an Id of the
-    // target. The first two entries are empty: 0 is no_id, 1 any value that cannot be expanded.
+    // An opaque value is mapped not to an Id of the target but to its index in the vector of its
+    // type. The first two entries are empty: 0 is no_id, 1 any value that cannot be expanded.
     static constexpr Id unexpanded = 1;
     std::vector<Frame> frames{2};
     std::vector<Derivative> derivatives{2};

@@ -5,9 +5,9 @@
 // equal expressions are one value. It also checks types, folds constants and applies peepholes, so
 // an expression is simplified while it is written.
 //
-// Id 0 is no instruction and has two names.
-//   poison   the result of an invalid add(), which records a problem. An op with a poison operand is
-//            poison, without another problem. (LLVM's poison, deferred undefined behaviour, is
+// No instruction has the Id 0, which has two names:
+//   poison   the result of an invalid add(), which records a problem. An op with a poison operand
+//            is poison, without another problem. (LLVM's poison, deferred undefined behaviour, is
 //            something else.)
 //   no_id    absent: an unused operand, the surface as base of a gradient, an empty Value, a zero
 //            derivative (ir/derive.h), "none" as the result of a query or of a Replace callback.
