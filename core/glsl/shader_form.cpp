@@ -1,17 +1,14 @@
 // Shader form: the complete vertex and fragment pair around the functions.
 #include <algorithm>
-#include <array>
+#include <limits>
 
+#include "base/standard_outputs.h"
 #include "glsl/attributes.h"
 #include "glsl/blocks.h"
 #include "glsl/interface.h"
 
 namespace wrinkle {
 namespace {
-
-// Fragment outputs that come first, in this order; others follow in graph order.
-constexpr std::array<std::string_view, 8> standard_outputs = {
-    "normal", "color", "roughness", "metalness", "occlusion", "height", "displacement", "emission"};
 
 struct Stage {
     const EmitAnalysis& analysis;
@@ -25,7 +22,8 @@ std::string at(int location) {
     return "layout(location = " + std::to_string(location) + ") ";
 }
 
-// Assigns consecutive locations, because drivers reject locations beyond their draw buffers.
+// Assigns consecutive locations, because drivers reject locations beyond their draw buffers:
+// standard outputs by their rank, then the others in graph order.
 void assign_locations(Interface& face) {
     std::vector<FunctionInfo*> order;
     for (FunctionInfo& function : face.reflection.functions) {
@@ -33,7 +31,8 @@ void assign_locations(Interface& face) {
         function.variable = face.globals.unique("out_" + function.output);
     }
     const auto rank = [](const FunctionInfo* function) {
-        return std::find(standard_outputs.begin(), standard_outputs.end(), function->output);
+        const StandardOutput* standard = find_standard_output(function->output);
+        return standard ? standard->rank : std::numeric_limits<int>::max();
     };
     std::stable_sort(order.begin(), order.end(),
                      [&](const auto* one, const auto* other) { return rank(one) < rank(other); });

@@ -105,7 +105,7 @@ private:
     // Returns false, for use in a return statement.
     bool fault(std::string message, std::string expected = {}) {
         ++faults_;
-        diagnostics_.add({.where = {origin_},
+        diagnostics_.add({.where = Location{origin_},
                           .node = node_,
                           .message = port_.empty() ? std::move(message) : port_ + ": " + message,
                           .expected = std::move(expected)});

@@ -222,7 +222,7 @@ std::optional<PluginListing> read_listing(std::string text, const std::string& n
                                           const std::string& origin, Diagnostics& diagnostics) {
     const auto refuse = [&](const Value& at, std::string message, std::string expected = {}) {
         const Location where = at.location();
-        diagnostics.add({.where = {name, where.line, where.column},
+        diagnostics.add({.where = Location{name, where.line, where.column},
                          .message = std::move(message),
                          .expected = std::move(expected)});
         return std::nullopt;

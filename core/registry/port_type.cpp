@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
+
+#include "base/standard_outputs.h"
 
 namespace wrinkle {
 namespace {
@@ -30,12 +33,6 @@ constexpr auto surface_table = [] {
 }();
 #undef X
 
-constexpr std::array<std::string_view, 7> output_names = {
-    "normal", "height", "displacement", "color", "roughness", "metalness", "occlusion"};
-constexpr std::array<PortType, 7> output_types = {
-    PortType::normal_, PortType::height_, PortType::height_, PortType::color_,
-    PortType::float_,  PortType::float_,  PortType::float_};
-
 }  // namespace
 
 std::string_view name_of(PortType type) {
@@ -61,13 +58,18 @@ std::span<const SurfaceProperty> surface_properties() {
 }
 
 std::optional<PortType> standard_output(std::string_view name) {
-    const auto* const found = std::find(output_names.begin(), output_names.end(), name);
-    if (found == output_names.end()) return {};
-    return output_types[static_cast<size_t>(found - output_names.begin())];
+    const StandardOutput* found = find_standard_output(name);
+    return found ? port_type_named(found->type) : std::nullopt;
 }
 
 std::span<const std::string_view> standard_outputs() {
-    return output_names;
+    static const std::vector<std::string_view> typed = [] {
+        std::vector<std::string_view> result;
+        for (const StandardOutput& output : standard_output_table)
+            if (!output.type.empty()) result.push_back(output.name);
+        return result;
+    }();
+    return typed;
 }
 
 bool is_name(std::string_view text) {
