@@ -233,10 +233,9 @@ void TestRun::fail(const TestCase& test, const json::Value& place, const char* p
                    const std::string& sentence) {
     ++tally_.failed;
     std::printf("FAIL %s\n", printable(test.file.string() + ": " + sentence).c_str());
-    failures_.add(
-        place.has_location()
-            ? diagnose(place, "", sentence, "")
-            : Diagnostic{Severity::error, {test.file.string()}, pointer, "", sentence, ""});
+    failures_.add(place.has_location() ? diagnose(place, "", sentence, "")
+                                       : Diagnostic{Severity::error, Location{test.file.string()},
+                                                    pointer, "", sentence, ""});
 }
 
 }  // namespace wrinkle::cli
