@@ -22,36 +22,39 @@ struct WRINKLE_INSIDE Library::Parts {
     Diagnostics problems;
 };
 
-// A graph that is compiled for evaluation.
+// A graph compiled for evaluation.
 struct WRINKLE_INSIDE Prepared {
     Program program;
     std::vector<Texture> textures;
-    Diagnostics problems;  // after an error, the other members are empty
+    Diagnostics problems;  // after an error, `program` is empty
 };
 
 struct WRINKLE_INSIDE Graph::Parts {
     std::shared_ptr<const Library::Parts> library;
     Project project;
     Diagnostics problems;  // from reading and from with()
-    bool whole = false;    // false: an exception stopped reading, see `unusable`
+    bool whole = false;    // false: reading threw; `unusable` holds the exception
     Problems unusable;
 
-    // Compiled by the first evaluate(), shared by all copies; by vertex_tangents.
+    // Made by the first evaluate() and shared by all copies; index: vertex_tangents (0 or 1).
     mutable std::mutex mutex;
     mutable std::array<std::shared_ptr<const Prepared>, 2> prepared;
 };
 
 WRINKLE_INSIDE Problem problem_of(const Diagnostic& diagnostic);
+// Appends an entry with the number of dropped diagnostics, if any.
 WRINKLE_INSIDE Problems problems_of(const Diagnostics& diagnostics);
 
-// Problem of an empty handle.
+// Returns the error of a call on an empty handle.
 WRINKLE_INSIDE Problems no_graph();
 
 // Returns the current exception as a problem; an empty list if there is no memory for one.
 // Precondition: called in a catch block.
 WRINKLE_INSIDE Problems caught() noexcept;
 
-// Converts the arrays to the evaluator's points, with 1 for a missing `facing`; reports problems.
+// Returns the inputs that the program needs; a missing `facing` is 1. Reports unknown names, wrong
+// lengths, non-finite numbers, zero normals and missing inputs; with `single`, also values that
+// overflow float. After an error the result is incomplete. O(values).
 WRINKLE_INSIDE PointSet point_set(const Points& points, const Program& program, bool single,
                                   Diagnostics& diagnostics);
 

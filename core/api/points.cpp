@@ -13,6 +13,7 @@ std::string at_point(size_t point, const std::string& message) {
     return "point " + std::to_string(point) + ": " + message;
 }
 
+// Reports a wrong length, the first non-finite number and the first zero normal.
 void check_values(const InputNeed& input, const Values& values, size_t count,
                   Diagnostics& diagnostics) {
     const size_t lanes = lanes_of(input);
@@ -32,6 +33,7 @@ void check_values(const InputNeed& input, const Values& values, size_t count,
                                      "a direction of any length but zero");
 }
 
+// Returns all valid names, for suggestions.
 std::vector<std::string> point_names() {
     std::vector<std::string> names;
     for (const std::string& name : surface_input_names())

@@ -14,6 +14,7 @@ Diagnostic diagnostic_of(const Problem& problem) {
             problem.expected};
 }
 
+// Returns an error without a location.
 Problem with_message(std::string message) {
     Problem problem;
     problem.message = std::move(message);
