@@ -1,9 +1,9 @@
-// Limits on the size of inputs and of derived data: one row each, with the environment variable
-// that overrides it. Sizes are checked before allocation, so a run rejects oversized input early
-// with a diagnostic, and the result does not depend on the speed or memory of the machine.
+// Limits on the size of inputs and of derived data; an environment variable overrides each. Sizes
+// are checked before allocation, so a run rejects oversized input early with a diagnostic, and the
+// result does not depend on the speed or memory of the machine.
 //
-// A variable holds a whole number from 1. Any other text is an error (report_limits), and the
-// default is used. docs/limits.md documents this table.
+// A variable holds a whole number from 1. report_limits() reports any other text, and limit_of()
+// ignores it. docs/limits.md documents this table.
 #pragma once
 
 #include <array>
@@ -32,11 +32,12 @@ enum class Limit : uint8_t {
 
 struct LimitRow {
     std::string_view variable;
-    uint64_t usual;
+    uint64_t usual;  // default
     std::string_view unit;
     std::string_view doc;
 };
 
+// In the order of the enumerators.
 inline constexpr std::array<LimitRow, 11> limit_rows = {{
     {"WRINKLE_FILE_MAX_BYTES", uint64_t{1} << 30, "bytes",
      "A file that is read, and standard input; not images and meshes, which have their own"},
@@ -63,18 +64,20 @@ constexpr const LimitRow& row_of(Limit limit) {
     return limit_rows[static_cast<size_t>(limit)];
 }
 
-// Returns the effective limit in this process: the value of the variable, else the default.
+// Returns the value of the variable if it is valid, else the default. Reads the environment on each
+// call.
 uint64_t limit_of(Limit limit);
 
-// Reports an error for each variable that is not a whole number from 1 and then returns false.
+// Reports an error for each invalid variable; returns true if there is none.
 bool report_limits(Diagnostics& diagnostics);
 
 // Thrown when data exceeds its limit during construction: values of a module, generated text.
 struct OverLimit : std::runtime_error {
+    // `value` is the limit; `at` and `called` become `node` and `path`.
     OverLimit(Limit which, uint64_t value, uint32_t at, std::string called);
 
     Limit limit;
-    uint32_t node;     // index into Module::nodes of the node that exceeded it; 0: the graph
+    uint32_t node;     // node that exceeded it, index into Module::nodes; 0: not one node
     std::string path;  // path of that node; "" if unknown at the throw
     std::string message, expected;
 };

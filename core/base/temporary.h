@@ -22,23 +22,24 @@ inline std::error_code last_error() {
 
 class Temporary {
 public:
-    // Creates an empty file in the folder of `target`, with its extension; returns std::nullopt and
-    // sets `error` on failure.
+    // Creates an empty file in the folder of `target`, with its extension if that has at most 8
+    // bytes. Returns std::nullopt and sets `error` on failure.
     static std::optional<Temporary> beside(const std::filesystem::path& target,
                                            std::error_code& error);
     Temporary(Temporary&& other) noexcept;
     Temporary& operator=(Temporary&&) = delete;
     ~Temporary() { remove(); }
 
-    // Returns true for the name of a temporary file, of a running or a dead process.
+    // Returns true if a file name (without folder) is that of a temporary file of any process.
     static bool is_name(std::string_view file) { return file.starts_with(prefix); }
 
     const std::filesystem::path& path() const { return path_; }
+    // Appends the bytes.
     std::error_code write(std::string_view bytes) const;
-    std::error_code sync() const;
+    std::error_code sync() const;  // fsync
 
-    // Replaces `target` and takes over the permissions of the old file. On failure the temporary
-    // file is removed.
+    // Renames the file to `target`. If `target` exists, its permissions are copied first. Removes
+    // the temporary file on failure.
     std::error_code place(const std::filesystem::path& target);
     void remove();  // no effect after place()
 

@@ -1,10 +1,10 @@
-// Sampling options of an image file: the texture settings of a graph file as small enums shared by
-// all folders. They are metadata of a texture; the arithmetic that they imply (2t - 1, the sRGB
-// curve, a missing z) is emitted where an expression samples the texture.
+// Sampling options of an image: encoding, wrap and filter, as set in a graph file. They are
+// metadata of a texture; their arithmetic (2t - 1, the sRGB curve, z from x and y) is emitted where
+// an expression samples the texture. t is the stored value.
 //
 //   linear      the stored value                 srgb         sRGB-encoded colour, linearised
 //   normal_gl   2t - 1, green = +v               normal_dx    2t - 1, green = -v
-//   normal_rg   x, y in red, green; z derived    normal_ag    x in alpha, y in green; z derived
+//   normal_rg   x, y in red, green; z derived    normal_ag    x in alpha * red, y in green
 //   derivative  2t - 1, (dh/du, dh/dv)
 //
 // The order of the enumerators is part of the plugin ABI: append only.
