@@ -1,10 +1,11 @@
-// The maps of a bake: the contents of their channels, and one program that computes the values of
-// all of them.
+// Plans the maps of a bake: the contents of their channels, and one program that computes the
+// values of all of them.
 //
-//   normal      and every other output of type normal: (n + 1) / 2, in the requested space. Tangent
-//               space is that of vertex tangents (mesh/mesh.h), or of the derived frame of uv0 if
-//               the mesh has none (ir/gradient_frame.h), decoded as in shaders: n is a sum of T, B
-//               and N that are not normalised individually. Green is +v, or -v
+//   normal      and every other output of type normal: (m + 1) / 2, m a unit vector. Object space:
+//               m is the normal n. Tangent space: n = normalize(m.x T + m.y B + m.z N) as shaders
+//               decode it, with T, B and N not normalised individually; T and B are the vertex
+//               tangents (mesh/mesh.h), or derived from uv0 if the mesh has none
+//               (ir/gradient_frame.h). Green is +v, or -v (green_down)
 //   derivative  of the bump that maps the surface normal to the output "normal": dh/du and dh/dv
 //               over the map's own uv, heights in length units of object space
 //   slopes      of the same bump, as written by `maketx --bumpslopes`: b0_h b1_dhds b2_dhdt
@@ -17,9 +18,10 @@
 // Maps of two channels get a third one of zeros in an integer file; otherwise readers would
 // interpret them as gray and alpha.
 //
-// The slope of a bump (against the surface normal) is limited to 128. Heights and slopes are
-// divided by `scale`, products of slopes by its square; a derivative in an integer file is
-// (d / scale + 1) / 2. A packed map holds channels of other maps; those of a color are linear.
+// The slope of a bump, relative to the surface, is limited to max_slope (base/normals.h). Heights
+// and slopes are divided by `scale`, products of slopes by its square; a derivative in an integer
+// file is (d / scale + 1) / 2. A packed map holds channels of other maps; those of a color are
+// linear.
 #pragma once
 
 #include <optional>
@@ -61,11 +63,11 @@ struct MapOptions {
 // stored = lane * gain + offset, then sRGB-coded.
 struct MapChannel {
     std::string name;
-    uint32_t lane = 0;  // lane in the plan
+    uint32_t lane = 0;  // index below BakePlan::lanes
     float gain = 1;
     float offset = 0;
     bool srgb = false;
-    float empty = 0;  // stored without a surface
+    float empty = 0;  // stored for a texel without a surface
 };
 
 struct BakedMap {
@@ -78,7 +80,7 @@ struct BakePlan {
     Program program;
     std::vector<Resource> resources;  // sampled by the program
     size_t lanes = 0;                 // total of the program's outputs
-    std::vector<uint32_t> unit;       // first lanes of vectors to normalise after averaging
+    std::vector<uint32_t> unit;       // first lanes of unit vectors: renormalise averages
     std::vector<BakedMap> maps;       // as requested
 };
 
@@ -89,7 +91,7 @@ std::vector<std::string> map_names(std::vector<std::string> outputs);
 // Returns true if integers can store a map of this name.
 bool fits_integers(std::string_view map);
 
-// Returns the covariances that the module must retain for these maps.
+// Returns MaterialOptions::covariances (lower/material.h) for these maps.
 Covariances covariances_for(const std::vector<MapRequest>& requests);
 
 // Returns std::nullopt and appends diagnostics on failure. Precondition: the module was compiled

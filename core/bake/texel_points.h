@@ -1,10 +1,9 @@
-// The surface points of covered texels, as the input planes of a program.
+// Fills the input planes of a program with the surface points of covered texels.
 //
-// A point has the attributes that sample_mesh() (mesh/sample.h) returns there, bit by bit, rounded
-// to float; its dx and dy are per texel of the layout. A point outside its triangle, because the
-// raster rounds corners, takes the attributes at the triangle's border, but its own uv as uv0. A
-// bake views the surface from outside along the normal: `facing` is 1, and `view` is the normalised
-// normal.
+// Attributes equal those of sample_mesh() (mesh/sample.h) bit by bit, rounded to float; dx and dy
+// are per texel along +u and +v. The raster rounds corners, so a point may be outside its triangle:
+// uv0 is then its own uv, and the other values are those at the clamped barycentric weights. A bake
+// views the surface from outside along the normal: `facing` is 1, and `view` is the unit normal.
 #pragma once
 
 #include <array>
@@ -43,16 +42,16 @@ public:
     // samples.
     static size_t count(const Coverage& coverage);
 
-    // Plane i, by index of Program::inputs, begins at planes + i * stride. fill() overwrites up to
-    // `interpolate_padding` numbers after the last point of a plane. `cache` must be used with this
-    // object only. fill() does not write planes that are constant over the bake; fill_constants()
-    // does.
+    // Plane i, by index of Program::inputs, begins at planes + i * stride; strides are in floats.
+    // fill_constants() writes `stride` numbers to each plane that is constant over the bake. fill()
+    // writes the others, and up to `interpolate_padding` numbers after the last point of a plane.
+    // Thread-safe with one `cache` per thread, used with this object only.
     void fill_constants(size_t stride, float* planes) const;
     void fill(const Coverage& coverage, const TexelRect& rect, size_t stride, float* planes,
               TriangleCache& cache) const;
 
 private:
-    // One input; its value at vertex i is values[i * stride].
+    // One component of an input; its value at mesh vertex i is values[i * stride].
     struct Source {
         size_t plane;
         Variant variant;
@@ -62,9 +61,12 @@ private:
     };
 
     void add(const Program::Input& input, size_t plane);
+    // Returns the change of the barycentric weights from one texel to the next.
     glm::dvec3 change(const UvTriangle& triangle, Variant variant) const;
+    // Prepares the cache entry `one` for the triangle.
     void insert(uint32_t triangle, CachedTriangle& one) const;
-    // Fills the points of adjacent texels; returns the output position after them.
+    // Fills the covered points of one row, given u of each and their v; returns the output position
+    // after them.
     float* fill_row(std::span<const uint32_t> owners, const double* u, double v, size_t stride,
                     float* out, TriangleCache& cache) const;
     void fill_uvs(const PointRow& row, size_t stride, float* out) const;

@@ -1,4 +1,5 @@
-// Bakes one texture set: encoded rows of all its maps, and a report of problems for the end.
+// Bakes one texture set, the maps of one UDIM tile: passes encoded rows of each map to a sink, from
+// the top down, and collects statistics for warnings.
 #pragma once
 
 #include <cstddef>
@@ -15,9 +16,9 @@
 namespace wrinkle {
 
 struct TextureSetInput {
-    const Mesh* mesh = nullptr;  // as in BakeInput
+    const Mesh* mesh = nullptr;  // with uv0 and the attributes that the program reads
     const BakePlan* plan = nullptr;
-    std::span<const Texture> textures;  // by resource of the plan
+    std::span<const Texture> textures;  // by index of BakePlan::resources
     std::vector<PixelType> types;       // pixel types of the files, by map
     UvLayout layout;
     uint32_t dilate = 16;
@@ -29,7 +30,7 @@ struct BakeReport {
     uint64_t overlapped = 0, not_finite = 0;  // texels
     glm::dvec2 overlap_uv{0};                 // at one overlapped texel
     uint32_t overlap_triangle = 0;            // a triangle hidden there
-    std::vector<Clamped> clamped;             // by map
+    std::vector<Clamped> clamped;             // values beyond the range of integers, by map
 
     void add(const BakeStatistics& found, const UvLayout& layout);
     // Appends the findings as warnings; `graph` and `mesh` are the file names as given by the user.
@@ -39,13 +40,15 @@ struct BakeReport {
 
 // Return false from either to cancel the bake.
 struct BakeSinks {
+    // Receives the next rows of one map, in its pixel type.
     std::function<bool(size_t map, std::span<const std::byte> rows)> rows;
     // Called after the rows of all maps of a band, with the band's end row (exclusive) and its
     // texel count.
     std::function<bool(uint32_t row, uint64_t texels)> band;
 };
 
-// Bakes rows [first, last) as bake_rows() does; returns false if it was cancelled.
+// Bakes rows [first, last) as bake_rows() does, and adds to `report`. Returns false if a sink
+// cancelled.
 bool bake_texture_set(const TextureSetInput& input, uint32_t first, uint32_t last,
                       const BakeSinks& take, BakeReport& report);
 
