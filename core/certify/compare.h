@@ -14,19 +14,21 @@ namespace wrinkle::certify {
 
 using ImageOf = std::function<const MipChain&(const std::string& file)>;
 
-// values[output][point * lanes + lane]
+// Results: values[output][point * lanes + lane], lanes = lanes_of(module, output).
 using Values = std::vector<std::vector<double>>;
 
 size_t lanes_of(const Module& module, size_t output);
 
-// Returns std::nullopt and sets `why` if a limit of the evaluator is exceeded.
+// Evaluates in T: float or double. Returns std::nullopt and sets `why` if a limit of the evaluator
+// is exceeded.
 template <class T>
 std::optional<Values> on_cpu(const Module& module, const PointSet& points, const ImageOf& images,
                              std::string& why);
 
-// on_gpu() runs generated GLSL. Precondition: a context is current. Returns std::nullopt and sets
-// `why` if the source has problems or does not run.
-Shader given_text(const Module& module);  // function form, differentials given
+// Emits GLSL in function form with given differentials.
+Shader given_text(const Module& module);
+// Runs generated GLSL. Precondition: a context is current. Returns std::nullopt and sets `why` if
+// the source has problems or does not run.
 std::optional<Values> on_gpu(const Shader& shader, const PointSet& points, const ImageOf& images,
                              std::string& why);
 
@@ -34,7 +36,7 @@ std::optional<Values> on_gpu(const Shader& shader, const PointSet& points, const
 struct Difference {
     size_t output = 0;
     size_t point = 0;
-    std::string a, b, precise;  // "0.25" or "(1, 0, 0)"
+    std::string a, b, precise;  // values as words() formats them
     std::string allowed;        // "0.05 degrees", "0.00012, 1e-4 of the range"
 };
 
@@ -45,13 +47,13 @@ struct Comparison {
     std::optional<Difference> first;
 };
 
-// Compares `a` and `b` with the parity tolerances: normals to 0.05 degrees, other values to 1e-4 of
-// their range. `precise` holds the results in double and gives the range; a value is unstable if
-// one of the `nudged` results (inputs moved by 4 ulp) differs from it by more than the tolerance.
+// Reference results for comparisons with the parity tolerances: normals to 0.05 degrees, other
+// values to 1e-4 of the range of their output in `precise`. A value is unstable if a `nudged`
+// result differs from `precise` by more than the tolerance. The module must outlive this object.
 struct Judge {
     const Module* module = nullptr;
-    Values precise;
-    std::vector<Values> nudged;
+    Values precise;              // in double
+    std::vector<Values> nudged;  // in double, with inputs moved by 4 float ulp
 
     Comparison compare(const Values& a, const Values& b) const;
 };
@@ -59,7 +61,8 @@ struct Judge {
 std::optional<Judge> make_judge(const Module& module, const PointSet& points, const ImageOf& images,
                                 std::string& why);
 
-std::string brief(double value);  // in single precision
+// Returns the shortest decimal of the value rounded to float.
+std::string brief(double value);
 // Returns "0.25", or "(1, 0, 0)" for several components.
 std::string words(const double* values, size_t lanes);
 

@@ -27,6 +27,7 @@ public:
     double number(double low, double high) {
         return low + (high - low) * (static_cast<double>(random_()) / 4294967296.0);
     }
+    // Returns a random unit vector, by rejection.
     Numbers direction() {
         for (;;) {
             const Numbers v{number(-1, 1), number(-1, 1), number(-1, 1)};
@@ -60,6 +61,8 @@ Numbers times(const Numbers& v, double k) {
     return {v[0] * k, v[1] * k, v[2] * k, v[3] * k};
 }
 
+// Appends the normal, the tangent and all differentials of one point; the position changes by 2^-12
+// to 2^-4 per pixel.
 void append_frame(PointSet& set, Draw& draw) {
     const Numbers n = draw.direction();
     append(set, SurfaceInput::normal_, Variant::value, times(n, draw.number(0.85, 1)));
@@ -68,8 +71,8 @@ void append_frame(PointSet& set, Draw& draw) {
     append(set, SurfaceInput::tangent_, Variant::value, tangent);
     const double pixel = std::exp2(draw.number(-12, -4));
     Numbers dx = in_plane(draw.direction(), n), dy = in_plane(draw.direction(), n);
-    // dy is dx turned by 90 degrees to either side plus a deviation, so that pixel footprints are
-    // not degenerate.
+    // dy is n x dx or its negative plus 0.3 times a random vector, so that pixel footprints are not
+    // degenerate.
     const Numbers across{n[1] * dx[2] - n[2] * dx[1], n[2] * dx[0] - n[0] * dx[2],
                          n[0] * dx[1] - n[1] * dx[0]};
     const double side = draw.number(-1, 1) < 0 ? -1 : 1;
@@ -101,6 +104,7 @@ void clear(PointSet& set, size_t point, SurfaceInput input, Variant variant) {
         set.at(input, variant)[point * lanes + i] = 0;
 }
 
+// Sets both differentials to zero.
 void clear_changes(PointSet& set, size_t point, SurfaceInput input) {
     clear(set, point, input, Variant::dx);
     clear(set, point, input, Variant::dy);

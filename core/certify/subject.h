@@ -1,4 +1,4 @@
-// A compiled graph around the node under test, and its test environment.
+// Compiles generated graphs around a node under test, in a fixed test environment.
 #pragma once
 
 #include <filesystem>
@@ -30,7 +30,8 @@ private:
     std::filesystem::path path_;
 };
 
-// Returns the test image for a file, used on both back ends: floats, 16 x 8 or 7 x 5, with mips.
+// Returns the random image that both back ends use for a file name, with mips: 16 x 8 texels for
+// a.exr, 7 x 5 for any other.
 const MipChain& test_image(const std::string& file);
 
 // Environment shared by the checks of all nodes.
@@ -38,30 +39,30 @@ struct CertifyContext {
     const Registry& registry;        // the nodes under test and the built-in ones
     std::filesystem::path pictures;  // path of a PictureFolder
     bool gpu = false;                // a context is current
-    // Returns "" if the source compiles, else the error; may be empty. If it reports no error and a
-    // GPU is available, the driver checks the source too.
+    // Optional: compiles the source; returns "" or the error. Without an error, the driver checks
+    // the source too if `gpu` is set.
     std::function<std::string(const Shader&)> text_errors = {};
 };
 
 struct Subject {
-    std::string text;
+    std::string text;  // JSON of the graph
     Project project;
     Compiled compiled;    // parameters uniform, differentials given
     std::string problem;  // why it did not compile; "" if compiled.ok
 };
 
-// Generates up to 50 random graphs until one compiles (a frame must match its scale).
+// Returns the first of up to 50 random graphs that compiles, else the last with its `problem`: a
+// random choice may be invalid, such as a method that does not match its scale.
 Subject compile_harness(const NodeType& type, Inputs inputs, unsigned seed,
                         const CertifyContext& context);
 
-// project_of() reads the text as a document; compile() compiles it. `uniform`: parameters are
-// uniforms instead of literals. `given`: differentials are given.
 struct Options {
-    bool uniform = true;
-    bool given = true;
+    bool uniform = true;  // parameters are uniforms, else literals
+    bool given = true;    // differentials are given, else from the screen
 };
 Compiled compile(const Project& project, const CertifyContext& context, Options options,
                  Diagnostics& diagnostics);
+// Reads the JSON of a graph; the images that it names are in the context's PictureFolder.
 Project project_of(const std::string& text, const CertifyContext& context,
                    Diagnostics& diagnostics);
 
