@@ -1,13 +1,13 @@
 // Folder that holds a part of a bake: a shard, or a bake that can be resumed.
 //
-//   bake.json   the request, the number of finished rows of tiles, and checksums
-//   P-M.rows    rows of map M of image P from top to bottom, in the pixel type of the output file
+//   bake.json   the request, the number of finished bands, and checksums (cli/bake_header.h)
+//   S-M.rows    rows of map M of texture set S, top to bottom, in the pixel type of the output file
 //
-// Rows of tiles are numbered consecutively over all images. A part covers [first, last); those
-// before `done` are in the files. bake.json stores the XXH64 of the finished rows of each file and
-// the SHA-256 of the rest of its text. It is replaced after the rows that it counts are written, so
-// the files may hold more rows: the program may be killed at any time. Checking a part reads all
-// its rows once, O(bytes).
+// A band is a row of tiles, up to bake_tile texel rows (bake/bake.h). Bands are numbered
+// consecutively over all texture sets. A part covers bands [first, last); those before `done` are
+// in the files. bake.json stores the XXH64 of the finished rows of each file. It is replaced after
+// the rows that it counts are written, so the files may hold more rows: the program may be killed
+// at any time. Checking a part reads all its rows once, O(bytes).
 #pragma once
 
 #include <filesystem>
@@ -24,6 +24,7 @@
 
 namespace wrinkle::cli {
 
+// Returns the header of the job's shard, with no band finished.
 PartHeader header_of(const BakeJob& job);
 
 // Returns std::nullopt and reports an error that names the file on failure.
@@ -41,15 +42,19 @@ bool has_its_rows(const std::filesystem::path& folder, const PartHeader& header,
 class PartWriter {
 public:
     // Resumes the same bake if `resume` is set and the folder holds it. Otherwise starts at the
-    // first row, with a warning if the folder is damaged. header().done is the first row to bake.
-    // Returns std::nullopt and reports an error if bake.json cannot be written.
+    // first band and discards the folder's rows, with a warning if they are damaged. header().done
+    // is the first band to bake. Returns std::nullopt and reports an error if bake.json cannot be
+    // written.
     static std::optional<PartWriter> open(const std::filesystem::path& folder, PartHeader header,
                                           bool resume, Diagnostics& diagnostics);
 
     const PartHeader& header() const { return header_; }
+    // Call begin() for each texture set; then, for each band, rows() for each map, and done(). They
+    // return false and report an error on failure.
     bool begin(size_t set, Diagnostics& diagnostics);
     bool rows(size_t map, std::span<const std::byte> bytes, Diagnostics& diagnostics);
-    // Records that all rows of tiles before `bands` are written, and their statistics.
+    // Records in bake.json that all bands before number `bands` are written, and the statistics of
+    // the part.
     bool done(uint64_t bands, const BakeReport& found, Diagnostics& diagnostics);
 
 private:
@@ -59,7 +64,7 @@ private:
     std::filesystem::path folder_;
     PartHeader header_;
     size_t set_ = 0;
-    std::vector<OpenedFile> files_;  // files of the current image, by map
+    std::vector<OpenedFile> files_;  // files of the current texture set, by map
     std::vector<Xxh64> sums_;        // checksums of the written rows, by map
 };
 

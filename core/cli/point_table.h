@@ -3,10 +3,10 @@
 //   uv0.x,uv0.y,normal.x,normal.y,normal.z,dx.uv0.x,dx.uv0.y
 //   0.25,0.5,0,0,1,0.001,0
 //
-// A column is one component of a surface value: its name, then .x .y .z .w; the prefix dx. or dy.
-// marks the differential to the next pixel; `facing` has no component. Columns may have any order;
-// all components of a value are required. Numbers are finite. Errors name the file, the line (CSV
-// only) and the point.
+// A column is one component of a surface input or of its differential to the next pixel:
+// [dx.|dy.]NAME.x, .y, .z or .w; `facing` has neither differentials nor a suffix. Columns may have
+// any order; an input needs all its components. Numbers are finite and no normal is zero. Errors
+// name the file, the line (CSV only) and the point. Reading is O(numbers).
 #pragma once
 
 #include <optional>
@@ -29,11 +29,13 @@ public:
                                           const std::string& name, Diagnostics& diagnostics);
 
     size_t count() const { return count_; }
+    // Returns true if the table has this input or differential.
     bool gives(const InputNeed& need) const { return slots(need)[0].given; }
-    // Component `lane` of a value. Precondition: gives(need).
+    // Returns component `lane`. Precondition: gives(need).
     double at(const InputNeed& need, size_t lane, size_t point) const {
         return number(slots(need)[lane], point);
     }
+    // Location of a point for messages; without a line for NPY.
     Location where(size_t point) const;
 
 private:
@@ -60,8 +62,9 @@ private:
     void check_lanes(Diagnostics& diagnostics) const;
     void check_numbers(Diagnostics& diagnostics) const;
 
-    std::string name_, bytes_;  // records
-    size_t first_ = 0, record_ = 0, count_ = 0;
+    // A CSV file is converted to records of doubles; an NPY file is not converted.
+    std::string name_, bytes_;
+    size_t first_ = 0, record_ = 0, count_ = 0;  // offset and size of records, in bytes; points
     uint32_t first_line_ = 0;  // line of the first point; 0: no lines (NPY)
     std::array<std::array<Slots, 3>, PointSet::inputs> slots_;
 };

@@ -1,4 +1,4 @@
-// Shared by the commands that read graphs: options, node types and the project.
+// Options and loading that the commands on graphs share: node types, project, --set values.
 #pragma once
 
 #include <optional>
@@ -25,14 +25,15 @@ struct CommonOptions {
 void declare_plugin_path(CLI::App& command, CommonOptions& options);
 void declare_common(CLI::App& command, CommonOptions& options, bool with_set = true);
 
-// Built-in nodes and plugin nodes. Each call of load_nodes() searches the plugin folders.
+// Built-in nodes and plugin nodes. load_nodes() searches the plugin folders on each call.
 struct Nodes {
     Registry registry;
     std::vector<PluginReport> plugins;
 };
 Nodes load_nodes(const CommonOptions& options, Diagnostics& diagnostics);
 
-// Loads a graph and its sub-graphs. A stream such as "-" uses the working folder.
+// Loads a graph and its sub-graphs; reports errors. If `file` is a stream such as "-", the files
+// that it names are relative to the working folder.
 Project open_project(const std::string& file, const CommonOptions& options,
                      Diagnostics& diagnostics);
 
@@ -41,23 +42,23 @@ Project open_project(const std::string& file, const CommonOptions& options,
 inline constexpr std::string_view test_suffix = ".test.json";
 inline constexpr std::string_view preset_suffix = ".preset.json";
 
-// Reports an error with a hint and returns true if `file` is named like a test or a preset.
+// If `file` is named like a test or a preset, reports an error and returns true.
 bool report_no_graph(const std::string& file, Diagnostics& diagnostics);
 
-// Returns the graphs and reports one warning that lists the other files. If there are no graphs,
-// returns all files, and reading them reports the errors.
+// Returns the files not named like a test or a preset; reports one warning that lists the others.
+// If no file remains, returns all without a warning: reading them reports an error for each.
 std::vector<std::string> graphs_among(const std::vector<std::string>& files,
                                       Diagnostics& diagnostics);
 
 // Reads a complete file or stream; returns std::nullopt and reports an error on failure.
 std::optional<std::string> read_text(const std::string& file, Diagnostics& diagnostics);
 
-// Reports a problem at a value. Problems beyond the limit of the list are only counted, because
-// computing the JSON pointer of an item requires a walk over its array.
+// Reports an error at a JSON value. After the limit of the list it only counts errors, because
+// computing a JSON pointer takes O(array length).
 void report_at(const json::Value& value, std::string message, std::string expected,
                Diagnostics& diagnostics);
 
-// Values of --set. Sweeps advance together, so their lengths must be equal.
+// Values of --set. All sweeps advance by one value per run, so their lengths must be equal.
 struct Overrides {
     std::vector<Override> list;
     size_t runs = 1;
