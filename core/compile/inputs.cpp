@@ -8,8 +8,8 @@ namespace wrinkle {
 namespace fs = std::filesystem;
 namespace {
 
-// Returns the normalised `wanted`, or `real` if both exist and differ: with a symbolic link on the
-// path, lexical normalisation may name another file.
+// Returns `wanted` with "." and ".." removed, or `real` if that is an existing file and the result
+// would not name it: after a symbolic link, ".." leads to the parent of the link's target.
 std::string spelled(const fs::path& wanted, const fs::path& real) {
     const fs::path shorter = wanted.lexically_normal();
     std::error_code error;
@@ -23,7 +23,7 @@ public:
         if (seen_.insert(path).second) files.push_back({kind, std::move(path)});
     }
 
-    std::vector<InputFile> files;
+    std::vector<InputFile> files;  // without duplicates, in the order of add()
 
 private:
     std::set<std::string> seen_;
@@ -40,6 +40,7 @@ std::string_view name_of(InputFile::Kind kind) {
 std::vector<InputFile> inputs_of(const Project& project, const Types& types) {
     Collector found;
     std::error_code ignored;
+    // The top graph is not a regular file if it is a stream or text in memory.
     for (const Project::File& file : project.files)
         if (&file != project.files.data() || fs::is_regular_file(file.path, ignored))
             found.add(InputFile::Kind::graph, spelled(file.document.file, file.path));

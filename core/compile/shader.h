@@ -1,6 +1,6 @@
-// Compiles a project to a shader or loads its images, and reports each problem at its location. The
-// program, the editor and the embedded library (core/api) share it: their output and messages are
-// identical.
+// Compiles a project to a material module or a shader, and loads its images. The program, the
+// editor and the embedded library (core/api) share these functions, so that their output and
+// messages are identical.
 #pragma once
 
 #include <string>
@@ -19,17 +19,16 @@ inline constexpr int max_descriptor_set = 31, max_first_binding = 4095;
 // The default form of a target.
 Form default_form(const Target& target);
 
-// Returns a clause with the reason why target, form and differentials are incompatible; "" if they
-// are compatible.
+// Returns the reason, as a clause, if target, form and differentials are incompatible; else "".
 std::string form_conflict(const Target& target, Form form, Differentials differentials);
 
-// Call before compiling for a mesh with a double-sided material (glTF): seen from behind, a bump is
-// a dent. If the graph does not set "back_faces", sets the rule `flip` and reports a
-// warning at `mesh`.
+// Applies glTF's `doubleSided`, which flips the normals of back faces: if the graph does not set
+// "back_faces", sets BackFaces::flip and reports a warning at the file `mesh`. Call before
+// compiling for a mesh with a double-sided material.
 void follow_double_sided(Document& document, const std::string& mesh, Diagnostics& diagnostics);
 
-// Compiles the project. If `diagnostics` already has errors, only checks the project, so that all
-// problems are reported at once; the result is then not ok.
+// Compiles the project. If `diagnostics` has errors already, for example from reading, only checks
+// the project, so that all problems are reported in one run; the result is then not ok.
 Compiled compile_or_check(const Project& project, const Registry& registry,
                           const MaterialOptions& options, Diagnostics& diagnostics);
 
@@ -48,21 +47,22 @@ struct ShaderOptions {
     bool strict = false;       // exceeding a guaranteed limit is an error
 };
 
-// Precondition of using the shader: `diagnostics` has no error.
 struct MadeShader {
     Compiled compiled;
     Shader shader;
 };
+// Compiles the project, emits the shader and checks its limits. Use the result only if
+// `diagnostics` has no error.
 MadeShader make_shader(const Project& project, const Registry& registry, ShaderOptions options,
                        Diagnostics& diagnostics);
 
-// Returns the reflection file of a shader: to_json() of the reflection with an additional last key
-// "sha256": the hashes of the shader's sources, {"function": "..."} or {"vertex": "...",
-// "fragment": "..."}. They show whether the files come from the same run.
+// Returns the reflection as JSON with the hashes of the sources as the last key, "sha256":
+// {"function": "..."} or {"vertex": "...", "fragment": "..."}. With them, a program detects source
+// and reflection files of different runs.
 std::string reflection_json(const Shader& shader);
 
-// Reads the images that the module samples, for evaluation, baking and rendering. A problem is
-// reported at the first node that reads the image; a file that fails is reported only once.
+// Loads the images that the module samples, for evaluation, baking and rendering. Reports a problem
+// at the first port that reads the image; `textures` reports each file only once.
 void read_textures(TextureStore& textures, const Compiled& compiled, const Project& project,
                    Diagnostics& diagnostics);
 
