@@ -47,9 +47,10 @@ std::string_view function_begun(std::string_view line) {
 struct Helper {
     std::string_view name;
     size_t first = 0, last = 0;  // lines
-    std::set<uint32_t> callers;  // nodes
+    std::set<uint32_t> callers;  // nodes, also indirect ones
 };
 
+// Rewrites the source: after each helper function, adds a copy of it for each node that calls it.
 class Copies {
 public:
     explicit Copies(const Shader& shader)
@@ -78,8 +79,10 @@ public:
     }
 
 private:
+    // Returns false also for node 0, the graph itself.
     static bool has_node(uint32_t node) { return node != no_node && node != 0; }
 
+    // A helper is a function without a line of any node.
     void find_helpers() {
         for (size_t i = 0; i < lines_.size(); ++i) {
             Helper helper{function_begun(lines_[i]), i, i, {}};
@@ -111,7 +114,8 @@ private:
         });
     }
 
-    // Suffixes helper names with "__NODE", which is unique: no name of the source contains "__".
+    // Writes a line after its #line directive. In lines of a node, suffixes helper names with
+    // "__NODE", which is unique: no name of the source contains "__".
     void write(std::string_view line, uint32_t node, std::string& text) const {
         text += "#line " + std::to_string(has_node(node) ? node + 1 : 1) + "\n";
         size_t copied = 0;

@@ -15,6 +15,7 @@
 namespace wrinkle {
 namespace {
 
+// Returns the numeric columns of one row of to_text().
 std::string cells(const ShaderCost& cost, size_t units) {
     char text[96];
     std::snprintf(text, sizeof text, "%6u %4u %6u %7u %6zu  ", cost.alu, cost.divisions, cost.reads,
@@ -22,6 +23,7 @@ std::string cells(const ShaderCost& cost, size_t units) {
     return text;
 }
 
+// Return the members of a JSON object, without braces.
 std::string members(const ShaderCost& cost) {
     const std::pair<const char*, uint32_t> all[] = {{"alu", cost.alu},
                                                     {"transcendental", cost.transcendental},
@@ -42,6 +44,7 @@ std::string members(const ShaderCost& cost, size_t units) {
     return members(cost) + ", \"texture_units\": " + std::to_string(units);
 }
 
+// Counts the samplers that each node reads, by path; one that several nodes read counts for each.
 std::map<std::string_view, size_t> units_by_node(const Reflection& reflection) {
     std::map<std::string_view, size_t> units;
     for (const SamplerInfo& sampler : reflection.samplers) {
@@ -91,7 +94,7 @@ std::optional<CostReport> measure_cost(const Module& module, Differentials diffe
     const auto small = words ? optimised(*words, Inlining::all, why) : std::nullopt;
     const auto count = small ? count_spirv(*small, why) : std::nullopt;
     if (count) return cost_report(shader, *count);
-    why.resize(std::min(why.find('\n'), why.size()));  // a log
+    why.resize(std::min(why.find('\n'), why.size()));  // the first line of a log
     return {};
 }
 

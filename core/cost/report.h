@@ -1,10 +1,9 @@
 // The cost of a material, in total and by node, counted in SPIR-V optimised by spirv-opt.
 //
-// Only the function form and its calls are counted: the members of its struct are interpolants,
-// each output is written, without lighting or world transform. The figures are those of
-// docs/cost.md and exclude any wrapper. An instruction belongs to the node of its source line; an
-// instruction shared by several nodes belongs to one of them, or to none (the surface point).
-// Instructions removed by the optimiser cost nothing.
+// Counts the code of the function form in a minimal fragment shader (cost/counted_shader.h), which
+// has no lighting or world transform; docs/cost.md defines the figures. An instruction belongs to
+// the node of its source line; one that several nodes share belongs to one of them, or to none and
+// is then part of "the surface point". Instructions that the optimiser removes cost nothing.
 #pragma once
 
 #include <optional>
@@ -29,7 +28,7 @@ struct CostReport {
     ShaderCost shared;            // surface point and instructions without a line
     size_t texture_units = 0;     // total
 };
-// `shader` is the function form from which counted_shader() was made; `count` is its count.
+// `count` is the count of the compiled counted_shader(shader).
 CostReport cost_report(const Shader& shader, const SpirvCount& count);
 
 // Measures the cost of an expanded module: emits GLSL 4.50 functions, compiles them, optimises as
