@@ -1,5 +1,6 @@
-// Use analysis of compile_program(), between flattening and register allocation: constant
-// registers, used channels of samples, and steps used only for a lod.
+// Two passes of compile_program() between flattening and register allocation: hoisting of constants
+// into preset registers, and liveness of sampled channels and of steps that compute only a lod.
+// Linear in the steps.
 #include <algorithm>
 
 #include "cpu/flatten.h"
@@ -7,18 +8,21 @@
 namespace wrinkle {
 namespace {
 
-// Sufficient for a small material; the registers permanently occupy a part of the L1 cache.
+// Sufficient for a small material. A preset register stays live for the complete program and so
+// occupies a part of the L1 cache.
 constexpr size_t max_presets = 24;
 
+// Use of a register: no_users, resource index + 1 if only the lod of that texture depends on it, or
+// many_users for any other use.
 constexpr uint32_t no_users = 0, many_users = ~0u;
 
-// Joins two uses of a value: `no_users` (unused), one texture's lod (resource index + 1), or
-// `many_users` (several uses).
+// Returns the join of two uses, in the lattice no_users < one lod < many_users.
 uint32_t both(uint32_t a, uint32_t b) {
     if (a == no_users || a == b) return b;
     return b == no_users ? a : many_users;
 }
 
+// Returns the number of channels to sample, so that all used ones are included: 1, 3 or 4.
 uint8_t channels_of(const CpuInst& sample, const std::vector<uint32_t>& serves) {
     uint8_t channels = 1;
     for (uint8_t c = 1; c < 4; ++c)

@@ -1,9 +1,9 @@
 // A mip chain in the layout that float tiles sample. Values are those of the chain, bit for bit.
 //
-// Opaque 8-bit images store their finest level in four bytes per texel, with a border of one texel
-// filled by the wrap mode: a quarter of the memory traffic of sampling, neighbouring texels in one
-// load, and no border checks. All other levels are read from the chain. Packed levels are built on
-// first use and cached, one for `repeat` and one for the other modes; thread-safe.
+// The finest level of an opaque 8-bit image is packed in four bytes per texel (RGBA floats take
+// 16), with a border of one texel filled by the wrap mode: less memory traffic, neighbouring texels
+// in one load, no border checks. All other levels are read from the chain. Packed levels are built
+// on first use and cached, one for `repeat` and one for the other modes; thread-safe.
 #pragma once
 
 #include <array>
@@ -17,13 +17,15 @@
 
 namespace wrinkle {
 
+// First bits of r, g and b in a packed texel.
 inline constexpr std::array packed_shift = {0, 11, 22};
 inline constexpr size_t packed_padding = 16;  // padding after the last texel, read by vector loads
 
 // A level in one of two formats; the other's pointer is null. Texels are stored in rows, y up.
 struct TexelLevel {
-    // Three times each byte in ten bits, r lowest, at packed_shift.
-    // Texel (x, y) has index (y + 1) * (width + 2) + x + 1.
+    // Each channel is a field of ten bits at packed_shift that holds 3 * byte, from which one
+    // multiplication gives byte / 255 exactly rounded. Texel (x, y) has index
+    // (y + 1) * (width + 2) + x + 1.
     const uint32_t* packed = nullptr;
     const float* floats = nullptr;  // `stored` channels per texel, as in the image
     int32_t width = 0, height = 0, stored = 0;

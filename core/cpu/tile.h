@@ -1,8 +1,9 @@
-// Runs a program's steps on one tile of at most tile_points points, in T. Part of evaluate() and
-// evaluate_planes(), which fill the input registers before run() and read the outputs after it.
+// Runs a program's steps on one tile of at most tile_points points, in float or double (T). Part of
+// evaluate() and evaluate_planes(), which fill or bind the input registers before run() and read
+// the outputs after it.
 //
-// TileMemory is the scratch memory of a tile: allocated for the first program, reused for every
-// program that needs no more.
+// TileMemory is scratch memory that tiles reuse one after the other; it only grows. The preset
+// registers are not filled again for the same program and numbers of mip levels.
 #pragma once
 
 #include <array>
@@ -21,7 +22,7 @@ namespace wrinkle {
 struct RunningLoop {
     std::array<uint8_t, tile_points> active;
     uint32_t iterations = 0;
-    uint32_t limit = 0;
+    uint32_t limit = 0;  // maximum number of iterations
 };
 
 template <class T>
@@ -30,9 +31,11 @@ struct TileMemory {
     AlignedVector<uint32_t> integers;
     std::vector<T*> float_pointers;  // by register
     std::vector<uint32_t*> integer_pointers;
-    std::vector<uint32_t> next;  // by step: the first step at or after it that is run
+    // By step: index of the first step from it on that is not skipped (CpuInst::lod_of).
+    std::vector<uint32_t> next;
     std::vector<RunningLoop> loops;
-    // Program::serial for which the preset registers and `next` are valid.
+    // The preset registers and `next` are valid for this Program::serial and these numbers of mip
+    // levels, by texture.
     uint64_t serial = 0;
     std::vector<uint32_t> level_counts;
 };
@@ -46,13 +49,15 @@ public:
     T* floats(uint32_t reg) { return memory_.float_pointers[reg]; }
     uint32_t* integers(uint32_t reg) { return memory_.integer_pointers[reg]; }
 
-    // Stores a float register at `lanes`, which holds as many lanes as run() will process. For
-    // input registers, which no step writes, and output registers.
+    // Binds a float register to the caller's memory: run() reads or writes `lanes` (at least as
+    // many as it has points) directly. Precondition: an input register, which no step writes, or an
+    // output register.
     void bind_register(uint32_t reg, T* lanes) { memory_.float_pointers[reg] = lanes; }
 
+    // Runs all steps for the first `count` points, at most tile_points.
     void run(size_t count);
 
-    // Returns lane k of one of an output's registers as a number.
+    // Returns lane k of one of an output's registers; exact for integers and bools.
     double value(const Program::Output& output, uint32_t reg, size_t k) {
         if (!is_whole_type(output.type)) return static_cast<double>(floats(reg)[k]);
         const uint32_t bits = integers(reg)[k];
@@ -83,7 +88,7 @@ private:
 // Samples one texture at the points of a tile, in float. Results are those of
 // Texture::sample_lod<float>() for each lane.
 struct TileSample {
-    size_t channels = 4;  // more may be written
+    size_t channels = 4;  // number of channels required; others of `out` may be overwritten
     float bias = 0;       // subtracted from every channel
     const float* u = nullptr;
     const float* v = nullptr;
