@@ -33,6 +33,8 @@ private:
                           const std::vector<std::string>& parameters,
                           const std::vector<std::string>& outs) const;
 
+    // A group is a node or the surface point (group_of() in glsl/scope.h). `single`: the group ends
+    // with this line.
     void append_comment_of(std::string& line, uint32_t group);
     void comment(int indent, uint32_t group);
     void commented_line(int indent, std::string& line, uint32_t group, bool single);

@@ -7,7 +7,8 @@
 //            every use, as a part of another value
 //   value    everything else: a temporary, or folded into its only user
 //
-// A shader has no `detach`: operands() skips it, and also the tuple of a call with one result.
+// A shader has no `detach`: operands() returns the detached values instead. The result of a call
+// with one result has the call's arguments as operands.
 #pragma once
 
 #include <array>
@@ -25,7 +26,8 @@ enum class Role : uint8_t { leaf, view, value };
 
 class EmitAnalysis {
 public:
-    // `given`: differentials of inputs are members of the struct, and therefore leaves.
+    // `given`: the caller of the shader supplies the differentials of inputs as members of the
+    // surface struct, so they are leaves; otherwise they are computed by dFdx and dFdy.
     EmitAnalysis(const Module& module, bool given);
 
     const Module& module() const { return *module_; }
@@ -48,8 +50,8 @@ public:
     std::string_view literal(Id id) const {      // spelling of a literal
         return std::string_view(literals_).substr(values_[id].begin, values_[id].count);
     }
-    bool single_call(Id result) const;  // true for the result of a call with one result
-    bool is_splat(Id construct) const;  // true if all components are one scalar
+    bool single_call(Id result) const;  // true if it is the result of a call with one result
+    bool is_splat(Id construct) const;  // true if all components are the same scalar
     // Members of a loop's or call's tuple, by index; no_id if the member is not read.
     const std::vector<Id>& members(Id tuple) const { return members_.at(tuple); }
     // Returns the value's entry in Module::named; null if it has none.
@@ -57,8 +59,8 @@ public:
         const uint32_t name = values_[id].name;
         return name > 0 ? &module_->named[name - 1] : nullptr;
     }
-    // True if the value depends on a texture read. Such a value is not in the surface point's
-    // group.
+    // True if the value depends on a texture read. Such a value is not in surface_group
+    // (glsl/scope.h).
     bool reads_texture(Id id) const { return values_[id].reads; }
     // True for a gradient that a resolve subtracts from the normal, and for the terms of its sum.
     bool is_gradient(Id id) const { return values_[id].gradient; }
@@ -84,7 +86,7 @@ private:
         never,
         open,
         used
-    };  // visit state in the walk from the outputs
+    };  // in the depth-first walk from the outputs
     // The facts of one value that are queried often, packed together.
     struct Value {
         uint32_t begin = 0, count = 0;  // range in operands_; for a literal, in literals_

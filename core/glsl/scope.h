@@ -18,9 +18,9 @@ namespace wrinkle {
 // State of a value in the current scope.
 struct ValueState {
     uint32_t epoch = 0;          // identifies the scope that the value belongs to
-    uint32_t uses = 0;           // number of uses
+    uint32_t uses = 0;           // within the scope
     uint32_t place = 0;          // index among the scope's statements
-    uint32_t width = 0;          // characters at a use: estimate of its text, or a temporary's name
+    uint32_t width = 0;          // estimated characters at a use: expression or temporary's name
     std::string_view name;       // name of a temporary, once it is written
     uint8_t depth = 1;           // nested operations in its text
     bool ordered : 1 = false;    // in Scope::order
@@ -28,7 +28,7 @@ struct ValueState {
     bool statement : 1 = false;  // a temporary, a loop, or a call with several results
     bool captured : 1 = false;   // captured by a loop
     bool implicit : 1 = false;   // its folded text takes implicit derivatives
-    bool shared : 1 = false;     // used only by values of the surface point
+    bool shared : 1 = false;     // used only by values of surface_group
 };
 
 // State of all values of a module; collect() resets only the states of values in its scope.
@@ -44,14 +44,15 @@ struct Values {
 struct Scope {
     uint32_t epoch = 0;
     std::vector<Id> order;  // post-order from the roots, without leaves
-    size_t first_part = 0;  // length of the prefix that the first root needs
+    // Length of the prefix that roots[0] needs; in a loop body that is the loop condition.
+    size_t first_part = 0;
 };
 
-// Collects the values that `roots` need. `level` is 0 for a function's body, else the loop's level;
-// values of lower levels are computed outside the loop and are not in its scope.
+// Returns the values that `roots` depend on. `level` is 0 for a function's body, else the loop's
+// level; values of lower levels are computed outside the loop and are not in its scope.
 Scope collect(const EmitAnalysis& analysis, Values& values, std::span<const Id> roots, int level);
 
-// Selects the temporaries of the scope.
+// Sets ValueState::statement for the temporaries of the scope.
 void decide(const EmitAnalysis& analysis, Values& values, const Scope& scope,
             std::span<const Id> roots);
 
