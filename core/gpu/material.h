@@ -1,5 +1,5 @@
-// A material as input of the renderer: the GLSL source of the `function` form with differentials
-// from the screen, and its interface. Plain data, filled from the reflection of core/glsl.
+// A material as input of the renderer: the GLSL source of the `function` form, which computes
+// differentials by dFdx and dFdy, and its interface. Plain data, filled by material_from().
 //
 // `text` declares a struct, uniforms, samplers, and one function per output that takes the struct.
 // The renderer generates a vertex and a fragment shader around the source, fills the struct's

@@ -52,8 +52,8 @@ PointJob point_job_from(const Shader& shader);
 using PointResults = std::vector<std::vector<std::array<float, 4>>>;
 
 // Precondition: a context is current. Returns std::nullopt and reports an error for a table of the
-// wrong size, an image that is not given, or a shader that the driver rejects (the driver's log:
-// lines of the globals have their own numbers, those of the body begin at 200001).
+// wrong size, an image missing from `images`, or a shader that the driver rejects. The line numbers
+// in the driver's log count from 1 in `globals` and from 200001 in `body`.
 std::optional<PointResults> run_points(const PointJob& job, Diagnostics& diagnostics);
 
 }  // namespace wrinkle::gpu

@@ -32,17 +32,17 @@ public:
     static std::optional<Target> make(const TargetOptions& options, Diagnostics& diagnostics);
 
     void bind() const;     // as the draw framebuffer, with a viewport over all of it
-    void resolve() const;  // call after drawing, before the texture is used or read
+    void resolve() const;  // call after drawing, before textures are sampled or read
 
     int width() const { return options_.width; }
     int height() const { return options_.height; }
     const TargetOptions& options() const { return options_; }
     uint32_t texture(int color = 0) const { return textures_[static_cast<size_t>(color)].id(); }
 
-    // Four floats per pixel; value / 255 for an rgba8 target.
+    // Returns four floats per pixel, in [0, 1] for an rgba8 target.
     std::vector<float> read(int color = 0) const;
-    // The same as an image with four channels; from an rgba8 target it is saved as 8 bits without
-    // loss.
+    // Returns the pixels as an image with four channels. An image of an rgba8 target can be saved
+    // as 8 bits without loss.
     Image read_image(int color = 0) const;
 
 private:
