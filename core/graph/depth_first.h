@@ -1,5 +1,5 @@
-// Depth-first search of a directed graph with an explicit stack, so that no traversal recurses over
-// a user's data. Linear in nodes and edges.
+// Depth-first search of a directed graph with back edges reported and an explicit stack, so that
+// deep graphs cannot overflow the call stack. Linear in nodes and edges.
 #pragma once
 
 #include <cstddef>
@@ -19,10 +19,12 @@ public:
 
     explicit DepthFirst(size_t nodes) : state_(nodes, State::unseen) { order_.reserve(nodes); }
 
-    // Visits all nodes that `root` reaches and that were not visited before. `edge_count(node)` is
-    // the number of edges, `target(node, edge)` their end; `none` is skipped. `close_cycle(node,
-    // edge, target)` is called for each back edge; such edges are not followed, and the call may
-    // remove the edge.
+    // Visits all nodes reachable from `root` that earlier calls did not visit.
+    //   edge_count(node)                 number of outgoing edges
+    //   target(node, edge)               target of an edge; `none`: the edge is skipped
+    //   close_cycle(node, edge, target)  called for each back edge, which is not followed; path()
+    //                                    ends at `node`. It may set the edge's target to `none` or
+    //                                    remove the node's last edge: edges must not be renumbered.
     template <class EdgeCount, class Target, class CloseCycle>
     void visit(uint32_t root, EdgeCount edge_count, Target target, CloseCycle close_cycle) {
         if (state_[root] == State::unseen) enter(root);
@@ -41,7 +43,8 @@ public:
     }
 
     const std::vector<Frame>& path() const { return path_; }  // from the root to the current node
-    // Returns the visited nodes in topological order: each after the nodes that it reaches.
+    // Returns the visited nodes in post-order. Without the back edges, each node follows all nodes
+    // that it reaches (reverse topological order). The caller may move the vector away.
     std::vector<uint32_t>& order() { return order_; }
 
 private:

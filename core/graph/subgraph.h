@@ -30,7 +30,9 @@ struct Project {
         static constexpr uint32_t none = ~0u;
     };
     std::filesystem::path root;  // canonical
-    std::vector<File> files;     // [0] is the top; a file precedes those that it names first
+    // In breadth-first order of discovery: [0] is the top, then the files that it names, and so on.
+    // For an order with sub-graphs first, see files_in_order() in lower/types.h.
+    std::vector<File> files;
 
     const Document& top() const { return files[0].document; }
     // Returns the file of a sub-graph node of files[file]; nullptr if it has none.
@@ -46,8 +48,8 @@ Project load_project(const std::filesystem::path& file, const ProjectOptions& op
 Project load_project(Document top, const std::filesystem::path& folder,
                      const ProjectOptions& options, Diagnostics& diagnostics);
 
-// Resolves a file named in files[file] (an image, for example): canonical path if inside the root,
-// else std::nullopt.
+// Returns the canonical path of a file named in files[file], for example an image, if it is inside
+// the root; else std::nullopt. The file need not exist.
 std::optional<std::filesystem::path> resolve_file(const Project& project, size_t file,
                                                   std::string_view name);
 

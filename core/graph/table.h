@@ -1,8 +1,9 @@
-// Immutable ordered table with hash lookup by key, cheap to copy.
+// Immutable ordered table with hash lookup by key.
 //
-// Copies share their contents; `with` and `without` return a changed copy (O(n); replacing an entry
-// shares the index). Keys should be unique: of equal keys the first is found. An entry type defines
-// `std::string_view table_key(const T&)` in its namespace.
+// Lookup is O(1) on average. Copies are O(1) and share their contents; `with` and `without` return
+// a changed copy, O(n) (the index is shared if an entry is replaced). Keys should be unique: of
+// equal keys the first is found. An entry type defines `std::string_view table_key(const T&)` in
+// its namespace.
 #pragma once
 
 #include <bit>
@@ -54,7 +55,8 @@ public:
         items[i] = std::move(item);
         return with_same_keys(std::move(items));
     }
-    // Other entries with the same keys in the same order: shares the index.
+    // Returns a table of `items` that shares this table's index. Precondition: the items have the
+    // same keys in the same order.
     Table with_same_keys(std::vector<T> items) const {
         Table changed;
         changed.items_ = std::make_shared<const std::vector<T>>(std::move(items));
@@ -69,7 +71,7 @@ public:
         return Table(std::move(items));
     }
 
-    // Compares by identity: a fast "not edited" test.
+    // Returns true if both share their entries, in O(1); false for equal copies made separately.
     bool same(const Table& other) const {
         return items_ == other.items_ || (empty() && other.empty());
     }
