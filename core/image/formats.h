@@ -1,8 +1,8 @@
 // Image formats: detection of a file's format by its first bytes, and capabilities of each writable
 // format.
 //
-// The detection is written by hand because OpenImageIO, which could do it, tries all of its plugins
-// on an unknown file; only the few that are tested with damaged files may see one.
+// OpenImageIO's own detection is not used: it tries all of its plugins on an unknown file, but only
+// the plugins listed here are tested with damaged files.
 #pragma once
 
 #include <filesystem>
@@ -25,22 +25,23 @@ ImageFormat sniff_format(const std::filesystem::path& path, std::string& why);
 inline constexpr const char* readable_formats =
     "a PNG, JPEG, TIFF, OpenEXR, Radiance HDR, PFM or PNM file";
 
-// Lists are words separated by spaces.
+// Capabilities of a writable format. Plural strings are lists of words separated by spaces.
 struct Writable {
-    const char* extensions;
-    const char* plugin;  // OpenImageIO's name
-    const char* types;
-    const char* channels;  // "": any number
+    const char* extensions;  // lower case, with the dot
+    const char* plugin;      // OpenImageIO's name
+    const char* types;       // names of PixelType
+    const char* channels;    // supported numbers of channels; "": any
     const char* compressions;
-    const char* compression;  // the default
+    const char* compression;  // the default; "": the format has only one
     bool tiles;
     bool mips;
-    bool numbers;
+    bool numbers;  // can store ImageNumbers as metadata
 };
 
 const Writable* format_to_write(const std::filesystem::path& path);  // by the extension; or null
 
-// Returns true if files of this plugin can store ImageNumbers; others need not be opened for one.
+// Returns true if files of this plugin can store ImageNumbers. Readers of a number skip other files
+// without opening them.
 bool plugin_keeps_numbers(std::string_view plugin);
 
 struct WriteProblem {

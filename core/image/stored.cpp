@@ -1,6 +1,6 @@
 #include "image/stored.h"
 
-// Without its table of all values, which is in a library.
+// Computes conversions inline: Imath's lookup table would require linking its library.
 #define IMATH_HALF_NO_LOOKUP_TABLE
 #include <Imath/half.h>
 
@@ -11,7 +11,8 @@ namespace wrinkle {
 
 namespace {
 
-// Not std::clamp: NaN must become 0. Branch-free, so that loops that call it are vectorised.
+// Returns the value as an integer, 0 to max for [0, 1]: clamped, rounded to nearest, ties up. Not
+// std::clamp: NaN must become 0. Branch-free, so that loops that call it are vectorised.
 template <int max>
 int rounded(float value) {
     const double positive = value > 0 ? value : 0;
