@@ -1,10 +1,11 @@
-// A surface gradient under composition. Part of the expansion pass.
+// Sum of surface gradients, stored as unevaluated parts. Part of the expansion pass.
 //
-// Gamma = sum over bases (T s.x + B s.y)  +  eq. 3 of (hx, hy)  +  (g - n (n.g))  +  v + n a,
-// stored as its parts: a 2-vector of slopes per tangent basis, one of screen differentials, one
-// volume vector, one vector v that adding n a makes tangent. All parts are linear, so layers add
-// part by part. Components along n are summed in one float and applied together with n: n (1 + n.g)
-// - g.
+//   Gamma = sum over bases (T s.x + B s.y)  +  G(hx, hy)  +  (g - n (n.g))  +  (v + n a)
+//
+// Parts: a 2-vector of slopes s per tangent basis; screen differentials hx, hy (G: Mikkelsen 2010,
+// eq. 3); a volume gradient g; a vector v with its correction a along n. All are linear, so
+// gradients are added part by part. Multiples of n are summed in one float and applied once, as in
+// n - (g - n (n.g)) = n (1 + n.g) - g.
 //
 // The slope of a normal is a quotient, -xy/z of one in tangent space, (k n - v)/|k| of one in
 // object space. Up to two such terms stay pending, not divided by their depths: resolve multiplies
@@ -27,8 +28,8 @@ struct Slopes {
     std::vector<Slot> slots;  // at most max_slots; further ones are added to rest
     Value screen;             // vec2 (dh/dx, dh/dy); an empty Value is zero
     Value volume;             // vec3
-    Value rest;               // vec3; tangent to the base once `along` times n is added
-    Value along;              // float
+    Value rest;               // vec3; rest + n * along is tangent to the base
+    Value along;              // float; empty if rest is
 
     bool empty() const { return slots.empty() && !screen && !volume && !rest; }
 };
@@ -36,8 +37,8 @@ struct Slopes {
 struct GradientSum {
     Slopes flat;
     struct Term {
-        Slopes numerator;   // of a slope downhill: the term is -numerator / denominator
-        Value denominator;  // float > 0
+        Slopes numerator;   // the negated slope's: the term is -numerator / denominator
+        Value denominator;  // float > 0; the `depth` of from_negated_slope()
     };
     std::vector<Term> pending;  // at most 2
 };
@@ -51,7 +52,7 @@ public:
         : target_(&target), screen_(&screen) {}
 
     GradientSum from_slope(const FrameKey& basis, Value slope);
-    // -slope / depth; the division may stay pending.
+    // Returns -slope / depth, not divided yet. Precondition: depth > 0.
     GradientSum from_negated_slope(const FrameKey& basis, Value slope, Value depth);
     GradientSum add(GradientSum a, const GradientSum& b);
     GradientSum scale(GradientSum a, Value amount);
@@ -65,7 +66,7 @@ public:
     Value resolve(const GradientSum& sum, Value facing, Value sign, Value on_base);
 
 private:
-    // Slopes in space: vec + n along.
+    // The vector vec + n * along. Normal components are separate.
     struct Parts {
         Value vec, along;
     };

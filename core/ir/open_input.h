@@ -1,13 +1,13 @@
-// Inputs of functions that are still open.
+// Inputs of open functions: sub-graph bodies before lambda lifting (ir/open_function.h).
 //
-// A sub-graph's body is lowered once, as ordinary instructions at level 0 over its own leaves:
-// region_param(0, k), k an index into Module::open_inputs. So bumps, frames and surface inputs may
-// occur in it as in any graph, and passes over the module treat it like the rest. A Region names
-// the function (`first_input`), and calls of it are ordinary calls. expand() closes it
-// (ir/open_function.h); its result contains no open functions.
+// A sub-graph's body is lowered once, as instructions at level 0. Its inputs are
+// region_param(0, k), where k is an index into Module::open_inputs. The body may contain bumps,
+// frames and surface inputs, and passes over the module treat it like the rest. A Region with
+// `first_input` represents the function; calls of it are ordinary calls. expand() closes all open
+// functions.
 //
-// The facts that passes need about a leaf hold for every call: a function is specialised for each
-// kind of arguments.
+// A function is specialised for each kind of arguments, so that the properties in OpenInput are
+// valid for all of its calls.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@
 
 namespace wrinkle {
 
-// Axis of a derivative: the next pixel (of the value on the screen, or along the surface's tangent
-// plane), an axis of space, or an axis of a uv set.
+// Axis of a derivative: to the next pixel (`screen`: of the value on the screen; `surface`: along
+// the surface's tangent plane), along an axis of space, or along an axis of a uv set.
 enum class DiffAxis : uint8_t {
     none,
     screen_x,
@@ -44,10 +44,11 @@ struct OpenInput {
     bool discontinuous = false;  // as defined in ir/value_analysis.h
     bool samples_texture = false;
     bool tangent = false;  // vec3 only: a gradient, tangent to the surface
-    // For the derivative of another input: its axis, and that input's index in Module::open_inputs.
+    // If this input is the derivative of another one: the axis, and the other input's index in
+    // Module::open_inputs.
     DiffAxis axis = DiffAxis::none;
     uint32_t of = 0;
-    // Its own derivatives, by DiffAxis: their indices in Module::open_inputs; 0: not needed so far.
+    // Inputs that are derivatives of this one: index in Module::open_inputs by DiffAxis; 0: none.
     std::array<uint32_t, static_cast<size_t>(DiffAxis::end)> derivatives{};
 };
 

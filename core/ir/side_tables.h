@@ -1,5 +1,5 @@
-// The data of a module other than its instructions, for those who read it without them: nodes,
-// parameters, resources, names, outputs and problems.
+// Data of a module other than its instructions: nodes, parameters, resources, names, outputs and
+// problems. Does not include ir/module.h.
 #pragma once
 
 #include <array>
@@ -14,7 +14,8 @@ namespace wrinkle {
 class Module;               // ir/module.h
 enum class Type : uint8_t;  // ir/op.h
 
-// Index of an instruction. 0 is none: its two names are explained in ir/module.h.
+// Index of an instruction. Index 0 has two names, defined in ir/module.h: `poison` (error), `no_id`
+// (absent).
 using Id = uint32_t;
 inline constexpr Id no_id = 0;
 inline constexpr Id poison = 0;
@@ -51,7 +52,7 @@ struct Named {
     Id value;
     uint32_t node;     // the node that names it; 0: the surface point, for all nodes
     std::string name;  // "gradient"
-    bool output;       // an output of that node: is a separate statement, and has precedence
+    bool output;       // an output of that node: a separate statement; preferred to other names
 };
 
 struct ModuleOutput {
