@@ -1,4 +1,5 @@
-// Construction of values; each value built has its own small tree.
+// Construction of values. Each built value has a separate tree, into which the children's trees are
+// copied: linear in all descendants.
 #include <cassert>
 #include <cmath>
 
@@ -19,6 +20,8 @@ void add_text(Tree& tree, Kind kind, std::string_view text, uint32_t parent) {
     tree.entries.push_back(entry);
 }
 
+// Appends a copy of the value's sub-tree; all texts go to the pool, because offsets refer to the
+// source of the old tree.
 void add_copy(Tree& tree, const Value& value, uint32_t parent) {
     const Tree* from = value.tree().get();
     const uint32_t begin = value.index();

@@ -1,8 +1,9 @@
 // The flat tree shared by all values of one text; internal to core/json.
 //
 // Entries are stored in source order: a container, then its children; in an object each child has
-// two entries, key then value. `after` skips an entry's sub-tree, so that no traversal recurses.
-// Large texts have millions of entries: the time per entry is determined by its size in bytes.
+// two entries, key then value. after() skips an entry's sub-tree, so that no traversal recurses.
+// Large texts have millions of entries, and traversal is limited by memory bandwidth: an entry has
+// 20 bytes.
 #pragma once
 
 #include <cstdint>
@@ -38,11 +39,12 @@ struct Tree {
     bool is_parsed = false;  // false: a built value, without locations
     std::vector<Entry> entries;
 
-    // Returns the text of a number or a decoded string.
+    // Returns the spelling of a number, or a decoded string. Precondition: not a container.
     std::string_view text(const Entry& entry) const {
         if (entry.pooled) return {pool.data() + entry.place, entry.length};
         return {source.data() + entry.offset + (entry.kind == Kind::string), entry.length};
     }
+    // Returns the index of the first entry after entry i and its descendants.
     uint32_t after(uint32_t i) const {
         return is_container(entries[i].kind) ? entries[i].place : i + 1;
     }

@@ -59,7 +59,7 @@ public:
     std::vector<Member> children() const;    // empty if not an array or object
     Value find(std::string_view key) const;  // value of a member, linear; null if absent
     bool has(std::string_view key) const;
-    Value at(size_t item) const;  // item of an array; linear
+    Value at(size_t item) const;  // item of an array; linear; asserts item < size()
 
     // Location in the source text, for parsed values.
     bool has_location() const;
@@ -72,10 +72,10 @@ public:
     // Returns the complete text that the value was parsed from; "" if it was built.
     std::string_view source() const;
 
-    // Entry in the tree of its text; null without one.
+    // The tree that contains the value, null for a default Value, and the value's entry in it.
     const std::shared_ptr<const Tree>& tree() const { return tree_; }
     uint32_t index() const { return index_; }
-    bool same(const Value& other) const;                 // same handle: a fast "not edited"
+    bool same(const Value& other) const;                 // same entry of one tree; O(1)
     friend bool operator==(const Value&, const Value&);  // equal values; numbers by value
 
 private:
