@@ -28,7 +28,7 @@ struct Wire {
         surface,      // WR_SURFACE_*
         graph_input,  // an input of the graph that is flattened
         literal,
-        read,  // entry of an output port: a wire reads it
+        read,  // not a wire: marks an output port that some wire reads
     };
     Kind kind = Kind::none;
     PortType type = PortType::float_;  // type of the value
@@ -49,7 +49,7 @@ struct FlatNode {
     uint32_t instance = 0;      // Module::nodes
     uint32_t node = none;       // index in the document that has its wires
     uint32_t first_wire = 0;    // in FlatGraph::wires; one per port of the type, pass-through: one
-    uint32_t base_node = none;  // the node with the input `base` for this node's conversions
+    uint32_t base_node = none;  // node with the input `base` of conversions at this node's inputs
     uint32_t function = none;   // calls only: the file that is called
 
     bool is_passthrough() const { return type == nullptr; }
@@ -62,7 +62,7 @@ struct FlatGraph {
     std::vector<uint32_t> output_index;  // in the top document's outputs
     std::vector<uint32_t> order;         // every node after those that it reads
     std::deque<Port> output_ports;       // ports of pass-through nodes
-    bool any_own_base = false;           // true: some node's `base` is a node
+    bool any_own_base = false;           // true if has_own_base() for some node
 
     const Port& port(const FlatNode& node, uint32_t index) const {
         return node.is_passthrough() ? *node.passthrough : node.type->ports[index];
@@ -97,13 +97,13 @@ std::optional<FlatGraph> flatten(const Project& project, const Types& types,
                                  const FunctionPlan& functions, const FlatRoot& root,
                                  size_t max_nodes, Lowered& lowered);
 
-// Returns true if the port is the one that defines a base.
+// Returns true if the port is a normal input `base`.
 inline bool is_base(const Port& port) {
     return port.type == PortType::normal_ && port.kind != Port::Kind::output && port.name == "base";
 }
 
-// Returns true if the node has a base that differs from the surface: its input `base`, a normal, is
-// connected to a node. Its gradients are based on that normal.
+// Returns true if the node's normal input `base` is connected to a node: its gradients are then
+// based on that normal, not on the surface.
 bool has_own_base(const FlatGraph& graph, const FlatNode& node);
 
 // Sets the base of each conversion to a gradient (base_node), by propagation over gradient wires.

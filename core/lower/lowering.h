@@ -1,5 +1,5 @@
-// State of one lowering: the module under construction and the values at ports of flat nodes.
-// Internal to core/lower.
+// Lowers the inputs of flat nodes to IR values on demand, each once (memoised per port), for one
+// graph or function body. Internal to core/lower.
 #pragma once
 
 #include <optional>
@@ -30,39 +30,46 @@ struct BoundInput {
 
 class Lowering {
 public:
-    // `inputs`: those of a function's body, in the order of the file's; null: the top graph.
+    // `inputs`: values for the inputs of a function's body, by index of the graph input; null for
+    // the top graph. Only references are stored: all other arguments must outlive the object.
     Lowering(Module& module, const FlatGraph& graph, const Project& project, NamedFiles& files,
              const std::vector<BoundInput>* inputs);
 
     Module& module() { return module_; }
     const FlatGraph& graph() const { return graph_; }
 
-    // Returns the value at an input: of its wire, literal or default, converted and clamped; for an
-    // image a handle for image(). Precondition: the nodes that it reads have been built.
+    // Returns the value at an input, from its wire, literal or default, converted and clamped;
+    // poison if it has none. For an image, returns a handle that is not ready: call image().
+    // Precondition: the nodes that it reads have been built.
     Id input(uint32_t node, uint32_t port);
     // Returns a choice's index, a count's value, 0 or 1 for a flag.
     int32_t option(uint32_t node, uint32_t port) const;
     void set_output(uint32_t node, uint32_t port, Id value) { slot(node, port) = value; }
     bool has_output(uint32_t node, uint32_t port) { return slot(node, port) != unset; }
+    // Returns the value of an output; for a muted or pass-through node, that of the input that it
+    // passes. Returns poison if the node has not been built.
     Id output(uint32_t node, uint32_t port);
 
     Id surface(uint32_t property);
     Id zero(PortType type);  // for a normal the surface's; for an image poison
     Id convert(Id value, Conversion conversion, uint32_t node);
 
-    // Returns the base of gradients that the node makes itself: the one at its input `base`, else
-    // the surface.
+    // Returns the base of the gradients that the node's build() creates, from its input `base`; 0
+    // for the surface.
     Id own_base(uint32_t node);
 
     struct Image {
         uint32_t named = 0;  // in named_images_
         std::optional<Encoding> encoding;
         uint32_t resource = 0;
-        bool ready = false;
+        bool ready = false;  // `resource` is set and `encoding` has a value
     };
-    // Returns a handle with its encoding decided and a resource; 0 if there is no image.
+    // Adds the image at an input to the module's resources. Returns a new, ready handle; 0 without
+    // an image or if its file cannot be resolved.
     Id image(uint32_t node, uint32_t port);
+    // Returns null if the handle is invalid or not ready.
     const Image* ready_image(Id handle) const;
+    // Returns the image with the handle's encoding; std::nullopt if the handle is invalid.
     std::optional<BoundImage> bound_image(Id handle) const;
 
 private:
@@ -85,7 +92,7 @@ private:
     Id surface_normal_ = poison;
     std::vector<Id> slots_;         // by wire: value of an input or output
     std::vector<Id> graph_inputs_;  // by input of the graph
-    std::vector<Image> images_;     // by handle - 1
+    std::vector<Image> images_;     // by handle - 1, ready or not
     std::vector<BoundImage> named_images_;
 };
 

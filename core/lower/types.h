@@ -1,11 +1,13 @@
-// The type of every node of a project: that of the registry, or one made for it.
+// The type of every node of a project: from the registry, or generated:
 //
-//   graph:FILE   one type per file: the graph's inputs are its input ports, its outputs its
-//                outputs. An output with a standard name has that name's type, any other that of
-//                its source.
-//   reroute      input `in`, output `out`, both of the type of the connected source.
+//   graph:FILE   one type per file: the graph's inputs are its input ports, the graph's outputs its
+//                output ports. An output with a standard name has that name's type, any other the
+//                type of its source; an output of unknown type has no port.
+//   reroute      input `in`, output `out`, both of the type of the connected source; float if the
+//                input is not connected.
 //
-// A node of an unknown type, or of a sub-graph that cannot be read, has none.
+// These nodes have no type: a node of an unknown type or of a sub-graph that cannot be read, a
+// reroute of an unknown source, reroutes in a cycle.
 //
 // Inputs of nodes are looked up by name once, for all later queries.
 #pragma once
@@ -48,7 +50,7 @@ class Types {
 public:
     Types(const Project& project, const Registry& registry);
 
-    // nullptr: unknown.
+    // Returns nullptr if the node has no type.
     const NodeType* of(size_t file, size_t node) const { return files_[file].nodes[node]; }
     // Returns all inputs of a node, in its order.
     std::span<const NamedInput> inputs(size_t file, size_t node) const {
@@ -63,7 +65,7 @@ public:
         return this->link(file, link, source(file, link));
     }
     std::optional<PortType> output(size_t file, const Output& output) const;
-    // The files as node types; their `origin` is the file's path.
+    // Returns the type of a file's sub-graph nodes; its `origin` is the file's path.
     const NodeType& subgraph(size_t file) const { return graphs_[file]; }
 
 private:
