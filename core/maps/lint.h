@@ -1,18 +1,18 @@
 // Detects the class of a bump image and its defects, with the numbers behind each result.
 //
-// Classes (MapClass):
+// Classes (MapClass); t is the stored value of a texel, 0 to 1:
 //   height         one channel, or three equal ones
 //   normal_gl, normal_dx   tangent space: the vectors 2t - 1 have length 1 and point up. The curl
 //                  test decides the direction of green: the slopes of a height have no curl, so if
 //                  d/dv of one slope and d/du of the other correlate, green points up
 //   normal         the same, with slopes that do not decide (flat, or ridges along one axis)
 //   normal_object  unit vectors of which some point down
-//   two_channel    red and green centred on the middle, blue missing or one value that does not
-//                  make the vectors unit and up: slopes, or normals with reconstructed z
+//   two_channel    the means of red and green are near 0.5; blue is missing, or constant and does
+//                  not give unit vectors that point up. Slopes, or normals with reconstructed z
 //   color          none of these
 //
 // Findings (MapDefect), as defects or as information:
-//   tilt       the mean normal is tilted; that of a repeating bump is not
+//   tilt       the mean normal is tilted; the mean normal of a repeating bump points up
 //   unsigned_z blue holds z from 0 to 1, not (1 + z) / 2
 //   length     the vectors are unit neither as 2t - 1 nor with an unsigned z
 //   offset     8 bits, and texels that are not flat are offset by half a step: 127 or 128 was used
@@ -59,7 +59,7 @@ struct Measure {
     double value = 0;
 };
 
-// As listed above; and `unexpected`, added by callers that know the expected class.
+// Findings as listed above. `unexpected` is added only by callers that know the expected class.
 enum class MapDefect : uint8_t {
     tilt,
     unsigned_z,

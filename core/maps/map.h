@@ -8,9 +8,9 @@
 // is half of that to its only neighbour).
 //
 //   height      the stored value; for colours the mean of red, green and blue
-//   normal      m = 2t - 1, slopes -m.xy / z, z = max(|m.z|, max(|m.x|, |m.y|) / 128, 1e-6), the
-//               clamps of docs/surface-gradient.md; for two channels z is reconstructed so that m
-//               is unit. `dx` maps have green inverted
+//   normal      m = 2t - 1 for the stored value t, slopes -m.xy / z, with the clamps of
+//               docs/surface-gradient.md: z = max(|m.z|, max(|m.x|, |m.y|) / 128, 1e-6); for two
+//               channels z is reconstructed so that m is unit. `dx` maps have green inverted
 //   derivative  slopes; integer files hold t of slope = scale (2t - 1), float files the slope
 //   slopes      six channels, as OpenImageIO's --bumpslopes: height, dh/ds, dh/dt, their squares,
 //               their product; t runs DOWN, so dh/dt = -dh/dv. Its mips are means of all six, so a
@@ -34,7 +34,7 @@ enum class Kind : uint8_t { height, normal, derivative, slopes, moments };
 enum class Green : uint8_t { gl, dx };  // direction of green: up v, or down
 enum class Per : uint8_t { texel, uv };
 
-// An image and its decoding.
+// An image and its decoding. The image must outlive the Source and its Rows.
 struct Source {
     const Image* image = nullptr;
     Kind kind = Kind::height;  // except slopes and moments
@@ -44,7 +44,7 @@ struct Source {
     float factor = 1;         // applied to the height, and so to slopes
     float offset = 0;         // added to heights after the factor
     float stored_scale = 1;   // for derivatives in integer files
-    float texel_width = 1;    // in units of height; divides slopes
+    float texel_width = 1;    // in units of height; divides the slopes of heights
     float texel_height = 1;
 };
 
@@ -72,6 +72,7 @@ public:
     const float* heights(uint32_t y) const {  // null except for height maps
         return heights_ ? heights_ + size_t{y} * width() : nullptr;
     }
+    // Writes width() slopes to du and dv, times `factor`.
     void slopes(uint32_t y, float* du, float* dv) const;
 
 private:

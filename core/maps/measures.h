@@ -1,6 +1,6 @@
-// Statistics for lint, computed in one pass over the rows of an image, from the top. Only the last
-// three and the first two rows are retained. Sums are double, row by row, on one thread, so the
-// results are reproducible.
+// Statistics for lint, computed in one pass over the rows of an image, from the top. Memory is
+// O(width): the last three and the first two rows are retained. Sums are double, row by row, on one
+// thread, so the results are reproducible.
 #pragma once
 
 #include <array>
@@ -29,17 +29,20 @@ struct VectorMeasures {
     double between_z = 0;    // rms of (1 + z) / 2 - z: how well the two differ
 };
 
-// Derivatives of `gl` slopes by the same filter. Slopes are clamped to +-4.
+// Curl of the slopes (su, sv) of a normal map that is read as `gl`, clamped to +-4. Derivatives of
+// slopes are computed by sobel_row(). The slopes of a height have no curl: d(su)/dv = d(sv)/du.
 struct CurlMeasures {
-    double gl = 0;           // rms of du/dv - dv/du
-    double dx = 0;           // rms of du/dv + dv/du (green inverted)
-    double correlation = 0;  // correlation of the two terms, -1 to 1; 0 without slopes
-    // Shares of the curl terms in regions (8 by 8 over the image) with a correlation above 0.5, and
-    // below -0.5. 0 for images of less than 4096 texels, where regions are too small.
+    double gl = 0;           // rms of d(su)/dv - d(sv)/du: small if green points up
+    double dx = 0;           // rms of d(su)/dv + d(sv)/du: small if green points down
+    double correlation = 0;  // of d(su)/dv and d(sv)/du, -1 to 1; 0 without slopes
+    // Shares of the regions (8 by 8 over the image) with a correlation above 0.5, and below -0.5,
+    // weighted by the size of their derivatives. 0 for images of less than 4096 texels, where
+    // regions are too small.
     double regions_gl = 0, regions_dx = 0;
 };
 
-// Mean offset from 127.5, in steps of 1/255, of texels that are not flat (127 or 128 in both).
+// Mean offset from 127.5, in steps of 1/255, of the texels that are not flat. A flat texel has 127
+// or 128 in both red and green.
 struct OffsetMeasures {
     double red = 0, green = 0;
     double tilted = 0;  // share of these texels
@@ -63,11 +66,13 @@ struct SeamMeasures {
 // (normals), or 0 or the middle (heights), within 2.5 / 255.
 struct IslandMeasures {
     double background = 0;  // share of texels
-    double shore = 0;       // mean step between background and other neighbours
+    double shore = 0;       // mean step between neighbours of which one is background
     double inside = 0;      // mean step between neighbours outside the background
     double plain = 0;       // share of texels in 8 by 8 squares of only background
 };
 
+// The accumulators below take the rows of an image in order, from the top. Precondition of their
+// results: all rows were added. `texels`: number of texels of the image.
 class VectorSums {
 public:
     void add(const float* row, uint32_t width, uint32_t channels);
@@ -79,7 +84,7 @@ private:
     size_t empty_ = 0, unit_ = 0, downward_ = 0, gray_ = 0;
 };
 
-// Curl statistics from slopes, in a window of three rows.
+// Curl statistics in a window of three rows.
 class CurlSums {
 public:
     CurlSums(uint32_t width, uint32_t height, Wrap wrap);
@@ -166,7 +171,7 @@ private:
     double shore_ = 0, inside_ = 0;
 };
 
-// All statistics of an image; add() takes its rows from the top.
+// All statistics of an image. add() takes its rows from the top; the results require all rows.
 class Measuring {
 public:
     Measuring(const ImageInfo& info, Wrap wrap);
