@@ -1,4 +1,4 @@
-// Parts of the glTF reader: the file, the values of its accessors, and the uv transforms of its
+// Parts of the glTF reader: parsing of the file, values of accessors, and uv transforms of
 // materials. All are safe for untrusted files.
 #pragma once
 
@@ -15,8 +15,8 @@
 namespace wrinkle {
 
 // Parses a file with tinygltf: nesting, lengths and external files are checked before and during
-// parsing, images are not read, no exception leaves. Returns false and appends one error that names
-// the file on failure.
+// parsing; images are not read. Does not throw. Returns false and appends one error that names the
+// file on failure.
 bool read_gltf_file(std::string_view bytes, const std::filesystem::path& path,
                     const MeshFileOptions& options, tinygltf::Model& model,
                     Diagnostics& diagnostics);

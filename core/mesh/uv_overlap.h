@@ -1,4 +1,4 @@
-// Handles uv layouts in which many triangles overlap, in time independent of the overlap count.
+// Detects overlaps in uv layouts. The time does not depend on how many triangles cover a texel.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace wrinkle {
 
-// Set of the texels of a rectangle that at most one triangle covers so far. A texel is removed at
-// its second triangle, so each is visited at most twice. Near-constant amortised time per call
-// (path halving).
+// Set of the texels of a rectangle that fewer than two triangles cover so far. The caller closes a
+// texel at its second triangle, so each texel is visited at most twice. At most 2^32 - 1 texels.
+// Union-find with path halving: O(log n) amortised per call.
 class OpenTexels {
 public:
     void open_all(size_t count) {
@@ -33,7 +33,7 @@ private:
 };
 
 // Calls drop(index) for each triangle with the same corners, in any order, as two earlier ones: the
-// first owns, the second shows the overlap, further ones have no effect. O(n log n).
+// first owns the texels, the second suffices to detect the overlap. O(n log n).
 template <class Triangle, class Drop>
 void each_third_repeat(const std::vector<Triangle>& triangles, Drop drop) {
     using Corners = std::array<std::pair<int32_t, int32_t>, 3>;

@@ -1,4 +1,4 @@
-// Integer arithmetic for texel ownership. Part of mesh/uv_raster.h.
+// Fixed-point arithmetic for texel ownership; v is upwards. Part of mesh/uv_raster.h.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace wrinkle {
 
 constexpr int64_t units = 256;        // per texel
-constexpr uint32_t marked = ~0U - 1;  // slot of an edge texel that has no number yet
+constexpr uint32_t marked = ~0U - 1;  // in Coverage::slots: edge texel without an index yet
 
 constexpr int64_t floor_div(int64_t a, int64_t b) {  // b > 0
     return a >= 0 ? a / b : -((-a + b - 1) / b);
@@ -19,8 +19,9 @@ constexpr int64_t texel_at(int64_t coordinate) {
     return coordinate >> 8;
 }
 
-// One edge of a counter-clockwise triangle, from (ax, ay) by (dx, dy). Points to its left are
-// inside; points on the edge are inside if it runs downwards, or horizontally to the right.
+// Edge of a counter-clockwise triangle from (ax, ay) to (ax + dx, ay + dy), in units. Points to its
+// left are inside; points on it are inside if it runs downwards, or horizontally to the right, so
+// that a point on a shared edge is inside exactly one of the two triangles.
 struct RasterEdge {
     int64_t ax, ay, dx, dy;
 
@@ -41,7 +42,7 @@ RasterEdge edge_of(const Triangle& t, size_t k) {
     return {t.x[k], t.y[k], int64_t{t.x[next]} - t.x[k], int64_t{t.y[next]} - t.y[k]};
 }
 
-// Returns the texels of [first, first + count) that `box` overlaps.
+// Returns the part of the texel range `box` (low to high, inclusive) within [first, first + count).
 template <class Box>
 Interval covered_range(const Box& box, uint32_t first, uint32_t count) {
     return {std::max<int64_t>(box.low, first),
