@@ -1,5 +1,6 @@
-// The code of a plugin with a known listing. It runs only in separate processes (registry/probe.h):
-// build() of a node runs once for each set of options, and its calls are cached for all graphs.
+// Builder calls of a plugin with a known listing. Its code runs only in separate processes
+// (registry/probe.h): build() of a node runs once for each set of options, and its calls are cached
+// for all graphs, up to 64 MiB.
 #pragma once
 
 #include <chrono>
@@ -26,11 +27,12 @@ public:
     // since it was listed, is refused, or its nodes differ from its listing. Thread-safe.
     std::shared_ptr<const std::string> calls(size_t node, std::span<const int32_t> options,
                                              Unbuilt& reason);
-    // Returns true if the file has the nodes of its listing; false with the reason in `why`
-    // otherwise.
+    // Returns true if the file is unchanged and has the nodes of its listing; false with the reason
+    // in `why` otherwise.
     bool try_out(std::string& why);
-    // Clears the cached calls and toggles between one and two runs of build() per process; with
-    // two, the calls are those of the second run. So the next calls() differ if build() has state.
+    // Clears the cache and toggles between one and two runs of build() per process. With two, the
+    // calls are those of the second run, so the next calls() differ if build() has state. Runs no
+    // code itself.
     void build_again();
 
 private:

@@ -14,9 +14,9 @@ namespace wrinkle {
 
 inline constexpr std::chrono::milliseconds probe_limit{5000};
 
-// `sha256` is stored in the listing as the hash of the file. Returns std::nullopt if the plugin is
-// refused, with specific faults at `origin`: "it crashed in its wrinkle_plugin(): SIGSEGV
-// (Segmentation fault)".
+// Lists the nodes of the plugin at `path`. `sha256`, the hash of the file, is stored in the result.
+// Returns std::nullopt if the plugin is refused, and reports the reason at `origin`: "it crashed in
+// its wrinkle_plugin(): SIGSEGV (Segmentation fault)".
 std::optional<PluginListing> probe_plugin(const std::string& path, const std::string& sha256,
                                           const std::string& origin,
                                           std::chrono::milliseconds limit,
@@ -40,8 +40,8 @@ BuildRun probe_build(const std::string& path, NodeToBuild node, std::span<const 
                      std::chrono::milliseconds limit);
 
 // Protocol. Arguments: probe_list_word FILE SHA256, or probe_build_word FILE NODE TWICE OPTION...
-// Output: lines "stage NAME", then one line `probe_fine` or `probe_refused`, then a listing,
-// recorded calls, or diagnostics as JSON.
+// Output: a line "stage NAME" before each stage, so that a crash is reported with its stage; then
+// one line `probe_fine` or `probe_refused`, then a listing, recorded calls, or diagnostics as JSON.
 inline constexpr std::string_view probe_list_word = "list";
 inline constexpr std::string_view probe_build_word = "build";
 inline constexpr int probe_output = 3;  // file descriptor of the output

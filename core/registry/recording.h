@@ -1,10 +1,10 @@
 // Recording of the builder calls of a node's build(): recorded in the process that runs plugin
 // code, replayed in the process that lowers the graph.
 //
-// build() receives nothing of the graph but its options: values, images and regions are opaque
-// numbers with a meaning only to the host. So the recorder answers each call with the next number,
-// and the replay maps it to the number of the host. Invalid arguments are therefore detected only
-// by the host, which records the diagnostic; the plugin receives a number, not poison.
+// build() can read only the options of the graph: values, images and regions are opaque ids. So the
+// recorder returns consecutive ids, and replay() maps them to those of the host. The recorder does
+// not check arguments: build() receives an id other than WR_POISON even if the host later reports
+// an error for that call.
 //
 // The plugin may have corrupted the memory of the recording process: replay() validates all sizes,
 // and the host checks each call as if the plugin made it.
@@ -32,12 +32,13 @@ public:
     const wr_builder* builder() const { return &face_; }
     const std::string& calls() const { return calls_; }
 
-    // Used by the functions of the builder.
+    // Append to the recording; used by the functions of the builder.
     void begin(uint32_t call);
     void word(uint32_t value);
-    void words(const uint32_t* values, uint32_t count);  // too many are not copied
+    void words(const uint32_t* values, uint32_t count);  // only the count if too many
     void number(double value);
-    void text(const char* source);  // truncated to one byte above the limit
+    // Truncates to one byte more than the host accepts, so that the host reports it as too long.
+    void text(const char* source);
     uint32_t next() { return ++last_; }
     int32_t option(uint32_t port) const { return port < options_.size() ? options_[port] : 0; }
 
@@ -50,8 +51,8 @@ private:
     uint32_t last_ = 0;
 };
 
-// Makes the calls on `host`. Returns false if the recording is damaged: calls before the damage are
-// made.
+// Makes the recorded calls on `host`. Returns false if the recording is damaged; the calls before
+// the damage have then been made.
 bool replay(std::string_view calls, const wr_builder* host);
 
 }  // namespace wrinkle
