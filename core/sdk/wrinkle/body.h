@@ -1,5 +1,5 @@
-// How a body meets its ports: the arguments it is called with, the checks of its shape, and the C
-// callback made of it. Node authors need nothing from here.
+// Binds the body of a node to its ports: reads the arguments, checks the signature at compile time,
+// and makes the C callback build(). Internal to the SDK.
 #pragma once
 
 #include <exception>
@@ -11,7 +11,7 @@
 
 namespace wrinkle::sdk::detail {
 
-// Ports as types: which one (its index in the descriptor) and what the body gets or gives.
+// Ports as types. `port` is the index in the descriptor, `Value` the body's parameter or result.
 template <class T, uint32_t port>
 struct InputPort {
     using Value = T;
@@ -83,7 +83,7 @@ constexpr bool takes_struct() {
         return false;
 }
 
-// The body's arguments are read in port order (a braced list), whatever the compiler.
+// The braced lists guarantee that arguments are read in port order.
 template <class F, class... P>
 auto call(Ports<P...>) {
     if constexpr (std::is_invocable_v<F, typename P::Value...>) {
@@ -99,8 +99,9 @@ constexpr bool callable(Ports<P...>) {
     return std::is_invocable_v<F, typename P::Value...> || takes_struct<F, typename P::Value...>();
 }
 
-// The body, or another function where its parameters do not fit: one that is taken last, one that
-// is taken before a conversion, and one that makes a body of one `auto` ambiguous.
+// The body with a second overload, for has_own_error(). The overload of OrAnything ranks below a
+// body whose parameters match; that of OrTheSame ranks above a body that needs a conversion; that
+// of OrOne makes a call of a body with one `auto` parameter ambiguous.
 template <class F>
 struct OrAnything : F {
     using F::operator();
@@ -116,7 +117,7 @@ template <class F>
 struct OrOne : F {
     using F::operator();
     template <class T>
-    void operator()(T&&) const;  // another signature than that of the body, which it would hide
+    void operator()(T&&) const;  // T&&, because a T would have the signature of the body
 };
 
 template <class F>
@@ -124,7 +125,8 @@ constexpr bool is_generic = !requires {
     &F::operator();
 };
 
-// The parameters fit, and still it cannot be called: the compiler has said what is wrong in it.
+// Returns true if the parameters match but a statement of the body is invalid. The compiler then
+// reports that error, so check_body() adds none.
 template <class F, class... P>
 constexpr bool has_own_error(Ports<P...>) {
     if constexpr (!std::is_invocable_v<OrAnything<F>, typename P::Value...> ||
@@ -164,7 +166,7 @@ void write_poison(Ports<P...>) {
     (builder->output(builder, P::index, WR_POISON), ...);
 }
 
-// The build() of a node. No exception leaves it: it becomes a diagnostic, and the outputs poison.
+// The build() of a node. An exception becomes a diagnostic, and all outputs become poison.
 template <class F, class Inputs, class Outputs>
 void build(const wr_builder* b) noexcept {
     const UseBuilder use(b);

@@ -1,12 +1,11 @@
-// Surface gradients and what they are made of. The host owns the algebra; a body only says what is
-// meant.
+// Surface gradients and their inputs. The functions record ops; the host computes them
+// (docs/surface-gradient.md).
 //
-// Gradient    the change of a height along the surface. Sums and multiples are gradients, in any
-//             order.
-// Derivative  dh/d(u,v) with its frame; it becomes a Gradient when used as one.
-// Frame       what turns a slope in a uv set into a gradient: method and scale must fit (the scale
-//             `surface` goes with automatic, exact and pixel, `unit` with automatic, vertex,
-//             derived and guess).
+// Gradient    the derivative of a height along the surface, a vector in the tangent plane. Sums and
+//             multiples of gradients are gradients; their order does not matter.
+// Derivative  dh/d(u,v) with its frame; converts to a Gradient.
+// Frame       maps a slope in a uv set to a gradient. Valid methods: automatic, exact and pixel
+//             with the scale `surface`; automatic, vertex, derived and guess with `unit`.
 #pragma once
 
 #include "wrinkle/math.h"
@@ -24,7 +23,7 @@ public:
     explicit Frame(Raw raw) : id(raw.id) {}
 };
 
-// `direction` (object space, any length) is used by the method `guess` alone.
+// `direction` (object space, any length) is used only by the method `guess`.
 inline Frame frame(vec2 uv, FrameMethod method, Scale scale, vec3 direction) {
     const uint32_t extra = WR_FRAME(method, scale);
     if (method == FrameMethod::guess) return Frame(emit(WR_OP_frame, {uv.id, direction.id}, extra));
@@ -47,10 +46,10 @@ public:
 class Base {
 public:
     static constexpr uint32_t type = WR_TYPE_base;
-    wr_value id = 0;  // the surface
+    wr_value id = 0;  // 0: base of the node's inputs
     Base() = default;
     explicit Base(Raw raw) : id(raw.id) {}
-    // The value of an input of type Normal, by custom named `base`, with surface::normal as
+    // `normal`: value of an input of type Normal, usually called `base`, with surface::normal as
     // default.
     explicit Base(vec3 normal) : Base(emit(WR_OP_base, {normal.id})) {}
 };
@@ -66,40 +65,42 @@ public:
     vec3 vector() const { return vec3(emit(WR_OP_gradient_vector, {id})); }  // object space
 };
 
-// Of a tangent-space normal, any length, z up; its slopes times `strength`.
+// Returns the slopes of a tangent-space normal (any length, z up), times `strength`.
 inline Derivative normal_derivative(vec3 normal, Float strength, Frame frame) {
     return Derivative(emit(WR_OP_normal_derivative, {normal.id, strength.id, frame.id}));
 }
-// Of a height in object-space length units, positive outward, by its derivative.
+// Returns the gradient of a height in object-space length units, positive outward. The host
+// differentiates the height.
 inline Gradient gradient_from_height(Float height, Base base = {}) {
     return Gradient(emit(WR_OP_gradient_from_height, {height.id}, base.id));
 }
-// Of the gradient over space of a height.
+// Returns the surface gradient from the gradient of a height in object space.
 inline Gradient gradient_from_volume(vec3 gradient, Base base = {}) {
     return Gradient(emit(WR_OP_gradient_from_volume, {gradient.id}, base.id));
 }
-// Of a perturbed normal in object space, any length; one that points inward is mirrored outward.
+// Returns the gradient of a perturbed normal (object space, any length). A normal that points
+// inward is mirrored at the tangent plane.
 inline Gradient gradient_from_normal(vec3 normal, Base base = {}) {
     return Gradient(emit(WR_OP_gradient_from_normal, {normal.id}, base.id));
 }
-// One that points inward is reversed instead.
+// As gradient_from_normal(), but a normal that points inward is negated.
 inline Gradient gradient_from_outward_normal(vec3 normal, Base base = {}) {
     return Gradient(emit(WR_OP_gradient_from_outward_normal, {normal.id}, base.id));
 }
-// The value itself, said to vary within a pixel: a vec2 with the covariances (xx, yy, xy), or a
-// vec3 whose lanes all have one variance. normal_variance() counts it.
+// Returns the value, annotated for normal_variance() with its variation within a pixel: a vec2 with
+// the covariances (xx, yy, xy), or a vec3 with one variance for all components.
 inline vec2 with_covariance(vec2 value, vec3 covariance) {
     return vec2(emit(WR_OP_with_covariance, {value.id, covariance.id}));
 }
 inline vec3 with_covariance(vec3 value, Float variance) {
     return vec3(emit(WR_OP_with_covariance, {value.id, variance.id}));
 }
-// How much the unit normal of a bump varies within a pixel: the trace of its covariance, from the
-// pictures that the bump is read from and from with_covariance().
+// Returns the trace of the covariance of the bump's unit normal within a pixel, from the textures
+// that the bump reads and from with_covariance().
 inline Float normal_variance(Gradient gradient) {
     return Float(emit(WR_OP_normal_variance, {gradient.id}));
 }
-// The unit normal in object space.
+// Returns the unit normal in object space.
 inline vec3 resolve(Gradient gradient) {
     return vec3(emit(WR_OP_resolve, {gradient.id}));
 }

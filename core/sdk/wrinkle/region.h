@@ -1,14 +1,16 @@
-// Loops and functions of the language. What a body uses from outside is captured.
+// Loops and functions in the generated shader. A body is recorded once; it may use values from
+// outside.
 //
-//   auto noise = function("noise", [](vec3 p) { return ...; });  // one function in the text
+//   auto noise = function("noise", [](vec3 p) { return ...; });  // one function in the shader
 //   Float sum = noise(p) + noise(2 * p);                         // called twice
 //
 //   auto [t, h] = loop(64, std::tuple{t0, h0}, [&](Float t, Float h) {
-//       return std::tuple{h > t, t + step, height(t)};  // while "go on", the next state
+//       return std::tuple{h > t, t + step, height(t)};  // condition, next state
 //   });
 //
-// A loop runs while "go on" holds for the state at hand and at most `max` times; its value is the
-// last state. A function gives one value or a tuple of values.
+// Each iteration computes the condition and the next state from the current state. If the condition
+// is false, the loop ends and the next state is discarded. The loop also ends after `max`
+// iterations. Its value is the last state. A function returns one value or a tuple of values.
 #pragma once
 
 #include <tuple>
@@ -21,7 +23,7 @@ namespace wrinkle::sdk {
 
 namespace detail {
 
-// Closes its region also when the body throws, so that the host never sees half of one.
+// Begins a region and ends it, with poison as result if the body throws.
 class Recording {
 public:
     Recording(uint32_t kind, const char* name, const uint32_t* types, uint32_t count,
@@ -72,7 +74,7 @@ void run(wr_region region, wr_value* results, uint32_t count, const Args&... arg
     if (builder) builder->apply(builder, region, ids, sizeof...(Args), results, count);
 }
 
-// Values of the types in Tuple from the numbers of the host.
+// Returns the ids of the host as values of the types in Tuple.
 template <class Tuple, size_t... I>
 Tuple values(const wr_value* ids, std::index_sequence<I...>) {
     return Tuple{std::tuple_element_t<I, Tuple>(Raw{ids[I]})...};
@@ -87,11 +89,12 @@ struct Types;
 template <class... T>
 struct Types<std::tuple<T...>> {
     static constexpr uint32_t count = sizeof...(T);
-    // Hidden: gcc makes one of equal names in all libraries of a process, which then stay loaded.
+    // Hidden, because gcc makes such a symbol unique in the process (STB_GNU_UNIQUE), and a library
+    // that defines one is never unloaded.
     [[gnu::visibility("hidden")]] static constexpr uint32_t numbers[count + 1] = {T::type..., 0};
 };
 
-// Result and parameters of a lambda or of a plain function.
+// Result and parameter types of a lambda or of a function pointer.
 template <class F>
 struct Signature : Signature<decltype(&F::operator())> {};
 template <class R, class... A>
@@ -124,7 +127,7 @@ private:
     wr_region region_;
 };
 
-// `name` is lower_snake_case and stands in the generated text.
+// `name`, in lower_snake_case, is the name in the generated shader.
 template <class Body>
 auto function(const char* name, Body body) {
     using Signature = detail::Signature<Body>;
@@ -136,6 +139,7 @@ auto function(const char* name, Body body) {
     return Function<typename Signature::Result, Arguments>(detail::end(recording, results, 0));
 }
 
+// Returns the last state. `max`: greatest number of iterations, up to 65536.
 template <class... State, class Body>
 std::tuple<State...> loop(uint32_t max, std::tuple<State...> initial, Body body) {
     using Next = std::tuple<Bool, State...>;
