@@ -35,8 +35,9 @@ vec2 three_taps(const Reader& read, vec2 uv, Float texels, Unit unit) {
     return unit == Unit::uv ? change / step : change * (1 / texels);
 }
 
-// The 4x4 kernel is a Sobel filter over bilinear reads one texel apart: each read weights its two
-// texels by (1-t, t), and the reads are weighted by (1, 2, 1)/4 and (-1, 0, 1)/2.
+// The 4x4 kernel is a Sobel filter over bilinear reads one texel apart. Per axis, a read weights
+// its two texels by (1-t, t), t as in height_slope.h; the filter weights the reads by (1, 2, 1)/4
+// across and (-1, 0, 1)/2 along.
 vec2 smooth_slope(Image image, vec2 uv, Unit unit) {
     const auto change = function("smooth_slope", [image](vec2 at, vec2 texel) {
         const auto tap = [&](int i, int j) {

@@ -1,8 +1,8 @@
 // Planes and axes that projections, triplanar maps, cube maps and decals share. Right-handed object
 // space.
 //
-// A plane's lookup is oriented as seen from outside that side: u to the right, v up, not mirrored.
-// On the negative sides one lookup axis and its slope are negated.
+// A lookup is a uv on a plane. It is oriented as seen from outside that side: u to the right, v up,
+// not mirrored. On the negative sides u (v for side y) and its slope are negated.
 //   side x   u = -z on the positive side, +z on the negative; v = y
 //   side y   u = x; v = -z on the positive side, +z on the negative
 //   side z   u = +x on the positive side, -x on the negative; v = y
@@ -29,7 +29,7 @@ sdk::vec3 side_of(sdk::vec3 direction);
 sdk::vec3 front_of(sdk::vec3 normal);
 
 // Returns the gradient in space of a height from its slopes on the three planes, each times its
-// weight. Golubev, eqs. 46-49; the weights are treated as constant.
+// weight. Golubev (docs/checklists.md), eqs. 46-49; the weights are treated as constant.
 sdk::vec3 volume_of(const Planes& slopes, sdk::vec3 side);
 
 // Returns max(|n| - threshold, 0)^sharpness, normalised to sum 1 (I. Castano); 0 for a zero normal.
@@ -55,11 +55,11 @@ struct Axes {
 Axes axes_of(sdk::vec3 z, sdk::vec3 up);
 sdk::vec3 into(const Axes& axes, sdk::vec3 v);
 
-// Returns `way`, an offset from a point on the axis, in coordinates as seen from the front: x to
-// the right, y along the axis, z to the front. The arguments have any length.
+// Converts `way`, an offset from a point on the axis, to the coordinates of a viewer in front: x to
+// the right, y along the axis, z towards the viewer. `axis` and `front` have any length.
 sdk::vec3 round_place(sdk::vec3 way, sdk::vec3 axis, sdk::vec3 front);
-// Returns the angle of such coordinates around the axis, 0 to 1: to the right from behind, 0.5 in
-// front.
+// Returns the angle of such coordinates around the axis, in turns: 0 and 1 at the back, 0.5 in
+// front, increasing to the right.
 sdk::Float turns_of(sdk::vec3 place);
 // Returns that angle as u; v is 0 to 1 from pole to pole.
 sdk::vec2 longitude_latitude(sdk::vec3 place);

@@ -10,10 +10,10 @@
 //         state _NAME_sampler with the same register number. Matrices are column-major, as in
 //         GLSL. Uniforms are called VARIABLE_NAME, with the block's variable first.
 // msl     Metal 2.0, entry points NAME_vertex and NAME_fragment. An image has a sampler
-//         NAMESmplr.
+//         NAMESmplr with the same index.
 //
-// HLSL and Metal have a comment where the code of each node begins, as in GLSL. That and the line
-// table are the hand-written part of the translation: SPIRV-Cross knows lines, but no nodes.
+// HLSL and Metal have a comment where the code of each node begins, as in GLSL. These comments and
+// the line table are derived from #line directives, because SPIR-V stores lines but not nodes.
 #pragma once
 
 #include <optional>

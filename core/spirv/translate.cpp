@@ -10,7 +10,7 @@
 namespace wrinkle {
 namespace {
 
-// Node index of each GLSL line, and the comment of each node.
+// Node index of each GLSL line, the comment of each node, and the second GLSL line as the title.
 struct Origin {
     std::string title;
     std::vector<uint32_t> nodes;
@@ -39,7 +39,8 @@ size_t directive(std::string_view line) {
     return number;
 }
 
-// Removes the #line directives; their nodes go to the line table and into comments.
+// Removes the #line directives. Writes the title first, a comment where the code of a node begins,
+// and the node of each line to the line table.
 Text with_nodes(const std::string& translated, const Origin& origin) {
     Text text;
     text.line(0, origin.title);

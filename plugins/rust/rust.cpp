@@ -1,5 +1,6 @@
 // An example plugin with a choice: the body is compiled for each of its names, so the shader
-// contains only the chosen branch. The rule uses slopes, so it works with every kind of bump.
+// contains only the chosen branch. All choices but `hollows` use only the gradient, so they work
+// with every kind of bump.
 #include <tuple>
 
 #include "wrinkle/node.h"

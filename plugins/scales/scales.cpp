@@ -1,5 +1,5 @@
-// An example plugin with a loop over the scales around a point; the highest one is visible. The
-// generated shader contains a loop too; its body is recorded once.
+// An example plugin with a loop over the scales around a point; the result is the greatest height.
+// The body is recorded once, and the generated shader contains a loop too.
 #include <tuple>
 
 #include "wrinkle/node.h"

@@ -5,7 +5,7 @@
 using namespace wrinkle::sdk;
 
 // Height of the threads along y, one in each unit of x: round across, over two threads and under
-// two. `start` shifts where a thread comes up, so that threads along y and along x alternate.
+// two. `start`, in threads, shifts the pattern along y, so that threads along y and x alternate.
 static Float thread(vec2 p, double start, Float width) {
     const Float lane = floor(p.x());
     const Float across = (2 * (p.x() - lane) - 1) / width;

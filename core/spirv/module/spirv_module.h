@@ -3,7 +3,8 @@
  * The module exports one symbol, wrinkle_spirv_module, which returns a table of functions. Only
  * plain data is passed: strings are UTF-8 with their length, SPIR-V is words in native byte order,
  * results are written to the caller's sinks, and exceptions do not leave the module. Thread-safe. A
- * function returns 1 on success, or 0 with the reason in `log`.
+ * function returns 1 on success, or 0 with the reason in `log`. The caller must check size and
+ * version of the table.
  */
 #ifndef WRINKLE_SPIRV_MODULE_H
 #define WRINKLE_SPIRV_MODULE_H
@@ -48,7 +49,7 @@ typedef struct WrinkleSpirvName {
     const char* variable;
 } WrinkleSpirvName;
 
-/* A translation. Metal's buffers, textures and samplers have the numbers of their bindings. */
+/* A translation. In Metal, the index of a buffer, texture or sampler is its SPIR-V binding. */
 typedef struct WrinkleSpirvJob {
     uint32_t language; /* WRINKLE_SPIRV_HLSL or _MSL */
     uint32_t stage;
@@ -70,7 +71,7 @@ typedef struct WrinkleSpirvModule {
                         WrinkleSpirvSink log);
     int32_t (*validate)(WrinkleSpirvWords in, WrinkleSpirvSink log);
     int32_t (*disassemble)(WrinkleSpirvWords in, WrinkleSpirvSink text, WrinkleSpirvSink log);
-    /* To HLSL or Metal; with "#line N" directives if the words contain line information. */
+    /* SPIR-V to HLSL or Metal; with "#line N" directives if the words have line information. */
     int32_t (*translate)(WrinkleSpirvWords in, const WrinkleSpirvJob* job, WrinkleSpirvSink text,
                          WrinkleSpirvSink log);
 } WrinkleSpirvModule;
