@@ -31,7 +31,8 @@ public:
     Delta() = default;  // changes nothing
     Delta(const Document& before, const Document& after);
 
-    // Returns the other snapshot; unchanged entries are shared with the given one.
+    // Return the other snapshot; unchanged entries are shared with the given one. Precondition: the
+    // argument equals the snapshot given to the constructor. O(table entries).
     Document forward(const Document& before) const;
     Document backward(const Document& after) const;
 
@@ -49,9 +50,10 @@ private:
         TableDelta<Position> positions;
         TableDelta<Box> frames, notes;
     };
-    Head heads_[2];
+    Head heads_[2];  // before, after
     std::shared_ptr<const Tables> tables_;
-    // Both complete snapshots if they were read from different texts.
+    // Both complete snapshots if their source text, lost parts or file differ; tables_ is
+    // null then.
     std::shared_ptr<const std::pair<Document, Document>> whole_;
 
     Document apply(const Document& from, bool back) const;

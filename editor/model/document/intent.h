@@ -25,7 +25,7 @@ struct Question {
         changed,  // the file on disk was changed by another program
         replace,  // save as would overwrite `file`
         outside,  // files that the graph names are not below the folder of `file`: copy them?
-        recover,  // the edits in the recovery file `file`?
+        recover,  // recover the edits in the recovery file `file`?
         running,  // stop the running task and quit?
         failed,   // the file could not be written (`trouble`): use another name?
         open,     // which file? The file browser (panels/browser.h) draws this and the next
@@ -37,7 +37,7 @@ struct Question {
     std::string text = {};     // for open and save_as: the path as typed
     std::string trouble = {};  // why the last answer failed
     std::filesystem::path file = {};
-    bool opening = true;  // drawn for the first time, or again after a failed answer
+    bool opening = true;  // first frame of the prompt, or first after a failed answer
 
     bool open() const { return kind != Kind::none; }
     bool wants_path() const { return kind == Kind::open || kind == Kind::save_as; }
@@ -50,15 +50,16 @@ void save_and_carry_out(Session& session, const PendingAction& intent);
 // Carries out the intent; before quitting, prompts if a background task is running.
 void carry_out(Session& session, const PendingAction& intent);
 
-// Answers to the question. An answer that fails leaves the question open with the reason in it.
+// Answers to the question. If an answer fails, the question remains open with the reason in
+// `trouble`.
 void answer_save(Session& session);
 void answer_path(Session& session);     // for open and save_as: `text`
-void answer_save_as(Session& session);  // under another name than the one that failed
-void answer_replace(Session& session);
-void answer_copy(Session& session);   // for outside: copies the files
-void answer_refer(Session& session);  // for outside: leaves the files where they are
-void answer_stop(Session& session);
-void answer_recover(Session& session);
-void answer_forget(Session& session);
+void answer_save_as(Session& session);  // prompts for a path instead, after a failed write
+void answer_replace(Session& session);  // overwrites `file`
+void answer_copy(Session& session);     // for outside: saves, and copies the files
+void answer_refer(Session& session);    // for outside: saves, and refers to the files
+void answer_stop(Session& session);     // for running: cancels the task; quits when it ends
+void answer_recover(Session& session);  // opens the recovered edits
+void answer_forget(Session& session);   // discards the recovered edits
 
 }  // namespace wrinkle::editor

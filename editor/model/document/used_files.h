@@ -1,9 +1,10 @@
-// Watches the files of the open graph and its preview, and the plugins: files that another program
-// changes are read again.
+// Watches the files of the open graph and its preview, and the plugins, by polling: a file that
+// another program changes is read again.
 //
-// Their dates are checked once a second on a separate thread, so that a slow disk does not delay a
-// frame. A missing file is reported only after a second check, since some programs replace files in
-// two steps; a plugin is loaded when it is unchanged between two checks.
+// Sizes and dates are checked once a second on a separate thread, so that a slow disk does not
+// delay a frame. A missing file is reported only after a second check, because some programs
+// replace files in two steps. A changed plugin is reloaded only after two equal checks, when it is
+// fully written.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +27,7 @@ struct UsedFile {
     Use use = Use::image;
     std::filesystem::path path;
     Stamp stamp;
-    std::string name = {};  // for an image of the top graph: its name there
+    std::string name = {};  // for an image of the top graph: its name in that graph
 };
 
 // Inputs of a check.
@@ -36,6 +37,7 @@ struct FileQuestion {
     std::string mesh, light;
     std::vector<std::string> plugins;  // files and folders
 };
+// Returns the used files with their current stamps. Callable from any thread.
 std::vector<UsedFile> look_at_files(const FileQuestion& question);
 
 using FileLooker = Worker<FileQuestion, std::vector<UsedFile>>;
@@ -44,9 +46,9 @@ struct UsedFiles {
     struct Known {
         Stamp read, last;  // at the last read, and at the last check
     };
-    FileLooker* looker = nullptr;  // nullptr: checks run on the calling thread
-    double looked = 0;             // seconds
-    std::shared_ptr<const Project> looked_of;
+    FileLooker* looker = nullptr;              // nullptr: checks run on the calling thread
+    double looked = 0;                         // time of the last check, seconds
+    std::shared_ptr<const Project> looked_of;  // project at the last check
     std::map<std::filesystem::path, Known> known;
     uint64_t changes = 0;  // number of files that were read again
 };
@@ -56,7 +58,8 @@ struct WindowFiles {
     std::string mesh, light;                     // used by the preview; "": none
     std::vector<std::filesystem::path> dropped;  // images that wait to be examined
 };
-// Called once a frame: reads changed sub-graphs and plugins again. Returns all changed files.
+// Called once a frame. Reloads changed plugins and has changed sub-graphs read again; returns all
+// changed files, of which the caller reads the others.
 std::vector<UsedFile> follow_files(Session& session, const WindowFiles& window);
 
 }  // namespace wrinkle::editor
