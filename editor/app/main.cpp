@@ -78,7 +78,7 @@ struct Workers {
                            },
                            wake_window};
     FileLooker looker{[](FileQuestion&& question) { return look_at_files(question); },
-                      {}};  // no wake, which would draw a frame: results are polled
+                      {}};  // no wake callback, which would draw a frame: results are polled
 
     explicit Workers(State& state)
         : compiler(*state.registry, wake_window), code(*state.registry, wake_window) {
@@ -97,7 +97,7 @@ struct Workers {
 };
 
 int run(const Arguments& arguments) {
-    Timings timings;  // measures from here
+    Timings timings;  // starts the clock
     std::optional<Script> script;
     std::string why;
     if (!arguments.script.empty()) {

@@ -1,4 +1,4 @@
-// List of user actions, played through the input queue, for tests with and without a window. One
+// Script of user actions, played through the input queue, for tests with and without a window. One
 // step per line; a line that begins with '#' is a comment. NAME, FROM and TO are target names
 // (targets.h), optionally with an offset in pixels from the middle: "canvas+-200,150".
 //
@@ -54,6 +54,7 @@ private:
         size_t number;
         std::vector<std::string> words;
     };
+    // The functions that return bool return false, with the reason in why_, if the step fails.
     bool run(const Line& line, const State& state, InputQueue& queue, const Screen& screen);
     bool point(const Line& line, const State& state, InputQueue& queue);
     bool see(const Line& line, const State& state, const Screen& screen);
@@ -66,7 +67,7 @@ private:
 
     std::vector<Line> lines_;
     size_t next_ = 0;
-    int settle_ = 0;
+    int settle_ = 0;  // frames to draw before the next step
     size_t actions_ = 0;
     bool typing_ = false;     // typed text is not committed yet
     bool finishing_ = false;  // waiting for background work

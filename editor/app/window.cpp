@@ -39,7 +39,7 @@ namespace {
 
 constexpr int min_width = 800, min_height = 500;
 
-std::atomic<bool> woken = false;
+std::atomic<bool> woken = false;  // set by wake_window(), cleared by the event loop
 
 InputQueue& queue_of(GLFWwindow* window) {
     return *static_cast<InputQueue*>(glfwGetWindowUserPointer(window));
@@ -54,7 +54,7 @@ int produced(int key, int scancode) {
     return key;
 }
 
-// Also used while a script plays, because a script cannot drop files from another program.
+// Also enabled while a script plays, for tests that drop files from another program.
 void listen_for_drops(GLFWwindow* window) {
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** files) {
         double x = 0, y = 0;
@@ -139,8 +139,9 @@ void adopt(GLFWwindow* window, InputQueue& queue, bool scripted) {
     if (!scripted) listen(window);
 }
 
-// Some drivers recompile a program for the first texture of a different kind. Drawing one pixel of
-// such a texture in the second frame does that at startup, not when the first rendering appears.
+// Some drivers recompile a program for the first texture of a different kind. Draws one pixel of
+// such a texture in the second frame, so that they recompile at startup, not when the first
+// rendering appears.
 // The returned texture must exist until the frame is drawn; std::nullopt if it cannot be made.
 std::optional<gpu::Target> warm_up_textures() {
     Diagnostics ignored;  // without the texture a later frame takes longer

@@ -32,7 +32,7 @@ struct Gesture {
         resize,  // resizes a frame or a note
     };
     Kind kind = Kind::none;
-    int button = 0;
+    int button = 0;       // ImGuiMouseButton
     ImVec2 start{0, 0};   // screen
     uint64_t serial = 0;  // history serial at the start
     bool moved = false;
@@ -57,13 +57,13 @@ struct Gesture {
 
     size_t card = 0;  // in Layout::cards; start of a lazy wire
 
-    BoxId box;  // the pressed box
-    uint8_t edges = 0;
-    Rectangle rect;  // at the start
+    BoxId box;          // the pressed box
+    uint8_t edges = 0;  // dragged edges: 1 left, 2 right, 4 top, 8 bottom
+    Rectangle rect;     // at the start
 
     // Wire: its fixed end.
     bool from_output = false;
-    bool taken = false;  // detached from node.port
+    bool taken = false;  // the drag detached the wire from node.port
     Link from;
     // The input at which the drag began; an empty `node` means an output of the graph.
     std::string node;
@@ -75,9 +75,9 @@ struct Gesture {
 
     // Value.
     uint32_t port_index = 0;
-    int lane = 0;
+    int lane = 0;  // component of the value
     double start_value = 0;
-    float width = 0;
+    float width = 0;  // of the field, in screen pixels
 };
 
 }  // namespace wrinkle::editor

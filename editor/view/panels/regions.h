@@ -2,8 +2,10 @@
 // the work area: the canvas above the problems; in the side column, the preview above the code.
 //
 //   side column   30 % of the width, a multiple of 8, 400 to 768; hidden if the window is below 960
-//   preview       its bars and an image of 18:13, at most 56 % of the height of the work area
-//   problems      height of its rows, at most 20 %; only its header in windows lower than 800
+//   preview       its bars and an image with aspect ratio 18:13, at most 56 % of the work area's
+//                 height
+//   problems      height of its rows, at most 20 % of the work area's height; only its header in
+//                 windows lower than 800
 #pragma once
 
 #include <imgui.h>

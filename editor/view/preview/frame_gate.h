@@ -1,8 +1,8 @@
 // Lets the window's frames interrupt slow renderings. Some drivers draw for all contexts
 // sequentially on the same cores, so that a frame submitted after a rendering of the material waits
-// for it. A slow rendering is therefore drawn in strips and waits for a frame between two of them.
+// for it. A slow rendering is therefore drawn in strips; it calls wait_for_frame() between them.
 //
-// Each side has its own thread.
+// The window's thread makes Frames; the render thread waits. Thread-safe for these two.
 #pragma once
 
 #include <chrono>
@@ -25,8 +25,8 @@ public:
         FrameGate& gate_;
     };
 
-    // Waits until no frame is drawn, at most `longest`: a frame that waits for the screen leaves
-    // the driver idle, and renderings must make progress.
+    // Waits until the frame in progress is finished, if any; at most 25 ms, so that renderings make
+    // progress while a frame waits for the display.
     void wait_for_frame() {
         std::unique_lock lock(mutex_);
         changed_.wait_for(lock, longest, [this] { return !frame_; });
