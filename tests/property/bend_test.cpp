@@ -1,7 +1,7 @@
-// Tests on a bent cylinder: the mesh keeps its uvs, and a vertex shader moves positions by a bend
-// B, tangents by DB and normals by cof(DB). Layers keep their positions: heights and exact slopes
-// are those of the bent surface displaced, and a `unit` slope keeps its tilt, towards the same side
-// of its uv.
+// Tests on a bent cylinder: the uvs are unchanged, and a vertex shader transforms positions by a
+// bend B, tangents by its Jacobian DB and normals by cof(DB). Heights and exact slopes must give
+// the normal of the bent surface after displacement; a `unit` slope must give the same normal in
+// the local uv axes as before the bend.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -18,12 +18,14 @@ dvec3 bend(dvec3 p) {
     return {4 - reach * std::cos(angle), p.y, reach * std::sin(angle)};
 }
 
+// Returns DB(from) * vector.
 dvec3 moved(dvec3 from, dvec3 vector) {
     const auto line = [&](dvec2 t) { return bend(from + vector * t.x); };
     return along(line, dvec2(0), dvec2(1, 0), 1e-3);
 }
 
-// The normal of the plane spanned by two moved tangents; the inward side stays inward.
+// Returns the unit normal at B(from), from the cross product of two moved tangents; the outward
+// side remains outward.
 dvec3 moved_normal(dvec3 from, dvec3 n) {
     const dvec3 a = glm::normalize(glm::cross(n, dvec3(0.3, 0.4, 0.87))), b = glm::cross(n, a);
     return glm::normalize(glm::cross(moved(from, a), moved(from, b)));
@@ -74,7 +76,8 @@ TEST(BentCylinder, KeepsHeightsAsTheDisplacedOne) {
     }
 }
 
-// Components of a normal: along growing u, to its left, and up, as seen by a walker on the surface.
+// Returns the components of a normal along increasing u, along cross(surface normal, u), and along
+// the surface normal.
 dvec3 in_local_axes(const Surface& surface, dvec2 st, dvec3 normal) {
     const dmat2 uv_of_st(along(surface.uv0, st, dvec2(1, 0), 1e-3),
                          along(surface.uv0, st, dvec2(0, 1), 1e-3));

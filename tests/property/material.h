@@ -1,5 +1,4 @@
-// Builds a small module and evaluates its outputs at a point. Output 0 is a normal, output 1 (if
-// any) the height.
+// Builds a small module and evaluates its outputs at a point. By convention output 0 is a normal.
 #pragma once
 
 #include <span>
@@ -81,10 +80,11 @@ struct Material {
     }
 
 private:
-    uint32_t resolves_ = 0;
+    uint32_t resolves_ = 0;  // number of resolve ops; each has its own number in `extra`
 };
 
-// An expanded module with outputs that can be evaluated.
+// An expanded module with outputs that can be evaluated. The constructor adds a test failure for
+// each problem of the expansion.
 class Expanded {
 public:
     explicit Expanded(const Material& material, const ExpandOptions& options = {});

@@ -1,6 +1,6 @@
-// Smooth surfaces given by formula, the values that a rasteriser gives at a point of them, and the
-// normal of such a surface after displacement: the oracle of the property tests. Uses no surface
-// gradients; every derivative is a central difference in double.
+// Oracle of the property tests: smooth surfaces given by formula, the values that a rasteriser
+// gives at a point, and the normal after displacement. Independent of the implementation: uses no
+// surface gradients; every derivative is a central difference in double.
 #pragma once
 
 #include <functional>
@@ -20,10 +20,11 @@ using glm::dmat2;
 using glm::dvec2;
 using glm::dvec3;
 
-// Over parameters (s, t); normals are unit and outward. uv0 and uv1 are approximately lengths.
+// Functions of the parameters (s, t). Normals are unit and outward. uv0 and uv1 have approximately
+// the unit of lengths.
 struct Surface {
     const char* name = "";
-    double radius = 1;  // the smallest radius of curvature
+    double radius = 1;  // smallest radius of curvature; limits the size of displacements
     std::function<dvec3(dvec2)> position;
     std::function<dvec3(dvec2)> normal;
     std::function<dvec2(dvec2)> uv0;
@@ -33,11 +34,11 @@ struct Surface {
 Surface sphere();
 Surface torus();
 Surface tilted_plane();
-// Both are developable, and uv0 is the unrolled length: dh/d(uv0) is a slope on the surface.
+// Both are developable. uv0 = uv0_of_length * (lengths on the unrolled surface) + an offset.
 Surface plane_with(dmat2 uv0_of_length);
 Surface cylinder_with(dmat2 uv0_of_length);
 
-// df along `direction`, to the fourth order.
+// Returns the derivative of f(at + k * direction) by k at 0: a central difference of fourth order.
 template <class F>
 auto along(const F& f, dvec2 at, dvec2 direction, double step) {
     const auto pair = [&](double k) { return f(at + direction * k) - f(at - direction * k); };
@@ -50,13 +51,13 @@ Surroundings values_at(const Surface& surface, dvec2 st);
 // and in y.
 Surroundings point_at(const Surface& surface, dvec2 st, const dmat2& pixel);
 
-// The outward unit normal of position + height * normal.
+// Returns the outward unit normal of the surface position + height * normal.
 dvec3 displaced_normal(const Surface& surface, const std::function<double(dvec2)>& height,
                        dvec2 st);
 
 struct Sample {
     dvec2 st;
-    dmat2 pixel;  // well conditioned; every second one mirrors
+    dmat2 pixel;  // see point_at(); well conditioned, determinants of alternating sign
 };
 std::vector<Sample> samples(int count, unsigned seed);
 
