@@ -65,7 +65,7 @@ private:
     // A CSV file is converted to records of doubles; an NPY file is not converted.
     std::string name_, bytes_;
     size_t first_ = 0, record_ = 0, count_ = 0;  // offset and size of records, in bytes; points
-    uint32_t first_line_ = 0;  // line of the first point; 0: no lines (NPY)
+    uint32_t first_line_ = 0;                    // line of the first point; 0: no lines (NPY)
     std::array<std::array<Slots, 3>, PointSet::inputs> slots_;
 };
 

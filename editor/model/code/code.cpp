@@ -4,8 +4,8 @@
 #include <set>
 
 #include "editor/model/document/wiring.h"
-#include "editor/model/words.h"
 #include "editor/model/session.h"
+#include "editor/model/words.h"
 #include "lower/material.h"
 #include "spirv/spirv.h"
 
