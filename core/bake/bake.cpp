@@ -172,13 +172,18 @@ private:
         uint8_t* covered = window_.covered.data() + window_.covered_at(row) + rect.x;
         for (uint32_t x = 0; x < rect.width; ++x)
             covered[x] = owners[x] != Coverage::none;
-        for (size_t lane = 0; lane < window_.lanes; ++lane) {
-            const float* from = scratch.outputs.data() + lane * scratch.stride + point;
-            float* to = window_.values.data() + window_.lane_at(row, lane) + rect.x;
-            for (uint32_t x = 0; x < rect.width; ++x)
-                if (covered[x]) to[x] = *from++;
+        const uint8_t* const row_end = covered + rect.width;
+        for (const uint8_t* run = std::find<const uint8_t*>(covered, row_end, 1); run != row_end;) {
+            const uint8_t* const end = std::find(run, row_end, 0);
+            const auto count = static_cast<size_t>(end - run);
+            for (size_t lane = 0; lane < window_.lanes; ++lane)
+                std::copy_n(
+                    scratch.outputs.data() + lane * scratch.stride + point, count,
+                    window_.values.data() + window_.lane_at(row, lane) + rect.x + (run - covered));
+            point += count;
+            run = std::find(end, row_end, 1);
         }
-        return point + static_cast<size_t>(std::count(covered, covered + rect.width, 1));
+        return point;
     }
 
     // Returns the row index from the top of the image.
@@ -203,13 +208,13 @@ private:
     }
 
     void count_points(const TileScratch& scratch, size_t count, BakeStatistics& found) const {
-        std::vector<uint8_t> not_finite(count);
+        std::vector<uint32_t> not_finite(count);  // by point: 1 if any lane is not finite
         for (size_t lane = 0; lane < window_.lanes; ++lane)
             for (size_t point = 0; point < count; ++point)
                 not_finite[point] |= !std::isfinite(scratch.outputs[lane * scratch.stride + point]);
         found.covered += count;
         found.not_finite +=
-            static_cast<uint64_t>(std::count(not_finite.begin(), not_finite.end(), 1));
+            static_cast<uint64_t>(std::count(not_finite.begin(), not_finite.end(), 1U));
     }
 
     const BakeInput& input_;

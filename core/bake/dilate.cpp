@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
+#include <optional>
 
 namespace wrinkle {
 namespace {
@@ -121,16 +123,24 @@ void fill_gaps(const RowWindow& window, uint32_t r, const int16_t* distances, ui
     }
 }
 
+bool are_covered(const RowWindow& window, uint32_t first, uint32_t last) {
+    for (uint32_t r = first; r < last; ++r)
+        if (std::memchr(&window.covered[window.covered_at(r)], 0, window.width)) return false;
+    return true;
+}
+
 }  // namespace
 
 void dilate(const RowWindow& window, uint32_t first, uint32_t last, uint32_t low, uint32_t high,
             uint32_t reach, float* values, uint8_t* covered) {
-    const ColumnDistances distances(window, first, last, low, high, reach);
+    std::optional<ColumnDistances> distances;
+    if (reach > 0 && !are_covered(window, first, last))
+        distances.emplace(window, first, last, low, high, reach);
     tbb::parallel_for(first, last, [&](uint32_t r) {
         const size_t texels = size_t{r - first} * window.width;
         const RowOutput to = {values + texels * window.lanes, covered + texels};
         copy_row(window, r, to);
-        fill_gaps(window, r, distances.row(r), reach, to);
+        if (distances) fill_gaps(window, r, distances->row(r), reach, to);
     });
 }
 

@@ -228,16 +228,14 @@ void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, 
                float* stored) {
     const size_t channels = map.channels.size();
     for (size_t c = 0; c < channels; ++c) {
-        const MapChannel& channel = map.channels[c];
+        const MapChannel channel = map.channels[c];
         const float* lane = lanes + channel.lane * count;
         for (size_t i = 0; i < count; ++i) {
-            float value = channel.empty;
-            if (covered[i]) {
-                value = lane[i] * channel.gain + channel.offset;
-                if (channel.srgb) value = srgb_coded(value);
-            }
-            stored[i * channels + c] = value;
+            const float value = lane[i] * channel.gain + channel.offset;
+            stored[i * channels + c] = covered[i] ? value : channel.empty;
         }
+        for (size_t i = 0; channel.srgb && i < count; ++i)
+            if (covered[i]) stored[i * channels + c] = srgb_coded(stored[i * channels + c]);
     }
 }
 
