@@ -65,7 +65,7 @@ Module with_derivatives(const Subject& subject, const CertifyContext& context) {
     }
     const ExpandOptions options{.back_faces = subject.project.top().back_face_rule()};
     Module module = explicit_lod(expand(std::move(lowered), options));
-    ForwardDiff direction = screen_direction(module, Variant::dx, false);
+    ForwardDiff direction = direction_along(module, DiffAxis::screen_x);
     for (size_t k = 0; k < module.outputs.size(); k += columns)
         module.outputs[k + derived].value = direction.jvp_or_zero(module.outputs[k + value].value);
     return module;

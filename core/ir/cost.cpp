@@ -2,9 +2,19 @@
 
 #include "ir/module_cloner.h"
 #include "ir/op_traits.h"
+#include "ir/rewrite.h"
 
 namespace wrinkle {
 namespace {
+
+// Returns the cost of one instruction, without the body of the function or loop that it runs.
+Cost own_cost(const Module& module, Id id) {
+    const Inst& inst = module[id];
+    const OpTraits& op = traits(inst.op);
+    int operations = op.per_component * info(inst.type).lanes + op.fixed;
+    if (op.per_operand) operations += op.per_operand * info(module.type(inst.arg[0])).lanes;
+    return {is_sample(inst.op) ? 1U : 0U, static_cast<uint32_t>(operations)};
+}
 
 class Counter {
 public:
@@ -43,21 +53,11 @@ private:
 
 }  // namespace
 
-Cost own_cost(const Module& module, Id id) {
-    const Inst& inst = module[id];
-    const OpTraits& op = traits(inst.op);
-    int operations = op.per_component * info(inst.type).lanes + op.fixed;
-    if (op.per_operand) operations += op.per_operand * info(module.type(inst.arg[0])).lanes;
-    return {is_sample(inst.op) ? 1U : 0U, static_cast<uint32_t>(operations)};
-}
-
 std::vector<Cost> cost_by_node(const Module& module) {
     std::vector<Cost> nodes(module.nodes.size());
-    std::vector<Id> roots;
-    for (const ModuleOutput& output : module.outputs)
-        roots.push_back(output.value);
     Counter counter(module);
-    counter.walk(roots, [&](Id id, const Cost& cost) { nodes[module.origin[id]] += cost; });
+    counter.walk(output_values(module),
+                 [&](Id id, const Cost& cost) { nodes[module.origin[id]] += cost; });
     return nodes;
 }
 

@@ -24,9 +24,6 @@ struct Cost {
     bool operator==(const Cost&) const = default;
 };
 
-// Returns the cost of one instruction, without the body of the function or loop that it runs.
-Cost own_cost(const Module& module, Id id);
-
 // Returns the cost of all instructions that the outputs of an expanded module need, by index in
 // Module::nodes.
 std::vector<Cost> cost_by_node(const Module& module);

@@ -9,38 +9,6 @@
 namespace wrinkle {
 namespace {
 
-class Terms {
-public:
-    void add_source(Module& m, const SourceJacobian& jacobian) {
-        const Value covariance{&m, m[jacobian.source].arg[1]};
-        if (m.type(jacobian.source) == Type::vec3_) {
-            for (size_t i = 0; i < 3; ++i)
-                add(jacobian.columns[i], jacobian.columns[i], covariance);
-            return;
-        }
-        add(jacobian.columns[0], jacobian.columns[0], covariance.x());
-        add(jacobian.columns[1], jacobian.columns[1], covariance.y());
-        add(jacobian.columns[0], jacobian.columns[1], covariance.z() * 2);
-    }
-    std::vector<CovarianceTerm> list() && { return std::move(terms_); }
-
-private:
-    void add(const Scaled& a, const Scaled& b, Value weight) {
-        if (!a.vector || !b.vector) return;
-        if (a.factor) weight = weight * a.factor;
-        if (b.factor) weight = weight * b.factor;
-        const auto [place, is_new] =
-            places_.try_emplace(std::pair(a.vector.id, b.vector.id), terms_.size());
-        if (is_new)
-            terms_.push_back({a.vector, b.vector, weight});
-        else
-            terms_[place->second].weight = terms_[place->second].weight + weight;
-    }
-
-    std::vector<CovarianceTerm> terms_;
-    std::map<std::pair<Id, Id>, size_t> places_;
-};
-
 Id drop_one(void*, Module&, const Module& source, Id id, std::span<const Id> mapped) {
     return source[id].op == Op::with_covariance_ ? mapped[0] : no_id;
 }
@@ -48,18 +16,38 @@ Id drop_one(void*, Module&, const Module& source, Id id, std::span<const Id> map
 }  // namespace
 
 std::vector<CovarianceTerm> covariance_terms(Value value) {
-    Terms terms;
-    for (const SourceJacobian& jacobian : jacobians_by_source(value))
-        terms.add_source(*value.module, jacobian);
-    return std::move(terms).list();
+    Module& m = *value.module;
+    std::vector<CovarianceTerm> terms;
+    std::map<std::pair<Id, Id>, size_t> places;
+    const auto add = [&](const Scaled& a, const Scaled& b, Value weight) {
+        if (!a.vector || !b.vector) return;
+        if (a.factor) weight = weight * a.factor;
+        if (b.factor) weight = weight * b.factor;
+        const auto [place, is_new] = places.try_emplace({a.vector.id, b.vector.id}, terms.size());
+        if (is_new)
+            terms.push_back({a.vector, b.vector, weight});
+        else
+            terms[place->second].weight = terms[place->second].weight + weight;
+    };
+    for (const auto& [source, columns] : jacobians_by_source(value)) {
+        const Value covariance{&m, m[source].arg[1]};
+        if (m.type(source) == Type::vec3_) {
+            for (size_t i = 0; i < 3; ++i)
+                add(columns[i], columns[i], covariance);
+            continue;
+        }
+        add(columns[0], columns[0], covariance.x());
+        add(columns[1], columns[1], covariance.y());
+        add(columns[0], columns[1], covariance.z() * 2);
+    }
+    return terms;
 }
 
 Value covariance_of(Value value) {
     Value sum;
     for (const auto& [a, b, weight] : covariance_terms(value)) {
         const Value crossed = (a.x() * b.y() + a.y() * b.x()) * 0.5;
-        const Value part = vec3(a.x() * b.x(), a.y() * b.y(), crossed) * weight;
-        sum = sum ? sum + part : part;
+        sum = sum_of(sum, vec3(a.x() * b.x(), a.y() * b.y(), crossed) * weight);
     }
     return sum;
 }

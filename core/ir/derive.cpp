@@ -8,23 +8,6 @@
 #include "ir/value.h"
 
 namespace wrinkle {
-namespace {
-
-// Returns the surface inputs that vary along the axis, a bit per SurfaceInput.
-uint32_t varying_inputs(DiffAxis axis) {
-    const auto bit = [](SurfaceInput input) { return 1U << static_cast<uint32_t>(input); };
-    if (axis == DiffAxis::none) return 0;
-    if (axis >= DiffAxis::uv0_u) {
-        const int set = (static_cast<int>(axis) - static_cast<int>(DiffAxis::uv0_u)) / 2;
-        return bit(SurfaceInput::uv0_) << set;
-    }
-    if (axis >= DiffAxis::space_x) return bit(SurfaceInput::position_);
-    return bit(SurfaceInput::position_) | bit(SurfaceInput::normal_) | bit(SurfaceInput::uv0_) |
-           bit(SurfaceInput::uv1_) | bit(SurfaceInput::uv2_) | bit(SurfaceInput::uv3_) |
-           bit(SurfaceInput::color0_);
-}
-
-}  // namespace
 
 std::vector<Id> reads_of(const Module& m, Id value) {
     const Inst& inst = m[value];
@@ -101,7 +84,7 @@ Id ForwardDiff::jvp_or_zero(Id value) {
 
 Id ForwardDiff::derivative_of_input(uint32_t index) {
     const OpenInput input = module_->open_inputs[index];
-    if (!is_float_type(input.type) || !(input.dependencies & varying_inputs(axis_))) return no_id;
+    if (!is_float_type(input.type) || !(input.dependencies & varying_)) return no_id;
     const uint32_t known = input.derivatives[static_cast<size_t>(axis_)];
     if (known) return module_->region_parameter(0, known, input.type);
     OpenInput changed = input;
@@ -153,8 +136,8 @@ struct ForwardDiff::Screen {
 ForwardDiff::Screen& ForwardDiff::screen() {
     if (!screen_) {
         own_screen_ =
-            std::make_shared<Screen>(Screen{screen_direction(*module_, Variant::dx, false),
-                                            screen_direction(*module_, Variant::dy, false)});
+            std::make_shared<Screen>(Screen{direction_along(*module_, DiffAxis::screen_x),
+                                            direction_along(*module_, DiffAxis::screen_y)});
         screen_ = own_screen_->x.screen_ = own_screen_->y.screen_ = own_screen_.get();
     }
     return *screen_;
@@ -323,38 +306,40 @@ std::vector<Id> ForwardDiff::dual_loop(Id loop) {
     return members;
 }
 
-ForwardDiff screen_direction(Module& module, Variant axis, bool project_position) {
+void ForwardDiff::seed_input(SurfaceInput input, Id derivative) {
+    seed(module_->input(input), derivative);
+    varying_ |= 1U << static_cast<uint32_t>(input);
+}
+
+void ForwardDiff::seed_screen() {
     constexpr SurfaceInput varying[] = {SurfaceInput::normal_, SurfaceInput::uv0_,
                                         SurfaceInput::uv1_,    SurfaceInput::uv2_,
                                         SurfaceInput::uv3_,    SurfaceInput::color0_};
-    const bool y = axis == Variant::dy;
-    const DiffAxis along = project_position ? (y ? DiffAxis::surface_y : DiffAxis::surface_x)
-                                            : (y ? DiffAxis::screen_y : DiffAxis::screen_x);
-    ForwardDiff direction(module, along);
-    const uint32_t node = module.current_node;
-    module.current_node = 0;
+    const Variant axis = is_y(axis_) ? Variant::dy : Variant::dx;
+    const uint32_t node = std::exchange(module_->current_node, 0);
     for (const SurfaceInput input : varying)
-        direction.seed(module.input(input), module.input(input, axis));
-    direction.seed(module.input(SurfaceInput::position_),
-                   project_position ? projected_position(module, axis)
-                                    : module.input(SurfaceInput::position_, axis));
-    module.current_node = node;
-    return direction;
+        seed_input(input, module_->input(input, axis));
+    seed_input(SurfaceInput::position_, axis_ >= DiffAxis::surface_x
+                                            ? projected_position(*module_, axis)
+                                            : module_->input(SurfaceInput::position_, axis));
+    module_->current_node = node;
 }
 
-ForwardDiff space_direction(Module& module, int axis) {
-    ForwardDiff direction(module,
-                          static_cast<DiffAxis>(static_cast<int>(DiffAxis::space_x) + axis));
-    std::array<double, 3> along{};
-    along[static_cast<size_t>(axis)] = 1;
-    direction.seed(module.input(SurfaceInput::position_), module.constant(Type::vec3_, along));
-    return direction;
-}
-
-ForwardDiff uv_direction(Module& module, SurfaceInput uv_set, int axis) {
-    ForwardDiff direction(module, axis_of_uv(uv_set, axis));
-    const std::array<double, 2> along{axis == 0 ? 1.0 : 0.0, axis == 0 ? 0.0 : 1.0};
-    direction.seed(module.input(uv_set), module.constant(Type::vec2_, along));
+ForwardDiff direction_along(Module& module, DiffAxis axis) {
+    ForwardDiff direction(module, axis);
+    const auto after = [&](DiffAxis first) {
+        return static_cast<uint32_t>(axis) - static_cast<uint32_t>(first);
+    };
+    if (axis >= DiffAxis::uv0_u) {
+        const uint32_t index = after(DiffAxis::uv0_u);
+        const auto set = static_cast<uint32_t>(SurfaceInput::uv0_) + index / 2;
+        direction.seed_input(static_cast<SurfaceInput>(set), module.unit(Type::vec2_, index % 2));
+    } else if (axis >= DiffAxis::space_x) {
+        direction.seed_input(SurfaceInput::position_,
+                             module.unit(Type::vec3_, after(DiffAxis::space_x)));
+    } else {
+        direction.seed_screen();
+    }
     return direction;
 }
 

@@ -42,6 +42,7 @@ public:
     explicit ForwardDiff(Module& module, DiffAxis axis = DiffAxis::none)
         : module_(&module), axis_(axis) {}
     void seed(Id leaf, Id derivative) { memo_.set(leaf, derivative); }
+    void seed_input(SurfaceInput input, Id derivative);
     // Differentiates `detach` as the identity: for directions that are not positions on the
     // surface.
     void differentiate_detached() { through_detach_ = true; }
@@ -89,6 +90,8 @@ private:
         std::vector<int> member;  // by result: its index in the derived function; -1: zero
     };
 
+    friend ForwardDiff direction_along(Module& module, DiffAxis axis);
+    void seed_screen();
     void collect_worklist(Id value, std::vector<Id>& list);
     Id compute(Id id);
     Id derivative_of_input(uint32_t index);
@@ -104,6 +107,7 @@ private:
 
     Module* module_;
     DiffAxis axis_;
+    uint32_t varying_ = 0;  // surface inputs that have a seed, a bit per SurfaceInput
     bool through_detach_ = false;
     Memo memo_;
     std::vector<Id> log_;                // memoised ids, in order
@@ -119,16 +123,14 @@ private:
     Screen* screen_ = nullptr;
 };
 
-// The direction to the next pixel in x or y: every interpolated input is seeded with its own
-// differential (position's is projected on the tangent plane of the surface normal if
-// `project_position`, so that a height of position equals its volume form on low-poly meshes too).
-ForwardDiff screen_direction(Module& module, Variant axis, bool project_position);
-
-// d/dx, d/dy or d/dz: the position is seeded with a unit vector, all else is constant.
-ForwardDiff space_direction(Module& module, int axis);
-
-// d/du or d/dv of a uv set: that set is seeded with (1,0) or (0,1), all else is constant.
-ForwardDiff uv_direction(Module& module, SurfaceInput uv_set, int axis);
+// Seeds what varies along an axis; all else is constant.
+//   screen, surface   every interpolated input with its own differential to the next pixel; along
+//                     the surface, that of position is projected on the tangent plane of the
+//                     surface normal, so that a height of position equals its volume form on
+//                     low-poly meshes too
+//   space             position with a unit vector
+//   uv                that uv set with (1,0) or (0,1)
+ForwardDiff direction_along(Module& module, DiffAxis axis);
 
 // The rule of each op: returns the derivative of instruction `id`, of the instruction's type, from
 // those of its operands (no_id: zero). Precondition: at least one is not zero; the instruction is

@@ -121,7 +121,8 @@ GradientSum Expander::from_derivative(const Derivative& d) {
 GradientSum Expander::gradient_from_position(Id height) {
     GradientSum result;
     const Value volume =
-        vec3(screen->in_space(0, height), screen->in_space(1, height), screen->in_space(2, height));
+        vec3(screen->along(DiffAxis::space_x, height), screen->along(DiffAxis::space_y, height),
+             screen->along(DiffAxis::space_z, height));
     if (!target->is_literal(volume.id, 0)) result.flat.volume = volume;
     return result;
 }
@@ -134,8 +135,8 @@ GradientSum Expander::source_gradient(const Module& source, Id id, std::span<con
         case Op::gradient_from_height_: {
             if (is_position_alone(facts.dependencies(inst.arg[0])))
                 return gradient_from_position(mapped[0]);
-            const Id x = screen->along_surface(Variant::dx, mapped[0]).id;
-            const Id y = screen->along_surface(Variant::dy, mapped[0]).id;
+            const Id x = screen->along(DiffAxis::surface_x, mapped[0]).id;
+            const Id y = screen->along(DiffAxis::surface_y, mapped[0]).id;
             if (target->is_literal(x, 0) && target->is_literal(y, 0)) return {};
             return algebra->from_slope({}, vec2(value(x), value(y)));
         }
@@ -202,9 +203,9 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
     const Inst inst = source[id];
     switch (inst.op) {
         case Op::ddx_:
-            return screen->on_screen(Variant::dx, mapped[0]).id;
+            return screen->along(DiffAxis::screen_x, mapped[0]).id;
         case Op::ddy_:
-            return screen->on_screen(Variant::dy, mapped[0]).id;
+            return screen->along(DiffAxis::screen_y, mapped[0]).id;
         case Op::base_:
             base(source, id, mapped[0]);
             return unexpanded;
@@ -243,8 +244,8 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
 Id Expander::sample(const Module& source, Id id, std::span<const Id> mapped) {
     if (!facts.is_discontinuous(source[id].arg[0]) && !functions->in_function(mapped[0]))
         return no_id;
-    const Id dx = screen->on_screen(Variant::dx, mapped[0]).id;
-    const Id dy = screen->on_screen(Variant::dy, mapped[0]).id;
+    const Id dx = screen->along(DiffAxis::screen_x, mapped[0]).id;
+    const Id dy = screen->along(DiffAxis::screen_y, mapped[0]).id;
     return target->add(Op::sample_grad_, {mapped[0], dx, dy}, source[id].extra);
 }
 

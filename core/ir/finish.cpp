@@ -22,10 +22,7 @@ struct Finisher {
     Finisher(const Module& source, Covariances wanted)
         : covariances(wanted), inverse_known(source.size(), false) {
         if (!source.has(Op::inversesqrt_)) return;
-        std::vector<Id> roots;
-        for (const ModuleOutput& output : source.outputs)
-            roots.push_back(output.value);
-        const std::vector<bool> needed = reachable(source, roots);
+        const std::vector<bool> needed = reachable(source);
         for (Id id = 1; id < source.size(); ++id)
             if (needed[id] && source[id].level == 0)
                 inverse_known[inverse_length_of(source, id)] = true;

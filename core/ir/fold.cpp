@@ -1,7 +1,9 @@
 #include "ir/add.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "ir/op_meaning.h"
@@ -37,63 +39,48 @@ bool in_domain(Op op, double a, double b) {
     return op != Op::smoothstep_ || a < b;
 }
 
-bool fold_float(Op op, double a, double b, double c, double& r) {
-    return in_domain(op, a, b) && meaning::floats::find<bool>(op, [&](auto f) {
-               r = apply(f, a, b, c);
-               return true;
-           });
+using Folded = std::optional<double>;
+
+Folded fold_float(Op op, double a, double b, double c) {
+    if (!in_domain(op, a, b)) return {};
+    return meaning::floats::find<Folded>(op, [&](auto f) { return apply(f, a, b, c); });
 }
 
-bool fold_whole(Op op, Type type, double a, double b, double& r) {
+Folded fold_whole(Op op, Type type, double a, double b) {
     const auto on_words = [&](auto f) {
-        r = number_of(type, apply(f, word_of(a), word_of(b), 0U));
-        return true;
+        return number_of(type, apply(f, word_of(a), word_of(b), 0U));
     };
-    const auto in_order = [&](auto f) {
+    const auto in_order = [&](auto f) -> double {
         if (type == Type::int_)
-            r = apply(f, static_cast<int32_t>(a), static_cast<int32_t>(b), 0);
-        else
-            r = apply(f, word_of(a), word_of(b), 0U);
-        return true;
+            return apply(f, static_cast<int32_t>(a), static_cast<int32_t>(b), 0);
+        return apply(f, word_of(a), word_of(b), 0U);
     };
     if (b < 0 || b > 31)
-        if (op == Op::shift_left_ || op == Op::shift_right_) return false;
-    return meaning::words::find<bool>(op, on_words) || meaning::ordered::find<bool>(op, in_order);
+        if (op == Op::shift_left_ || op == Op::shift_right_) return {};
+    if (const auto folded = meaning::words::find<Folded>(op, on_words)) return folded;
+    return meaning::ordered::find<Folded>(op, in_order);
 }
 
-bool fold_comparison(Op op, double a, double b, double& r) {
-    return meaning::comparisons::find<bool>(op, [&](auto f) {
-        r = f(a, b);
-        return true;
-    });
-}
-
-bool fold_conversion(Op op, const Constant& from, double& r) {
+Folded fold_conversion(Op op, const Constant& from) {
     const double a = from.lanes[0];
-    if (op == Op::to_float_) {
-        r = a;
-        return true;
-    }
+    if (op == Op::to_float_) return a;
+    if (op == Op::to_uint_) return word_of(a);
+    if (from.type == Type::uint_) return number_of(Type::int_, word_of(a));
     const double whole = std::trunc(a);
-    if (op == Op::to_int_) {
-        if (from.type == Type::uint_) {
-            r = number_of(Type::int_, word_of(a));
-            return true;
-        }
-        r = whole;
-        return whole >= -2147483648.0 && whole <= 2147483647.0;
-    }
-    if (op != Op::to_uint_) return false;
-    r = word_of(a);
-    return true;
+    if (whole < -2147483648.0 || whole > 2147483647.0) return {};
+    return whole;
 }
 
-bool fold_lane(Op op, Type type, Constants x, int lane, double& r) {
+Folded fold_lane(Op op, Type type, Constants x, size_t lane) {
+    if (op == Op::to_float_ || op == Op::to_int_ || op == Op::to_uint_)
+        return fold_conversion(op, x[0]);
     double v[3] = {};
     for (size_t i = 0; i < x.size() && i < 3; ++i)
-        v[i] = x[i].lanes[info(x[i].type).lanes > 1 ? static_cast<size_t>(lane) : 0];
-    if (is_whole_type(type)) return fold_whole(op, type, v[0], v[1], r);
-    return fold_float(op, v[0], v[1], v[2], r);
+        v[i] = x[i].lanes[info(x[i].type).lanes > 1 ? lane : 0];
+    if (info(op).rule == Rule::compare)
+        return meaning::comparisons::find<Folded>(op, [&](auto f) { return f(v[0], v[1]); });
+    return is_whole_type(type) ? fold_whole(op, type, v[0], v[1])
+                               : fold_float(op, v[0], v[1], v[2]);
 }
 
 double dot(const Constant& a, const Constant& b) {
@@ -151,26 +138,16 @@ bool fold_vector(Op op, Constants x, Lanes& r) {
 
 bool fold(Op op, Type result, uint32_t extra, Constants operands, Lanes& lanes) {
     if (operands.empty()) return false;
-    const OpInfo& row = info(op);
-    if (row.rule == Rule::compare)
-        return fold_comparison(op, operands[0].lanes[0], operands[1].lanes[0], lanes[0]);
-    if (op == Op::column_) {
-        for (size_t i = 0; i < 3; ++i)
-            lanes[i] = operands[0].lanes[extra * 3 + i];
-        return true;
-    }
-    if (op == Op::to_float_ || op == Op::to_int_ || op == Op::to_uint_)
-        return fold_conversion(op, operands[0], lanes[0]);
-    if (row.rule == Rule::special && op != Op::sign_nonzero_) {
-        if (!fold_vector(op, operands, lanes)) return false;
-    } else {
-        for (int lane = 0; lane < info(result).lanes; ++lane)
-            if (!fold_lane(op, result, operands, lane, lanes[static_cast<size_t>(lane)]))
-                return false;
-    }
-    for (int lane = 0; lane < info(result).lanes; ++lane)
-        if (!std::isfinite(lanes[static_cast<size_t>(lane)])) return false;
-    return true;
+    if (op == Op::column_)
+        std::copy_n(operands[0].lanes.begin() + extra * 3, 3, lanes.begin());
+    else if (!fold_vector(op, operands, lanes))
+        for (size_t lane = 0; lane < info(result).lanes; ++lane) {
+            const Folded folded = fold_lane(op, result, operands, lane);
+            if (!folded) return false;
+            lanes[lane] = *folded;
+        }
+    return std::all_of(lanes.begin(), lanes.begin() + info(result).lanes,
+                       [](double lane) { return std::isfinite(lane); });
 }
 
 }  // namespace wrinkle

@@ -32,8 +32,8 @@ void change_basis_to_set(Module& target, ScreenDerivatives& screen, Id uv, Surfa
                          Frame& frame) {
     const Id whole = target.input(set);
     if (uv == whole) return;
-    const Value u = screen.in_uv_set(set, 0, uv);
-    const Value v = screen.in_uv_set(set, 1, uv);
+    const Value u = screen.along(axis_of_uv(set, 0), uv);
+    const Value v = screen.along(axis_of_uv(set, 1), uv);
     const Value det = abs(u.x() * v.y() - u.y() * v.x());
     const Value scale = select(greater(det, 0), inversesqrt(max(det, tiny_square)), number(u, 0));
     frame.row_u = vec2(u.x() * scale, u.y() * scale);
@@ -64,24 +64,23 @@ std::optional<SurfaceInput> source_of(uint32_t method, uint32_t dependencies) {
     return {};
 }
 
-enum class Fit : uint8_t { fits, wrong_scale, wrong_uv };
-Fit fit_of(const Choice& choice, uint32_t dependencies) {
+// Returns false and records a problem if method and scale, or method and uv, do not match.
+bool fits(Module& target, const Choice& choice, uint32_t dependencies) {
     const bool exact = choice.method == WR_FRAME_exact || choice.method == WR_FRAME_pixel;
-    if (exact != (choice.scale == WR_SCALE_surface)) return Fit::wrong_scale;
-    const bool vertex = choice.method == WR_FRAME_vertex;
-    return vertex && dependencies != bit(SurfaceInput::uv0_) ? Fit::wrong_uv : Fit::fits;
-}
-
-void report(Module& target, const Choice& choice, Fit fit) {
-    if (fit == Fit::wrong_uv)
-        return target.problem(
-            "the frame 'vertex' needs a uv that is made from uv0 alone",
-            "vertex tangents belong to uv0; set the frame to 'derived' or 'auto'");
+    const bool on_surface = choice.scale == WR_SCALE_surface;
     const char* expected = "set the frame to 'auto', or change the scale";
-    if (choice.scale == WR_SCALE_surface)
-        return target.problem("the scale 'surface' goes with the frame 'exact'", expected);
-    const std::string name = choice.method == WR_FRAME_pixel ? "pixel" : "exact";
-    target.problem("the frame '" + name + "' goes with the scale 'surface'", expected);
+    if (on_surface && !exact) {
+        target.problem("the scale 'surface' goes with the frame 'exact'", expected);
+    } else if (exact && !on_surface) {
+        const std::string name = choice.method == WR_FRAME_pixel ? "pixel" : "exact";
+        target.problem("the frame '" + name + "' goes with the scale 'surface'", expected);
+    } else if (choice.method == WR_FRAME_vertex && dependencies != bit(SurfaceInput::uv0_)) {
+        target.problem("the frame 'vertex' needs a uv that is made from uv0 alone",
+                       "vertex tangents belong to uv0; set the frame to 'derived' or 'auto'");
+    } else {
+        return true;
+    }
+    return false;
 }
 
 TangentBasis vertex_basis(Module& target, bool raw) {
@@ -99,8 +98,8 @@ TangentBasis vertex_basis(Module& target, bool raw) {
 // GenBasisTB of the reference, sign(0) = +1. `call` names its intermediate values.
 template <class Call>
 TangentBasis derived_basis(Module& target, Id uv, ScreenDerivatives& screen, Call call) {
-    const Value uv_x = screen.along_surface(Variant::dx, uv);
-    const Value uv_y = screen.along_surface(Variant::dy, uv);
+    const Value uv_x = screen.along(DiffAxis::surface_x, uv);
+    const Value uv_y = screen.along(DiffAxis::surface_y, uv);
     const Value p_x = screen.position(Variant::dx);
     const Value p_y = screen.position(Variant::dy);
     const Value n{&target, unit_normal(target)};
@@ -124,17 +123,6 @@ TangentBasis guessed_basis(Module& target, Id direction) {
     return {part, cross(n, d), scale, scale};
 }
 
-bool is_zero(Value factor) {
-    return factor.module->is_literal(factor.id, 0);
-}
-
-// Computed by components, so that a diagonal J of constants simplifies.
-Value slope_along(Value slope, Value x, Value y) {
-    if (is_zero(y)) return slope.x() * x;
-    if (is_zero(x)) return slope.y() * y;
-    return slope.x() * x + slope.y() * y;
-}
-
 }  // namespace
 
 Value TangentBasis::along(Value slope) const {
@@ -145,57 +133,23 @@ Value TangentBasis::along(Value slope) const {
 
 ForwardDiff& ScreenDerivatives::direction(DiffAxis axis) {
     auto& known = directions_[static_cast<size_t>(axis)];
-    if (known) return *known;
-    const auto index_from = [&](DiffAxis first) {
-        return static_cast<int>(axis) - static_cast<int>(first);
-    };
-    if (axis <= DiffAxis::surface_y) {
-        const bool y = axis == DiffAxis::screen_y || axis == DiffAxis::surface_y;
-        const bool project = axis >= DiffAxis::surface_x;
-        known = screen_direction(*target_, y ? Variant::dy : Variant::dx, project);
-    } else if (axis <= DiffAxis::space_z) {
-        known = space_direction(*target_, index_from(DiffAxis::space_x));
-    } else {
-        const int index = index_from(DiffAxis::uv0_u);
-        const int set = static_cast<int>(SurfaceInput::uv0_) + index / 2;
-        known = uv_direction(*target_, static_cast<SurfaceInput>(set), index % 2);
-    }
+    if (!known) known = direction_along(*target_, axis);
     return *known;
 }
 
-Value ScreenDerivatives::along_surface(Variant axis, Id value) {
-    const DiffAxis along = axis == Variant::dy ? DiffAxis::surface_y : DiffAxis::surface_x;
-    return {target_, direction(along).jvp_or_zero(value)};
-}
-Value ScreenDerivatives::on_screen(Variant axis, Id value) {
-    const DiffAxis along = axis == Variant::dy ? DiffAxis::screen_y : DiffAxis::screen_x;
-    return {target_, direction(along).jvp_or_zero(value)};
+Value ScreenDerivatives::along(DiffAxis axis, Id value) {
+    return {target_, direction(axis).jvp_or_zero(value)};
 }
 
 Value ScreenDerivatives::position(Variant axis) {
     return {target_, target_->input(SurfaceInput::position_, axis)};
 }
 
-Value ScreenDerivatives::in_space(int axis, Id value) {
-    const auto along = static_cast<DiffAxis>(static_cast<int>(DiffAxis::space_x) + axis);
-    return {target_, direction(along).jvp_or_zero(value)};
-}
-
-Value ScreenDerivatives::in_uv_set(SurfaceInput set, int axis, Id value) {
-    return {target_, direction(axis_of_uv(set, axis)).jvp_or_zero(value)};
-}
-
-Id ScreenDerivatives::along(DiffAxis axis, Id value) {
-    return direction(axis).jvp(value);
-}
-
 FrameChoice choose_frame(Module& target, uint32_t extra, uint32_t dependencies,
                          const ExpandOptions& options) {
     Choice choice = chosen(extra, dependencies, options);
-    if (const Fit fit = fit_of(choice, dependencies); fit != Fit::fits) {
-        report(target, choice, fit);
+    if (!fits(target, choice, dependencies))
         choice.method = choice.scale == WR_SCALE_surface ? WR_FRAME_exact : WR_FRAME_derived;
-    }
     return {choice.method, source_of(choice.method, dependencies)};
 }
 
@@ -206,14 +160,14 @@ Frame make_frame(Module& target, ScreenDerivatives& screen, Id uv, Id direction,
     if (method == WR_FRAME_pixel) return frame;
     if (method == WR_FRAME_exact && source) {
         frame.key = {Basis::space, no_id};
-        frame.row_u = screen.in_space(0, uv);
-        frame.row_v = screen.in_space(1, uv);
-        frame.row_z = screen.in_space(2, uv);
+        frame.row_u = screen.along(DiffAxis::space_x, uv);
+        frame.row_v = screen.along(DiffAxis::space_y, uv);
+        frame.row_z = screen.along(DiffAxis::space_z, uv);
         return frame;
     }
     if (method == WR_FRAME_exact) {
-        frame.row_u = screen.along_surface(Variant::dx, uv);
-        frame.row_v = screen.along_surface(Variant::dy, uv);
+        frame.row_u = screen.along(DiffAxis::surface_x, uv);
+        frame.row_v = screen.along(DiffAxis::surface_y, uv);
         return frame;
     }
     if (source) change_basis_to_set(target, screen, uv, *source, frame);
@@ -256,7 +210,8 @@ Value slope_in_basis(const Frame& frame, Value slope) {
     if (!frame.row_u) return slope;
     if (frame.key.basis == Basis::exact)
         return vec2(dot(slope, frame.row_u), dot(slope, frame.row_v));
-    const auto along = [&](Value row) { return slope_along(slope, row.x(), row.y()); };
+    // By components, so that a diagonal J of constants simplifies.
+    const auto along = [&](Value row) { return slope.x() * row.x() + slope.y() * row.y(); };
     if (frame.key.basis == Basis::space)
         return vec3(along(frame.row_u), along(frame.row_v), along(frame.row_z));
     return vec2(along(frame.row_u), along(frame.row_v));

@@ -37,21 +37,13 @@ class ScreenDerivatives {
 public:
     explicit ScreenDerivatives(Module& target) : target_(&target) {}
 
-    // Screen derivative along the tangent plane of the surface: for heights and uvs.
-    Value along_surface(Variant axis, Id value);
-    // Screen derivative of the value itself: the ops ddx and ddy.
-    Value on_screen(Variant axis, Id value);
+    // Derivative along an axis.
+    Value along(DiffAxis axis, Id value);
+    ForwardDiff& direction(DiffAxis axis);
     // Differential of the position, including its component along the normal.
     Value position(Variant axis);
-    // Derivative along x, y or z (axis 0 to 2), for values that depend on the position only.
-    Value in_space(int axis, Id value);
-    // Derivative along u or v (axis 0 or 1) of a uv set.
-    Value in_uv_set(SurfaceInput set, int axis, Id value);
-    // Derivative along any of these; no_id represents zero.
-    Id along(DiffAxis axis, Id value);
 
 private:
-    ForwardDiff& direction(DiffAxis axis);
     Module* target_;
     std::array<std::optional<ForwardDiff>, static_cast<size_t>(DiffAxis::end)> directions_;
 };

@@ -20,15 +20,7 @@ bool on_vertex_tangents(const Slopes::Slot& slot) {
     return slot.basis.basis == Basis::vertex;
 }
 
-Value sum_of(Value a, Value b) {
-    if (!a) return b;
-    if (!b) return a;
-    return a + b;
-}
-
-Value product(Value a, Value factor) {
-    return a ? a * factor : a;
-}
+constexpr auto linear_parts = {&Slopes::screen, &Slopes::volume, &Slopes::rest, &Slopes::along};
 
 // Moves a common factor of both components of a vec2, such as an amplitude, to `factor`.
 Value without_factor(Value pair, Value& factor) {
@@ -65,10 +57,8 @@ GradientSum GradientAlgebra::from_negated_slope(const FrameKey& basis, Value slo
 }
 
 Slopes GradientAlgebra::add(Slopes result, const Slopes& b) {
-    result.screen = sum_of(result.screen, b.screen);
-    result.volume = sum_of(result.volume, b.volume);
-    result.rest = sum_of(result.rest, b.rest);
-    result.along = sum_of(result.along, b.along);
+    for (const auto part : linear_parts)
+        result.*part = sum_of(result.*part, b.*part);
     for (const Slopes::Slot& slot : b.slots) {
         const auto same = [&](const Slopes::Slot& other) { return other.basis == slot.basis; };
         const auto found = std::find_if(result.slots.begin(), result.slots.end(), same);
@@ -87,10 +77,8 @@ Slopes GradientAlgebra::add(Slopes result, const Slopes& b) {
 Slopes GradientAlgebra::scale(Slopes result, Value amount) {
     for (Slopes::Slot& slot : result.slots)
         slot.slope = named("slope", slot.slope * amount);
-    result.screen = product(result.screen, amount);
-    result.volume = product(result.volume, amount);
-    result.rest = product(result.rest, amount);
-    result.along = product(result.along, amount);
+    for (const auto part : linear_parts)
+        result.*part = product_of(result.*part, amount);
     return result;
 }
 
@@ -192,7 +180,7 @@ Value GradientAlgebra::resolve(const GradientSum& sum, Value facing, Value sign,
     const Value turn = on_base ? Value{} : facing;
     Parts gamma = parts(slopes, on_base, raw);
     if (!gamma.vec) return on_base || !turn ? n : n * turn;
-    if (sign) gamma = {gamma.vec * sign, product(gamma.along, sign)};
+    if (sign) gamma = {gamma.vec * sign, product_of(gamma.along, sign)};
     Value factor = depth && turn ? depth * turn : depth ? depth : turn;
     if (gamma.along) {
         if (!factor) factor = number(n, 1);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ir/derive.h"
+#include "ir/module_cloner.h"
 
 namespace wrinkle {
 namespace {
@@ -11,12 +12,6 @@ namespace {
 Value times_factor(Value a, Value factor) {
     if (!a) return factor;
     return factor ? a * factor : a;
-}
-
-Value unit_number(Module& m, Type type, size_t lane) {
-    std::array<double, 4> lanes{};
-    lanes[lane] = 1;
-    return {&m, m.constant(type, std::span(lanes.data(), info(type).lanes))};
 }
 
 // Moves scalar factors of a product from the vector to the factor.
@@ -69,18 +64,13 @@ public:
 private:
     // Returns the instructions that the value depends on and that depend on a source, in id order.
     std::vector<Id> what_varies() {
-        std::vector<bool> seen(value_ + size_t{1}, false);
-        std::vector<Id> open{value_}, needed;
-        while (!open.empty()) {
-            const Id id = open.back();
-            open.pop_back();
-            if (id == no_id || seen[id]) continue;
-            seen[id] = true;
-            if (local_.is_constant(m_[id])) continue;
+        std::vector<Id> needed;
+        walk({&value_, 1}, [&](Id id, std::vector<Id>& open) {
+            if (local_.is_constant(m_[id])) return;
             needed.push_back(id);
             for (const Id read : reads_of(m_, id))
                 open.push_back(read);
-        }
+        });
         std::sort(needed.begin(), needed.end());
         varies_.assign(value_ + size_t{1}, false);
         std::erase_if(needed, [&](Id id) {
@@ -97,8 +87,8 @@ private:
         const Columns& of = *columns_[id];
         if (of.whole && stays_whole(id, read)) return;
         for (uint32_t lane = 0; lane < info(m_.type(read)).lanes; ++lane) {
-            const Value unit = unit_number(m_, m_.type(read), lane);
-            const Value derivative{&m_, local_.local_jvp(id, read, unit.id)};
+            const Id unit = m_.unit(m_.type(read), lane);
+            const Value derivative{&m_, local_.local_jvp(id, read, unit)};
             if (!derivative) continue;
             if (of.whole)
                 add(read, lane, without_factors(derivative, of.factor));
@@ -151,7 +141,7 @@ private:
             known = (known ? known : one) + (factor ? factor : one);
         } else {
             for (uint32_t lane = 0; lane < info(m_.type(id)).lanes; ++lane)
-                add(id, lane, {unit_number(m_, m_.type(id), lane), factor});
+                add(id, lane, {{&m_, m_.unit(m_.type(id), lane)}, factor});
         }
     }
 
@@ -160,14 +150,14 @@ private:
         const Value factor = columns_[id]->factor;
         columns_[id] = Columns{};
         for (uint32_t lane = 0; lane < info(m_.type(id)).lanes; ++lane)
-            add(id, lane, {unit_number(m_, m_.type(id), lane), factor});
+            add(id, lane, {{&m_, m_.unit(m_.type(id), lane)}, factor});
     }
 
     // The chain rule: each component of `derivative` times the column of that component.
     void add_combined(Id read, uint32_t lane, Value derivative, std::array<Scaled, 4> of) {
         const uint32_t count = info(m_.type(derivative.id)).lanes;
         for (uint32_t i = 0; i < count; ++i) {
-            const Value number{&m_, count == 1 ? derivative.id : m_.component(derivative.id, i)};
+            const Value number{&m_, m_.component(derivative.id, i)};
             if (!of[i].vector || m_.is_literal(number.id, 0)) continue;
             const bool is_one = m_.is_literal(number.id, 1);
             add(read, lane,

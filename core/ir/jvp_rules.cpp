@@ -21,9 +21,7 @@ Value constant(const Operands& x, double value) {
 }
 
 Value sum(Value a, Value b) {
-    if (!a) return b;
-    if (!b) return a;
-    if (a.module->type(a.id) != Type::mat3_) return a + b;
+    if (!a || !b || a.module->type(a.id) != Type::mat3_) return sum_of(a, b);
     Module& m = *a.module;
     std::array<Id, 3> columns{};
     for (uint32_t k = 0; k < 3; ++k)
@@ -35,9 +33,6 @@ Value difference(Value a, Value b) {
     if (!b) return a;
     return a ? a - b : -b;
 }
-Value times(Value tangent, Value factor) {
-    return tangent ? tangent * factor : tangent;
-}
 Value transformed(Op o, Value a, Value b) {
     return a && b ? op(o, a, b) : Value{};
 }
@@ -47,10 +42,8 @@ Value or_zero(const Operands& x, Value tangent, Value like) {
 }
 
 // One component of a value; a float is broadcast.
-Value lane(Value v, int k) {
-    if (v.module->type(v.id) == Type::float_) return v;
-    static constexpr const char* names[] = {"x", "y", "z", "w"};
-    return {v.module, v.module->swizzle(v.id, names[k])};
+Value lane(Value v, uint32_t k) {
+    return {v.module, v.module->component(v.id, k)};
 }
 
 // choose(k) returns component k of the result.
@@ -58,24 +51,23 @@ template <class Choose>
 Value by_lanes(const Operands& x, Choose choose) {
     const Type type = x.m->type(x.r.id);
     std::array<Id, 4> lanes{};
-    const int count = info(type).lanes;
-    for (int k = 0; k < count; ++k)
-        lanes[static_cast<size_t>(k)] = choose(k).id;
+    const uint32_t count = info(type).lanes;
+    for (uint32_t k = 0; k < count; ++k)
+        lanes[k] = choose(k).id;
     if (count == 1) return {x.m, lanes[0]};
-    return {x.m,
-            x.m->add(Op::construct_, std::span(lanes.data(), static_cast<size_t>(count)), 0, type)};
+    return {x.m, x.m->add(Op::construct_, std::span(lanes.data(), count), 0, type)};
 }
 
 // `value` if `test` > 0, else 0, per component.
 Value where_positive(const Operands& x, Value test, Value value) {
-    return by_lanes(x, [&](int k) {
+    return by_lanes(x, [&](uint32_t k) {
         return select(greater(lane(test, k), 0), lane(value, k), constant(x, 0));
     });
 }
 
 // `second` if `low` < `high`, else `first`, per component; both are tangents.
 Value smaller_wins(const Operands& x, Value low, Value high, Value second, Value first) {
-    return by_lanes(x, [&](int k) {
+    return by_lanes(x, [&](uint32_t k) {
         return select(op(Op::lt_, lane(low, k), lane(high, k)), lane(second, k), lane(first, k));
     });
 }
@@ -83,7 +75,7 @@ Value smaller_wins(const Operands& x, Value low, Value high, Value second, Value
 Value derive_clamp(const Operands& x) {
     const Value ta = or_zero(x, x.ta, x.a), tb = or_zero(x, x.tb, x.b), tc = or_zero(x, x.tc, x.c);
     const Value inner = max(x.a, x.b);
-    return by_lanes(x, [&](int k) {
+    return by_lanes(x, [&](uint32_t k) {
         const Value low = select(op(Op::lt_, lane(x.a, k), lane(x.b, k)), lane(tb, k), lane(ta, k));
         return select(op(Op::lt_, lane(x.c, k), lane(inner, k)), lane(tc, k), low);
     });
@@ -94,7 +86,7 @@ Value derive_smoothstep(const Operands& x) {
     const Value width = x.b - x.a;
     const Value t = op(Op::clamp_, (x.c - x.a) / width, constant(x, 0), constant(x, 1));
     const Value dwidth = difference(x.tb, x.ta);
-    const Value derivative = difference(difference(x.tc, x.ta), times(dwidth, t));
+    const Value derivative = difference(difference(x.tc, x.ta), product_of(dwidth, t));
     return derivative * (t * (constant(x, 1) - t) * 6) / width;
 }
 
@@ -107,11 +99,11 @@ Value derive_arithmetic(const Operands& x, Op o) {
         case Op::sub_:
             return difference(x.ta, x.tb);
         case Op::mul_:
-            return sum(times(x.ta, x.b), times(x.tb, x.a));
+            return sum(product_of(x.ta, x.b), product_of(x.tb, x.a));
         case Op::div_:
-            return difference(x.ta, times(x.tb, x.r)) / x.b;
+            return difference(x.ta, product_of(x.tb, x.r)) / x.b;
         case Op::mod_:
-            return difference(x.ta, times(x.tb, op(Op::floor_, x.a / x.b)));
+            return difference(x.ta, product_of(x.tb, op(Op::floor_, x.a / x.b)));
         case Op::abs_:
             return x.ta * op(Op::sign_, x.a);
         case Op::fract_:
@@ -125,8 +117,8 @@ Value derive_arithmetic(const Operands& x, Op o) {
         case Op::mix_: {
             const Value ends = x.ta && x.tb ? op(Op::mix_, x.ta, x.tb, x.c)
                                : x.ta       ? x.ta * (constant(x, 1) - x.c)
-                                            : times(x.tb, x.c);
-            return sum(ends, times(x.tc, x.b - x.a));
+                                            : product_of(x.tb, x.c);
+            return sum(ends, product_of(x.tc, x.b - x.a));
         }
         case Op::smoothstep_:
             return derive_smoothstep(x);
@@ -143,8 +135,8 @@ Value derive_transcendental(const Operands& x, Op o) {
         case Op::inversesqrt_:
             return x.ta * (x.r * x.r * x.r * -0.5);
         case Op::pow_:
-            return sum(times(x.ta, where_positive(x, x.a, x.b * x.r / x.a)),
-                       times(x.tb, where_positive(x, x.a, x.r * op(Op::log_, x.a))));
+            return sum(product_of(x.ta, where_positive(x, x.a, x.b * x.r / x.a)),
+                       product_of(x.tb, where_positive(x, x.a, x.r * op(Op::log_, x.a))));
         case Op::exp_:
             return x.ta * x.r;
         case Op::log_:
@@ -170,7 +162,7 @@ Value derive_transcendental(const Operands& x, Op o) {
         case Op::atan2_: {
             const Value square = x.a * x.a + x.b * x.b;
             const Value inverse = where_positive(x, square, one / square);
-            return difference(times(x.ta, x.b), times(x.tb, x.a)) * inverse;
+            return difference(product_of(x.ta, x.b), product_of(x.tb, x.a)) * inverse;
         }
         default:
             return {};
@@ -180,7 +172,6 @@ Value derive_transcendental(const Operands& x, Op o) {
 Value derive_vector(const Operands& x, Op o) {
     switch (o) {
         case Op::dot_:
-            return sum(transformed(o, x.ta, x.b), transformed(o, x.a, x.tb));
         case Op::cross_:
         case Op::transform_:
         case Op::matrix_product_:
@@ -197,7 +188,7 @@ Value derive_vector(const Operands& x, Op o) {
         case Op::reflect_: {
             const Value turned =
                 sum(transformed(Op::dot_, x.tb, x.a), transformed(Op::dot_, x.b, x.ta));
-            const Value mirrored = sum(x.b * turned, times(x.tb, dot(x.b, x.a)));
+            const Value mirrored = sum(x.b * turned, product_of(x.tb, dot(x.b, x.a)));
             return difference(x.ta, mirrored * 2);
         }
         case Op::select_:

@@ -268,6 +268,12 @@ Id Module::zero(Type type) {
     return constant(type, std::span(lanes.data(), info(type).lanes));
 }
 
+Id Module::unit(Type type, size_t lane) {
+    std::array<double, 4> lanes{};
+    lanes[lane] = 1;
+    return constant(type, std::span(lanes.data(), info(type).lanes));
+}
+
 Id Module::input(SurfaceInput which, Variant variant) {
     Inst inst;
     inst.op = Op::input_;
@@ -299,6 +305,7 @@ Id Module::construct(Type type, std::initializer_list<Id> parts) {
 
 Id Module::component(Id vector, uint32_t lane) {
     const Inst& inst = inst_[vector];
+    if (inst.type == Type::float_) return vector;
     if (inst.op == Op::construct_ && lane < inst.arg.size() &&
         std::all_of(inst.arg.begin(), inst.arg.begin() + lane + 1,
                     [&](Id part) { return type(part) == Type::float_; }))
@@ -311,10 +318,6 @@ Id Module::swizzle(Id vector, std::string_view components) {
     for (size_t i = 0; i < components.size(); ++i)
         extra |= static_cast<uint32_t>(std::string_view("xyzw").find(components[i])) << (4 + 4 * i);
     return add(Op::swizzle_, {vector}, extra);
-}
-
-Id Module::gradient(Op op, Id operand, Id base) {
-    return add(op, {operand}, base);
 }
 
 bool Module::has_literal_parts(Id construct, double value) const {

@@ -47,6 +47,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "base/string_pool.h"
@@ -107,13 +108,12 @@ public:
     Id number(double value) { return literal(Type::float_, value); }
     Id constant(Type type, std::span<const double> lanes);  // vectors and mat3 (column-major) too
     Id zero(Type type);
+    Id unit(Type type, size_t lane);  // a float or vector: 1 in this component, 0 in all others
     Id input(SurfaceInput input, Variant variant = Variant::value);
     Id parameter(uint32_t index);
     Id construct(Type type, std::initializer_list<Id> parts);
     Id swizzle(Id vector, std::string_view components);  // "xy", "z"
-    Id component(Id vector, uint32_t lane);
-    // Gradient sources: as add(), on the given base (0: the surface).
-    Id gradient(Op op, Id operand, Id base);
+    Id component(Id vector, uint32_t lane);              // of a float: the float
 
     // Regions are recorded in nested pairs of begin and end. begin_region() returns the parameters;
     // the values added before end_region() that use them are the body.
@@ -193,9 +193,17 @@ public:
 
     // Returns a parameter of the region at this level, for passes that rebuild regions.
     Id region_parameter(int level, uint32_t index, Type type);
+    // Returns a copy of a literal, an input or a region parameter of another module.
+    Id leaf(const Inst& inst) { return intern(inst); }
     std::array<double, 9> lanes_of(Id constant) const;
 
 private:
+    using RegionIdentity =
+        std::tuple<RegionKind, uint8_t, uint32_t, uint32_t, std::vector<Type>, std::vector<Id>>;
+    static RegionIdentity identity(const Region& region) {
+        return {region.kind,        region.level,  region.max_iterations,
+                region.first_input, region.params, region.results};
+    }
     struct OpenRegion {
         RegionKind kind;
         std::string name;
@@ -216,7 +224,6 @@ private:
     bool fits(const OpenRegion& open, std::span<const Id> results);
     bool fits(const RegionBody& body);
     int calls_below(const RegionBody& body) const;
-    uint32_t interned_region(uint64_t hash, const Region& region) const;  // 0: there is none
     uint32_t intern_region(Region region, const RegionBody& body);
 
     std::vector<Inst> inst_;
@@ -226,7 +233,7 @@ private:
     std::vector<std::vector<Id>> lists_;
     std::map<std::vector<Id>, uint32_t> list_table_;
     std::vector<Region> regions_;  // [0] is unused
-    std::multimap<uint64_t, uint32_t> region_table_;
+    std::map<RegionIdentity, uint32_t> region_table_;
     std::vector<uint8_t> free_levels_;  // by region: the greatest level that a loop's body captures
     std::vector<int> call_depths_;      // by region: greatest number of nested calls
     std::vector<OpenRegion> open_;

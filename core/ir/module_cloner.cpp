@@ -1,8 +1,5 @@
 #include "ir/module_cloner.h"
 
-#include <algorithm>
-#include <unordered_set>
-
 #include "base/limits.h"
 
 namespace wrinkle {
@@ -20,16 +17,13 @@ bool is_global(const Module& module, Id id) {
 }
 
 bool is_of_globals(const Module& module, Id value) {
-    std::unordered_set<Id> seen;
-    std::vector<Id> open{value};
-    while (!open.empty()) {
-        const Id id = open.back();
-        open.pop_back();
-        if (!seen.insert(id).second || is_global(module, id)) continue;
-        if (info(module[id].op).rule == Rule::leaf || is_sample(module[id].op)) return false;
-        append_dependencies(module, id, false, open);
-    }
-    return true;
+    bool all = true;
+    walk({&value, 1}, [&](Id id, std::vector<Id>& open) {
+        if (is_global(module, id)) return;
+        all = all && info(module[id].op).rule != Rule::leaf && !is_sample(module[id].op);
+        if (all) append_dependencies(module, id, false, open);
+    });
+    return all;
 }
 
 void append_dependencies(const Module& module, Id id, bool into_functions, std::vector<Id>& out) {
@@ -43,15 +37,12 @@ void append_dependencies(const Module& module, Id id, bool into_functions, std::
 }
 
 std::vector<Id> ModuleCloner::reachable_ids(std::span<const Id> roots) const {
-    std::unordered_set<Id> seen;
-    std::vector<Id> open(roots.begin(), roots.end()), list;
-    while (!open.empty()) {
-        const Id id = open.back();
-        open.pop_back();
-        if (id == no_id || ids_.has(id) || !seen.insert(id).second) continue;
+    std::vector<Id> list;
+    walk(roots, [&](Id id, std::vector<Id>& open) {
+        if (ids_.has(id)) return;
         list.push_back(id);
         append_dependencies(*source_, id, false, open);
-    }
+    });
     std::sort(list.begin(), list.end());
     return list;
 }
@@ -87,22 +78,12 @@ void ModuleCloner::run(std::span<const Id> roots) {
     target_->current_node = node;
 }
 
-Id ModuleCloner::write_leaf(const Inst& inst) {
-    switch (inst.op) {
-        case Op::literal_:
-            return target_->literal(inst.type, inst.value);
-        case Op::input_:
-            return target_->input(input_of(inst.extra), variant_of(inst.extra));
-        case Op::parameter_:
-            return target_->parameter(inst.extra);
-        case Op::region_param_: {
-            const int level = shifted(inst.level);
-            if (level > Module::max_region) return poison;
-            return target_->region_parameter(level, inst.extra, inst.type);
-        }
-        default:
-            return poison;
-    }
+Id ModuleCloner::write_leaf(Inst inst) {
+    if (inst.op == Op::parameter_) return target_->parameter(inst.extra);
+    const int level = shifted(inst.level);
+    if (inst.op == Op::poison_ || level > Module::max_region) return poison;
+    inst.level = static_cast<uint8_t>(level);
+    return target_->leaf(inst);
 }
 
 Id ModuleCloner::write_apply(const Inst& inst, std::span<const Id> args) {

@@ -1,8 +1,10 @@
 // Copies expressions with some leaves or region levels replaced: the loop of every pass.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "ir/rewrite.h"
@@ -59,7 +61,7 @@ private:
     Id write_for(Id id);
     Id write(Id id);
     Id write_apply(const Inst& inst, std::span<const Id> args);
-    Id write_leaf(const Inst& inst);
+    Id write_leaf(Inst inst);
 
     Module* target_;
     const Module* source_;
@@ -71,6 +73,21 @@ private:
     IdMap ids_;
     std::vector<Id> args_;  // scratch: operands of the instruction being written come first
 };
+
+// Calls visit(id, open) once for each root and for each id that it appends to `open`, depth first
+// and from left to right.
+template <class Visit>
+void walk(std::span<const Id> roots, Visit visit) {
+    std::unordered_set<Id> seen{no_id};
+    std::vector<Id> open(roots.rbegin(), roots.rend());
+    while (!open.empty()) {
+        const Id id = open.back();
+        open.pop_back();
+        const auto first = static_cast<std::ptrdiff_t>(open.size());
+        if (seen.insert(id).second) visit(id, open);
+        std::reverse(open.begin() + first, open.end());
+    }
+}
 
 // Returns true for constants, parameters and image sizes: generated code has them outside every
 // function, and any function may read them.

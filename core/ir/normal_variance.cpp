@@ -1,8 +1,9 @@
 #include "ir/normal_variance.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "ir/covariance.h"
+#include "ir/module_cloner.h"
 #include "ir/rewrite.h"
 
 namespace wrinkle {
@@ -16,27 +17,21 @@ bool is_arrangement(Op op) {
 // Returns the single texture read that the value is an affine function of, as decoding makes it;
 // no_id otherwise. Only affine functions map a mean to a mean.
 Id picture_of(const Module& m, Id value) {
-    std::vector<Id> open{value}, seen;
     Id read = no_id;
-    while (!open.empty()) {
-        const Id id = open.back();
-        open.pop_back();
-        if (m.is_constant(id) || std::find(seen.begin(), seen.end(), id) != seen.end()) continue;
-        seen.push_back(id);
+    bool affine = true;
+    walk({&value, 1}, [&](Id id, std::vector<Id>& open) {
+        if (m.is_constant(id)) return;
         const Inst& inst = m[id];
         const bool scaled =
             inst.op == Op::mul_ && (m.is_constant(inst.arg[0]) || m.is_constant(inst.arg[1]));
-        if (is_sample(inst.op)) {
-            if (read != no_id && read != id) return no_id;
-            read = id;
-        } else if (is_arrangement(inst.op) || scaled) {
-            for (const Id operand : m.operands(id))
-                open.push_back(operand);
-        } else {
-            return no_id;
-        }
-    }
-    return read;
+        if (is_sample(inst.op))
+            affine = std::exchange(read, id) == no_id && affine;
+        else if (is_arrangement(inst.op) || scaled)
+            append_dependencies(m, id, false, open);
+        else
+            affine = false;
+    });
+    return affine ? read : no_id;
 }
 
 Value level_in_use(Module& m, ScreenDerivatives& screen, Id read) {
@@ -44,8 +39,8 @@ Value level_in_use(Module& m, ScreenDerivatives& screen, Id read) {
     if (inst.op == Op::sample_lod_) return {&m, inst.arg[1]};
     if (inst.op == Op::sample_grad_)
         return {&m, sample_lod_of(m, inst.extra, inst.arg[1], inst.arg[2])};
-    const Value x = screen.on_screen(Variant::dx, inst.arg[0]);
-    const Value y = screen.on_screen(Variant::dy, inst.arg[0]);
+    const Value x = screen.along(DiffAxis::screen_x, inst.arg[0]);
+    const Value y = screen.along(DiffAxis::screen_y, inst.arg[0]);
     return {&m, sample_lod_of(m, inst.extra, x.id, y.id)};
 }
 
@@ -86,15 +81,13 @@ Value NormalVariance::varying(Value value, Value covariance) {
 
 // Only components across the normal rotate it: dot(a, b) - dot(n, a) dot(n, b), over |bumped|^2.
 Value NormalVariance::of(Value normal) {
-    Module& m = *target_;
-    const Inst unit = m[normal.id];
-    const Value bumped{&m, unit.op == Op::normalize_ ? unit.arg[0] : no_id};
+    const Inst unit = (*target_)[normal.id];
+    if (unit.op != Op::normalize_) return number(normal, 0);
+    const Value bumped{target_, unit.arg[0]};
     Value sum;
-    for (const auto& [a, b, weight] :
-         bumped ? covariance_terms(bumped) : std::vector<CovarianceTerm>()) {
+    for (const auto& [a, b, weight] : covariance_terms(bumped)) {
         const Value across = dot(a, b) - dot(normal, a) * dot(normal, b);
-        const Value part = across * weight;
-        sum = sum ? sum + part : part;
+        sum = sum_of(sum, across * weight);
     }
     return sum ? named("variance", max(sum / dot(bumped, bumped), 0)) : number(normal, 0);
 }
@@ -102,10 +95,7 @@ Value NormalVariance::of(Value normal) {
 bool wants_normal_variance(const Module& source) {
     if (!source.has(Op::normal_variance_)) return false;
     // Values that no output needs do not count.
-    std::vector<Id> roots;
-    for (const ModuleOutput& output : source.outputs)
-        roots.push_back(output.value);
-    const std::vector<bool> needed = reachable(source, roots);
+    const std::vector<bool> needed = reachable(source);
     for (Id id = 1; id < source.size(); ++id)
         if (needed[id] && source[id].op == Op::normal_variance_) return true;
     return false;

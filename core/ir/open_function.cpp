@@ -1,7 +1,6 @@
 #include "ir/open_function.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 namespace wrinkle {
 
@@ -40,26 +39,14 @@ bool OpenFunctions::in_function(Id wanted) {
 // Returns the instructions of the body, in id order, and collects the parameters in `closed`.
 std::vector<Id> OpenFunctions::body(std::span<const Id> results, Closed& closed) {
     const Module& m = *target_;
-    std::unordered_set<Id> seen;
-    std::vector<Id> list, captured, open(results.begin(), results.end());
-    std::reverse(open.begin(), open.end());
-    while (!open.empty()) {
-        const Id id = open.back();
-        open.pop_back();
-        if (!seen.insert(id).second || is_global(m, id)) continue;
-        if (m.is_open_input(id)) {
-            closed.params.push_back(id);
-            continue;
-        }
-        if (m[id].level == 0 && !in_function(id)) {
-            captured.push_back(id);
-            continue;
-        }
+    std::vector<Id> list, captured;
+    walk(results, [&](Id id, std::vector<Id>& open) {
+        if (is_global(m, id)) return;
+        if (m.is_open_input(id)) return closed.params.push_back(id);
+        if (m[id].level == 0 && !in_function(id)) return captured.push_back(id);
         list.push_back(id);
-        const auto first = static_cast<std::ptrdiff_t>(open.size());
         append_dependencies(m, id, false, open);
-        std::reverse(open.begin() + first, open.end());
-    }
+    });
     const auto key = [&](Id param) { return m[param].extra; };
     std::sort(closed.params.begin(), closed.params.end(),
               [&](Id a, Id b) { return key(a) < key(b); });
@@ -127,7 +114,7 @@ Id OpenFunctions::argument(Id param, uint32_t first_input, std::span<const Id> a
         axes.push_back(target_->open_inputs[index].axis);
     Id value = arguments[index - first_input];
     for (size_t i = axes.size(); i-- > 0 && value != no_id;)
-        value = screen_->along(axes[i], value);
+        value = screen_->direction(axes[i]).jvp(value);
     return value == no_id ? target_->zero(type) : value;
 }
 

@@ -32,6 +32,9 @@ enum class DiffAxis : uint8_t {
     uv0_u,  // then uv0_v, uv1_u, ... uv3_v
     end = uv0_u + 8,
 };
+constexpr bool is_y(DiffAxis axis) {  // of the screen
+    return axis == DiffAxis::screen_y || axis == DiffAxis::surface_y;
+}
 constexpr DiffAxis axis_of_uv(SurfaceInput set, int axis) {
     const int sets = static_cast<int>(set) - static_cast<int>(SurfaceInput::uv0_);
     return static_cast<DiffAxis>(static_cast<int>(DiffAxis::uv0_u) + 2 * sets + axis);

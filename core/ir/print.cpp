@@ -46,10 +46,7 @@ std::string region_text(const Module& m, uint32_t index) {
     std::string text = "@" + std::to_string(index) + (loop ? " loop" : " function");
     if (loop) text += " of at most " + std::to_string(region.max_iterations);
     if (!region.name.empty()) text += " " + region.name;
-    text += " (";
-    for (size_t k = 0; k < region.params.size(); ++k)
-        text += (k ? ", " : "") + std::string(info(region.params[k]).name);
-    text += ") ->";
+    text += " (" + joined(region.params, ", ", [](Type type) { return info(type).name; }) + ") ->";
     for (const Id result : region.results)
         text += " %" + std::to_string(result);
     return text + "\n";
@@ -58,10 +55,7 @@ std::string region_text(const Module& m, uint32_t index) {
 }  // namespace
 
 std::string print(const Module& module) {
-    std::vector<Id> roots;
-    for (const ModuleOutput& output : module.outputs)
-        roots.push_back(output.value);
-    const std::vector<bool> needed = reachable(module, roots);
+    const std::vector<bool> needed = reachable(module);
     std::string text;
     std::unordered_set<uint32_t> shown;  // regions
     for (Id id = 1; id < module.size(); ++id) {

@@ -1,54 +1,25 @@
 // Regions of a Module: closing functions over captured values, interning, applying.
 #include <algorithm>
 #include <cassert>
-#include <unordered_set>
 #include <utility>
 
 #include "ir/module.h"
 #include "ir/module_cloner.h"
 
 namespace wrinkle {
-namespace {
-
-uint64_t hash_of(const Region& region) {
-    uint64_t h = static_cast<uint64_t>(region.kind) * 31 + region.level;
-    h = h * 1000003 + region.max_iterations;
-    h = h * 1000003 + region.first_input;
-    for (const Type type : region.params)
-        h = h * 1000003 + static_cast<uint64_t>(type);
-    for (const Id id : region.results)
-        h = h * 1000003 + id;
-    return h;
-}
-
-bool identical(const Region& a, const Region& b) {
-    return a.kind == b.kind && a.level == b.level && a.max_iterations == b.max_iterations &&
-           a.first_input == b.first_input && a.params == b.params && a.results == b.results;
-}
-
-}  // namespace
 
 RegionBody region_body(const Module& m, const Region& region) {
-    std::unordered_set<Id> seen;
-    std::vector<Id> open(region.results.rbegin(), region.results.rend());
     RegionBody body;
-    while (!open.empty()) {
-        const Id id = open.back();
-        open.pop_back();
-        if (!seen.insert(id).second || is_global(m, id)) continue;
+    walk(region.results, [&](Id id, std::vector<Id>& open) {
+        if (is_global(m, id)) return;
         const Inst& inst = m[id];
-        if (inst.level < region.level) {
-            body.captured.push_back(id);
-            continue;
-        }
+        if (inst.level < region.level) return body.captured.push_back(id);
         if (inst.op == Op::region_param_ && inst.level == region.level)
             body.parameters_fit = body.parameters_fit && inst.extra < region.params.size() &&
                                   region.params[inst.extra] == inst.type;
         if (inst.op == Op::call_) body.called.push_back(inst.extra);
-        const auto first = static_cast<std::ptrdiff_t>(open.size());
         append_dependencies(m, id, false, open);
-        std::reverse(open.begin() + first, open.end());
-    }
+    });
     return body;
 }
 
@@ -136,28 +107,21 @@ int Module::calls_below(const RegionBody& body) const {
     return deepest;
 }
 
-uint32_t Module::interned_region(uint64_t hash, const Region& region) const {
-    const auto [begin, end] = region_table_.equal_range(hash);
-    for (auto entry = begin; entry != end; ++entry)
-        if (identical(regions_[entry->second], region)) return entry->second;
-    return 0;
-}
-
 uint32_t Module::intern_region(Region region) {
-    if (const uint32_t index = interned_region(hash_of(region), region)) return index;
+    if (const auto known = region_table_.find(identity(region)); known != region_table_.end())
+        return known->second;
     const RegionBody body = region.is_open() ? RegionBody{} : region_body(*this, region);
     return intern_region(std::move(region), body);
 }
 
 uint32_t Module::intern_region(Region region, const RegionBody& body) {
-    const uint64_t hash = hash_of(region);
-    if (const uint32_t index = interned_region(hash, region)) return index;
+    const auto index = static_cast<uint32_t>(regions_.size());
+    const auto [known, added] = region_table_.try_emplace(identity(region), index);
+    if (!added) return known->second;
     uint8_t free_level = 0;
     if (region.kind == RegionKind::loop)
         for (const Id id : body.captured)
             free_level = std::max(free_level, inst_[id].level);
-    const auto index = static_cast<uint32_t>(regions_.size());
-    region_table_.emplace(hash, index);
     regions_.push_back(std::move(region));
     free_levels_.push_back(free_level);
     call_depths_.push_back(calls_below(body));

@@ -29,8 +29,8 @@ Id write_lod(void* context, Module& target, const Module& source, Id id,
     if (source[id].op != Op::sample_) return no_id;
     auto& writer = *static_cast<LodWriter*>(context);
     if (!writer.x) {
-        writer.x = screen_direction(target, Variant::dx, false);
-        writer.y = screen_direction(target, Variant::dy, false);
+        writer.x = direction_along(target, DiffAxis::screen_x);
+        writer.y = direction_along(target, DiffAxis::screen_y);
     }
     return with(sample_lod_of(target, source[id].extra, writer.x->jvp_or_zero(mapped[0]),
                               writer.y->jvp_or_zero(mapped[0])));
@@ -43,14 +43,12 @@ void keep_what_does_not_read(const Module& m, Id root, std::span<const Id> from,
     std::unordered_map<Id, bool> reads{{no_id, false}};
     for (const Id id : from)
         reads[id] = true;
-    std::vector<Id> open{root}, list, below;
-    while (!open.empty()) {
-        const Id id = open.back();
-        open.pop_back();
-        if (!reads.try_emplace(id, false).second) continue;
+    std::vector<Id> list, below;
+    walk({&root, 1}, [&](Id id, std::vector<Id>& open) {
+        if (reads.contains(id)) return;
         list.push_back(id);
         append_dependencies(m, id, false, open);
-    }
+    });
     std::sort(list.begin(), list.end());
     for (const Id id : list) {
         below.clear();
@@ -70,6 +68,17 @@ Id sample_lod_of(Module& module, uint32_t resource, Id uv_dx, Id uv_dy) {
     const Value y = size * Value{&module, uv_dy};
     const Value square = max(max(dot(x, x), dot(y, y)), min_footprint);
     return (op(Op::log2_, square) * 0.5).id;
+}
+
+std::vector<Id> output_values(const Module& module) {
+    std::vector<Id> values;
+    for (const ModuleOutput& output : module.outputs)
+        values.push_back(output.value);
+    return values;
+}
+
+std::vector<bool> reachable(const Module& module) {
+    return reachable(module, output_values(module));
 }
 
 // Operands have smaller ids, so one descending loop visits every user before its operands.
@@ -124,10 +133,7 @@ Module rebuild(Module&& source, Replace replace, void* context) {
     target.problems = std::move(source.problems);
     ModuleCloner copier(target, source, true);
     copier.set_replace(replace, context);
-    std::vector<Id> roots;
-    for (const ModuleOutput& output : source.outputs)
-        roots.push_back(output.value);
-    copier.run(roots);
+    copier.run(output_values(source));
     for (Named& named : source.named) {
         if (!copier.has(named.value) || info(source.type(named.value)).lanes == 0) continue;
         named.value = copier[named.value];
@@ -137,10 +143,6 @@ Module rebuild(Module&& source, Replace replace, void* context) {
     for (ModuleOutput& output : target.outputs)
         output.value = copier[output.value];
     return target;
-}
-
-Module rebuild(const Module& source, Replace replace, void* context) {
-    return rebuild(Module(source), replace, context);
 }
 
 Module explicit_lod(Module source) {

@@ -13,8 +13,11 @@
 
 namespace wrinkle {
 
+std::vector<Id> output_values(const Module& module);
+
 // Marks the values that the roots need, including those in regions: needed[id] is true for them.
 std::vector<bool> reachable(const Module& module, std::span<const Id> roots);
+std::vector<bool> reachable(const Module& module);  // from the outputs
 
 // Rebuilds a module from its outputs with one callback: `replace(target, source, id, mapped)`
 // returns the new id of source instruction `id`, or no_id to copy it unchanged. mapped[] holds the
@@ -24,7 +27,6 @@ std::vector<bool> reachable(const Module& module, std::span<const Id> roots);
 using Replace = Id (*)(void* context, Module& target, const Module& source, Id id,
                        std::span<const Id> mapped);
 Module rebuild(Module&& source, Replace replace, void* context);
-Module rebuild(const Module& source, Replace replace, void* context);
 
 // Returns `root` with each `from[i]` replaced by `to[i]`, in the same module. Types must agree.
 // Only values that depend on a `from` are written again, by `replace` if it is given. Precondition:

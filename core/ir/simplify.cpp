@@ -181,31 +181,14 @@ Id simplify_power(Module& m, Args a) {
     return m.is_literal(a[1], 4) ? m.add(Op::mul_, {square, square}) : no_id;
 }
 
-uint32_t swizzle_of(std::span<const int> components) {
-    auto extra = static_cast<uint32_t>(components.size());
-    for (size_t i = 0; i < components.size(); ++i)
-        extra |= static_cast<uint32_t>(components[i]) << (4 + 4 * i);
-    return extra;
-}
-
-// Finds a component of a construct: the part and the component within it. Returns false if the
-// parts have fewer components.
-bool lane_of_construct(const Module& m, Id construct, int lane, Id& part, int& within) {
-    for (const Id operand : m.operands(construct)) {
-        const int lanes = info(m.type(operand)).lanes;
-        if (lane < lanes) {
-            part = operand;
-            within = lane;
-            return true;
-        }
+// Returns a component of a construct; no_id if its parts have fewer.
+Id lane_of_construct(Module& m, Id construct, int lane) {
+    for (const Id part : m.operands(construct)) {
+        const int lanes = info(m.type(part)).lanes;
+        if (lane < lanes) return m.component(part, static_cast<uint32_t>(lane));
         lane -= lanes;
     }
-    return false;
-}
-
-Id lane_of(Module& m, Id value, int lane) {
-    if (m.type(value) == Type::float_) return value;
-    return m.component(value, static_cast<uint32_t>(lane));
+    return no_id;
 }
 
 Id simplify_swizzle(Module& m, Id vector, uint32_t extra, Type type) {
@@ -216,20 +199,18 @@ Id simplify_swizzle(Module& m, Id vector, uint32_t extra, Type type) {
     if (whole) return vector;
     const Inst inner = m[vector];
     if (inner.op == Op::swizzle_) {
-        std::array<int, 4> components{};
+        auto composed = static_cast<uint32_t>(count);
         for (int i = 0; i < count; ++i)
-            components[static_cast<size_t>(i)] =
-                swizzle_component(inner.extra, swizzle_component(extra, i));
-        return m.add(Op::swizzle_, {inner.arg[0]},
-                     swizzle_of(std::span(components.data(), static_cast<size_t>(count))));
+            composed |=
+                swizzle_lane(swizzle_component(inner.extra, swizzle_component(extra, i)), i);
+        return m.add(Op::swizzle_, {inner.arg[0]}, composed);
     }
     if (inner.op != Op::construct_) return no_id;
     std::array<Id, 4> lanes{};
     for (int i = 0; i < count; ++i) {
-        Id part = no_id;
-        int within = 0;
-        if (!lane_of_construct(m, vector, swizzle_component(extra, i), part, within)) return no_id;
-        lanes[static_cast<size_t>(i)] = lane_of(m, part, within);
+        Id& lane = lanes[static_cast<size_t>(i)];
+        lane = lane_of_construct(m, vector, swizzle_component(extra, i));
+        if (lane == no_id) return no_id;
     }
     if (count == 1) return lanes[0];
     return m.add(Op::construct_, std::span(lanes.data(), static_cast<size_t>(count)), 0, type);
@@ -250,16 +231,16 @@ Id simplify_construct(Module& m, Args parts, Type type) {
     }
     if (count > parts.size()) return m.add(Op::construct_, std::span(flat.data(), count), 0, type);
     Id vector = no_id;
-    std::array<int, 4> components{};
-    size_t lane = 0;
+    uint32_t extra = 0;
+    int lane = 0;
     for (const Id part : parts) {
         const Inst& inst = m[part];
         if (inst.op != Op::swizzle_ || (vector && inst.arg[0] != vector)) return no_id;
         vector = inst.arg[0];
         for (int i = 0; i < swizzle_count(inst.extra); ++i)
-            components[lane++] = swizzle_component(inst.extra, i);
+            extra |= swizzle_lane(swizzle_component(inst.extra, i), lane++);
     }
-    return m.add(Op::swizzle_, {vector}, swizzle_of(std::span(components.data(), lane)));
+    return m.add(Op::swizzle_, {vector}, extra | static_cast<uint32_t>(lane));
 }
 
 // Returns true for a vector of floats with a component that simplifies the op: 0, for a product 1
@@ -282,15 +263,14 @@ Id simplify_sparse(Module& m, Op op, Args args, Type type) {
     const Op lane_op = op == Op::dot_ ? Op::mul_ : op;
     if (info(m.type(a)).lanes < 2 && info(m.type(b)).lanes < 2) return no_id;
     if (!is_sparse(m, lane_op, a) && !is_sparse(m, lane_op, b)) return no_id;
-    const int count = std::max(info(m.type(a)).lanes, info(m.type(b)).lanes);
+    const uint32_t count = std::max(info(m.type(a)).lanes, info(m.type(b)).lanes);
     std::array<Id, 4> lanes{};
-    for (int i = 0; i < count; ++i)
-        lanes[static_cast<size_t>(i)] = m.add(lane_op, {lane_of(m, a, i), lane_of(m, b, i)});
-    if (op != Op::dot_)
-        return m.add(Op::construct_, std::span(lanes.data(), static_cast<size_t>(count)), 0, type);
+    for (uint32_t i = 0; i < count; ++i)
+        lanes[i] = m.add(lane_op, {m.component(a, i), m.component(b, i)});
+    if (op != Op::dot_) return m.add(Op::construct_, std::span(lanes.data(), count), 0, type);
     Id sum = lanes[0];
-    for (int i = 1; i < count; ++i)
-        sum = m.add(Op::add_, {sum, lanes[static_cast<size_t>(i)]});
+    for (uint32_t i = 1; i < count; ++i)
+        sum = m.add(Op::add_, {sum, lanes[i]});
     return sum;
 }
 

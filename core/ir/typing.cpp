@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/text.h"
+
 namespace wrinkle {
 namespace {
 
@@ -20,13 +22,14 @@ bool is_scalar(Type t) {
     return t == Type::float_ || is_integer(t) || t == Type::bool_;
 }
 
-Type refuse(std::string* why, Op op, Types operands, const char* expected) {
-    if (!why) return Type::poison_;
-    *why = std::string(info(op).name) + " of (";
-    for (size_t i = 0; i < operands.size(); ++i)
-        *why += (i ? ", " : "") + std::string(info(operands[i]).name);
-    *why += ") makes no sense: it takes ";
-    *why += expected;
+std::string names(Types types) {
+    return joined(types, ", ", [](Type type) { return info(type).name; });
+}
+
+Type refuse(std::string* why, Op op, Types operands, std::string_view expected) {
+    if (why)
+        *why = std::string(info(op).name) + " of (" + names(operands) +
+               ") makes no sense: it takes " + std::string(expected);
     return Type::poison_;
 }
 
@@ -69,60 +72,64 @@ Type vectors(Op op, Types operands, bool to_float, std::string* why) {
     return to_float ? Type::float_ : operands[0];
 }
 
-Type exactly(Op op, Types operands, std::initializer_list<Type> wanted, Type result,
-             std::string* why) {
+// Ops that take these types and no others.
+struct Signature {
+    Op op;
+    std::array<Type, 3> operands;  // the rest is poison
+    Type result;
+
+    Types taken() const { return {operands.begin(), std::ranges::find(operands, Type::poison_)}; }
+};
+using T = Type;
+constexpr Signature signatures[] = {
+    {Op::column_, {T::mat3_}, T::vec3_},
+    {Op::sign_nonzero_, {T::float_}, T::float_},
+    {Op::cross_, {T::vec3_, T::vec3_}, T::vec3_},
+    {Op::transform_, {T::mat3_, T::vec3_}, T::vec3_},
+    {Op::matrix_product_, {T::mat3_, T::mat3_}, T::mat3_},
+    {Op::transpose_, {T::mat3_}, T::mat3_},
+    {Op::to_uint_, {T::int_}, T::uint_},
+    {Op::sample_, {T::vec2_}, T::vec4_},
+    {Op::sample_lod_, {T::vec2_, T::float_}, T::vec4_},
+    {Op::sample_grad_, {T::vec2_, T::vec2_, T::vec2_}, T::vec4_},
+    {Op::image_size_, {}, T::vec2_},
+    {Op::base_, {T::vec3_}, T::base_},
+    {Op::derivative_, {T::vec2_, T::frame_}, T::derivative_},
+    {Op::normal_derivative_, {T::vec3_, T::float_, T::frame_}, T::derivative_},
+    {Op::slope_, {T::derivative_}, T::vec2_},
+    {Op::gradient_zero_, {}, T::gradient_},
+    {Op::gradient_from_derivative_, {T::derivative_}, T::gradient_},
+    {Op::gradient_from_height_, {T::float_}, T::gradient_},
+    {Op::gradient_from_volume_, {T::vec3_}, T::gradient_},
+    {Op::gradient_from_normal_, {T::vec3_}, T::gradient_},
+    {Op::gradient_from_outward_normal_, {T::vec3_}, T::gradient_},
+    {Op::gradient_add_, {T::gradient_, T::gradient_}, T::gradient_},
+    {Op::gradient_scale_, {T::gradient_, T::float_}, T::gradient_},
+    {Op::gradient_mix_, {T::gradient_, T::gradient_, T::float_}, T::gradient_},
+    {Op::gradient_vector_, {T::gradient_}, T::vec3_},
+    {Op::resolve_, {T::gradient_}, T::vec3_},
+    {Op::normal_variance_, {T::gradient_}, T::float_},
+};
+
+constexpr auto signature_of = [] {
+    std::array<const Signature*, tables::op_count> rows{};
+    for (const Signature& row : signatures)
+        rows[static_cast<size_t>(row.op)] = &row;
+    return rows;
+}();
+
+Type exactly(Op op, Types operands, Types wanted, Type result, std::string* why) {
     if (std::equal(operands.begin(), operands.end(), wanted.begin(), wanted.end())) return result;
     if (!why) return Type::poison_;
-    std::string list;
-    for (const Type t : wanted)
-        list += (list.empty() ? "" : ", ") + std::string(info(t).name);
-    return refuse(why, op, operands, list.c_str());
+    return refuse(why, op, operands, names(wanted));
 }
 
-Type gradient_type(Op op, Types operands, std::string* why) {
-    using T = Type;
-    switch (op) {
-        case Op::base_:
-            return exactly(op, operands, {T::vec3_}, T::base_, why);
-        case Op::frame_:  // the host checks that the method `guess` has its direction
-            return operands.size() == 2
-                       ? exactly(op, operands, {T::vec2_, T::vec3_}, T::frame_, why)
-                       : exactly(op, operands, {T::vec2_}, T::frame_, why);
-        case Op::derivative_:
-            return exactly(op, operands, {T::vec2_, T::frame_}, T::derivative_, why);
-        case Op::normal_derivative_:
-            return exactly(op, operands, {T::vec3_, T::float_, T::frame_}, T::derivative_, why);
-        case Op::slope_:
-            return exactly(op, operands, {T::derivative_}, T::vec2_, why);
-        case Op::gradient_zero_:
-            return T::gradient_;
-        case Op::gradient_from_derivative_:
-            return exactly(op, operands, {T::derivative_}, T::gradient_, why);
-        case Op::gradient_from_height_:
-            return exactly(op, operands, {T::float_}, T::gradient_, why);
-        case Op::gradient_from_volume_:
-        case Op::gradient_from_normal_:
-        case Op::gradient_from_outward_normal_:
-            return exactly(op, operands, {T::vec3_}, T::gradient_, why);
-        case Op::gradient_add_:
-            return exactly(op, operands, {T::gradient_, T::gradient_}, T::gradient_, why);
-        case Op::gradient_scale_:
-            return exactly(op, operands, {T::gradient_, T::float_}, T::gradient_, why);
-        case Op::gradient_mix_:
-            return exactly(op, operands, {T::gradient_, T::gradient_, T::float_}, T::gradient_,
-                           why);
-        case Op::gradient_vector_:
-        case Op::resolve_:
-            return exactly(op, operands, {T::gradient_}, T::vec3_, why);
-        case Op::normal_variance_:
-            return exactly(op, operands, {T::gradient_}, T::float_, why);
-        default:
-            return T::poison_;
-    }
+Type by_signature(Op op, Types operands, std::string* why) {
+    const Signature* row = signature_of[static_cast<size_t>(op)];
+    return row ? exactly(op, operands, row->taken(), row->result, why) : T::poison_;
 }
 
 Type special(Op op, Types operands, Type wanted, std::string* why) {
-    using T = Type;
     const Type first = operands.empty() ? T::poison_ : operands[0];
     switch (op) {
         case Op::construct_:
@@ -130,25 +137,12 @@ Type special(Op op, Types operands, Type wanted, std::string* why) {
         case Op::swizzle_:
             return wanted != T::poison_ ? wanted
                                         : refuse(why, op, operands, "components that a vector has");
-        case Op::column_:
-            return exactly(op, operands, {T::mat3_}, T::vec3_, why);
-        case Op::sign_nonzero_:
-            return exactly(op, operands, {T::float_}, T::float_, why);
         case Op::dot_:
-            return vectors(op, operands, true, why);
         case Op::length_:
             return vectors(op, operands, true, why);
         case Op::normalize_:
         case Op::reflect_:
             return vectors(op, operands, false, why);
-        case Op::cross_:
-            return exactly(op, operands, {T::vec3_, T::vec3_}, T::vec3_, why);
-        case Op::transform_:
-            return exactly(op, operands, {T::mat3_, T::vec3_}, T::vec3_, why);
-        case Op::matrix_product_:
-            return exactly(op, operands, {T::mat3_, T::mat3_}, T::mat3_, why);
-        case Op::transpose_:
-            return exactly(op, operands, {T::mat3_}, T::mat3_, why);
         case Op::select_:
             if (first == T::bool_ && operands[1] == operands[2] && info(operands[1]).lanes > 0)
                 return operands[1];
@@ -161,31 +155,26 @@ Type special(Op op, Types operands, Type wanted, std::string* why) {
             return first == T::float_ || first == T::uint_
                        ? T::int_
                        : refuse(why, op, operands, "a float or a uint");
-        case Op::to_uint_:
-            return exactly(op, operands, {T::int_}, T::uint_, why);
+        case Op::frame_:  // the host checks that the method `guess` has its direction
+            return operands.size() == 2
+                       ? exactly(op, operands, std::array{T::vec2_, T::vec3_}, T::frame_, why)
+                       : exactly(op, operands, std::array{T::vec2_}, T::frame_, why);
         case Op::detach_:
             return info(first).lanes > 0 ? first : refuse(why, op, operands, "a number");
         case Op::with_covariance_:
-            return first == T::vec3_ ? exactly(op, operands, {first, T::float_}, first, why)
-                                     : exactly(op, operands, {T::vec2_, T::vec3_}, T::vec2_, why);
+            return first == T::vec3_
+                       ? exactly(op, operands, std::array{first, T::float_}, first, why)
+                       : exactly(op, operands, std::array{T::vec2_, T::vec3_}, T::vec2_, why);
         case Op::ddx_:
         case Op::ddy_:
             return is_float_type(first) ? first : refuse(why, op, operands, "a float or vector");
-        case Op::sample_:
-            return exactly(op, operands, {T::vec2_}, T::vec4_, why);
-        case Op::sample_lod_:
-            return exactly(op, operands, {T::vec2_, T::float_}, T::vec4_, why);
-        case Op::sample_grad_:
-            return exactly(op, operands, {T::vec2_, T::vec2_, T::vec2_}, T::vec4_, why);
-        case Op::image_size_:
-            return T::vec2_;
         case Op::loop_:
         case Op::call_:
             return T::tuple_;
         case Op::result_:
             return first == T::tuple_ ? wanted : refuse(why, op, operands, "a call or a loop");
         default:
-            return gradient_type(op, operands, why);
+            return by_signature(op, operands, why);
     }
 }
 

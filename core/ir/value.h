@@ -72,6 +72,13 @@ inline Value operator*(Value a, double b) {
 inline Value operator/(Value a, Value b) {
     return op(Op::div_, a, b);
 }
+// An empty Value is zero.
+inline Value sum_of(Value a, Value b) {
+    return !a ? b : !b ? a : a + b;
+}
+inline Value product_of(Value a, Value factor) {
+    return a ? a * factor : a;
+}
 inline Value abs(Value a) {
     return op(Op::abs_, a);
 }

@@ -72,10 +72,7 @@ std::string check_body(const Module& m, uint32_t index) {
 }  // namespace
 
 std::string verify(const Module& module) {
-    std::vector<Id> roots;
-    for (const ModuleOutput& output : module.outputs)
-        roots.push_back(output.value);
-    const std::vector<bool> needed = reachable(module, roots);
+    const std::vector<bool> needed = reachable(module);
     std::unordered_set<uint32_t> checked;  // regions
     for (Id id = 1; id < module.size(); ++id) {
         if (!needed[id]) continue;

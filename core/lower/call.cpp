@@ -83,7 +83,7 @@ uint32_t add_leaves(Module& module, CallInputs& inputs) {
     for (size_t i = 0; i < inputs.leaves.size(); ++i) {
         Id& value = inputs.bound[inputs.leaf_of[i]].value;
         if (inputs.leaves[i].tangent)
-            value = module.gradient(Op::gradient_from_volume_, value, poison);
+            value = module.add(Op::gradient_from_volume_, {value}, poison);
     }
     return first;
 }

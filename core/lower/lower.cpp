@@ -181,7 +181,7 @@ private:
         const uint32_t port = flat.type->find_output(name);
         if (value != poison) m.named.push_back({value, flat.instance, name, true});
         if (flat.type->ports[port].type == PortType::gradient_)
-            value = m.gradient(Op::gradient_from_volume_, value, poison);
+            value = m.add(Op::gradient_from_volume_, {value}, poison);
         frame.lowering->set_output(node, port, value);
     }
 

@@ -178,17 +178,17 @@ Id Lowering::convert(Id value, Conversion conversion, uint32_t node) {
         case Conversion::rename:
             return value;
         case Conversion::differentiate:
-            return module_.gradient(Op::gradient_from_height_, value, base_of(node));
+            return module_.add(Op::gradient_from_height_, {value}, base_of(node));
         case Conversion::apply_frame:
-            return module_.gradient(Op::gradient_from_derivative_, value, base_of(node));
+            return module_.add(Op::gradient_from_derivative_, {value}, base_of(node));
         case Conversion::take_normal:
-            return module_.gradient(Op::gradient_from_normal_, value, base_of(node));
+            return module_.add(Op::gradient_from_normal_, {value}, base_of(node));
         case Conversion::resolve:
             return resolved(value);
         case Conversion::differentiate_and_resolve:
-            return resolved(module_.gradient(Op::gradient_from_height_, value, poison));
+            return resolved(module_.add(Op::gradient_from_height_, {value}, poison));
         case Conversion::apply_frame_and_resolve:
-            return resolved(module_.gradient(Op::gradient_from_derivative_, value, poison));
+            return resolved(module_.add(Op::gradient_from_derivative_, {value}, poison));
     }
     return poison;
 }

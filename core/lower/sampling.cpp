@@ -93,13 +93,13 @@ Id read_field(Module& module, Id value, SurfaceInput domain, Id at) {
 }
 
 Id sample_inside(Module& module, uint32_t resource, Id uv) {
-    std::array<Id, 2> changes{};
-    constexpr std::array axes{Variant::dx, Variant::dy};
-    for (size_t i = 0; i < 2; ++i) {
-        changes[i] = screen_direction(module, axes[i], false).jvp(uv);
-        if (changes[i] == no_id) changes[i] = module.input(SurfaceInput::uv0_, axes[i]);
-    }
-    return module.add(Op::sample_grad_, {uv, changes[0], changes[1]}, resource);
+    const auto change = [&](DiffAxis axis, Variant variant) {
+        const Id found = direction_along(module, axis).jvp(uv);
+        return found == no_id ? module.input(SurfaceInput::uv0_, variant) : found;
+    };
+    const Id dx = change(DiffAxis::screen_x, Variant::dx);
+    const Id dy = change(DiffAxis::screen_y, Variant::dy);
+    return module.add(Op::sample_grad_, {uv, dx, dy}, resource);
 }
 
 }  // namespace wrinkle

@@ -48,7 +48,7 @@ Id normal_map(Module& m, const std::string& file, Id uv) {
         texel.xyz() * 2 - Value{&m, m.constant(Type::vec3_, std::array{1.0, 1.0, 1.0})};
     const Id frame = m.add(Op::frame_, {uv}, WR_FRAME(WR_FRAME_auto, WR_SCALE_unit));
     const Id derivative = m.add(Op::normal_derivative_, {normal.id, m.number(1), frame});
-    const Id gradient = m.gradient(Op::gradient_from_derivative_, derivative, poison);
+    const Id gradient = m.add(Op::gradient_from_derivative_, {derivative}, poison);
     name(m, "gradient", gradient);
     return gradient;
 }

@@ -117,7 +117,7 @@ TEST(Schedule, ten_thousand_layers) {
         const Id frame = m.add(Op::frame_, {uv}, WR_FRAME(WR_FRAME_auto, WR_SCALE_unit));
         const Id derivative =
             m.add(Op::normal_derivative_, {m.swizzle(texel, "xyz"), m.number(1), frame});
-        const Id gradient = m.gradient(Op::gradient_from_derivative_, derivative, poison);
+        const Id gradient = m.add(Op::gradient_from_derivative_, {derivative}, poison);
         sum = sum == poison ? gradient : m.add(Op::gradient_add_, {sum, gradient});
     }
     output(m, "normal", m.add(Op::resolve_, {sum}, 1), WR_PORT_normal);

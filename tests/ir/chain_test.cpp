@@ -33,7 +33,7 @@ void pass_through_every_pass() {
     const Id written = m.size();
     EXPECT_LT(written, 2u * length + 10);
     EXPECT_EQ(verify(m), "");
-    ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, 1);
+    ForwardDiff direction = direction_along(m, axis_of_uv(SurfaceInput::uv0_, 1));
     EXPECT_NE(direction.jvp(m.outputs[0].value), poison);
     EXPECT_LT(m.size() - written, 2u * length + 10);
     const Id from = m.input(SurfaceInput::uv0_), to = m.input(SurfaceInput::uv1_);
@@ -74,7 +74,7 @@ void chain_in_regions() {
     const Id last = m.apply(m.end_region(results, 3), std::array{start})[0];
     m.outputs = {{"height", WR_PORT_height, last}};
     const Id written = m.size();
-    ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, 0);
+    ForwardDiff direction = direction_along(m, axis_of_uv(SurfaceInput::uv0_, 0));
     const Id change = direction.jvp(last);
     EXPECT_NE(change, poison);
     EXPECT_LT(m.size() - written, 8u * shorter);
@@ -95,7 +95,7 @@ void loops_after_loops() {
         last = m.apply(m.end_region(results, 3), std::array{last})[0];
     }
     const Id written = m.size();
-    const Id change = uv_direction(m, SurfaceInput::uv0_, 0).jvp(last);
+    const Id change = direction_along(m, axis_of_uv(SurfaceInput::uv0_, 0)).jvp(last);
     EXPECT_NE(change, poison);
     EXPECT_LT(m.size() - written, 200u * 40);
     m.outputs = {{"change", WR_PORT_float, change}};
@@ -121,7 +121,7 @@ void functions_in_functions(int count) {
     if (!m.problems.empty()) return;
     const Id u = m.swizzle(m.input(SurfaceInput::uv0_), "x");
     const Id value = m.apply(below, std::array{u})[0];
-    const Id change = uv_direction(m, SurfaceInput::uv0_, 0).jvp(value);
+    const Id change = direction_along(m, axis_of_uv(SurfaceInput::uv0_, 0)).jvp(value);
     m.outputs = {{"change", WR_PORT_float, change}};
     EXPECT_EQ(verify(m), "");
 }
@@ -144,8 +144,8 @@ void layers() {
     const Value uv{&m, m.input(SurfaceInput::uv0_)};
     for (int i = 0; i < shorter; ++i) {
         const Value height = op(Op::sin_, uv.x() * static_cast<double>(i + 1));
-        sum = m.add(Op::gradient_add_,
-                    {sum, m.gradient(Op::gradient_from_height_, height.id, poison)});
+        sum =
+            m.add(Op::gradient_add_, {sum, m.add(Op::gradient_from_height_, {height.id}, poison)});
     }
     m.outputs = {{"normal", WR_PORT_normal, m.add(Op::resolve_, {sum}, 1)}};
     const Module expanded = expand(m, {});
@@ -167,7 +167,7 @@ void calls() {
         y = m.apply(f, std::array{y})[0];
     m.outputs = {{"height", WR_PORT_height, y}};
     const Id written = m.size();
-    ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, 0);
+    ForwardDiff direction = direction_along(m, axis_of_uv(SurfaceInput::uv0_, 0));
     EXPECT_NE(direction.jvp(y), poison);
     EXPECT_LT(m.size() - written, 3u * shorter);
     EXPECT_EQ(verify(expand(m, {.parameters = Parameters::baked})), "");

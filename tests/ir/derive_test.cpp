@@ -33,7 +33,7 @@ struct DeriveTest : testing::Test {
         return interpret(m, id, moved)[0];
     }
     double derived(Id id, int axis) {
-        ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, axis);
+        ForwardDiff direction = direction_along(m, axis_of_uv(SurfaceInput::uv0_, axis));
         const Id tangent = direction.jvp_or_zero(id);
         m.outputs = {{"tangent", WR_PORT_float, tangent}};
         EXPECT_EQ(verify(m), "");
@@ -86,7 +86,7 @@ TEST_F(DeriveTest, ChainsOfOps) {
 }
 
 TEST_F(DeriveTest, ZeroCostsNothing) {
-    ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, 0);
+    ForwardDiff direction = direction_along(m, axis_of_uv(SurfaceInput::uv0_, 0));
     const Id other = m.swizzle(m.input(SurfaceInput::uv1_), "x");
     EXPECT_EQ(direction.jvp(m.add(Op::sin_, {other})), poison);
     EXPECT_EQ(direction.jvp(sine(detach(u)).id), poison);
@@ -124,16 +124,17 @@ TEST_F(DeriveTest, ScreenDirectionsMoveEveryInterpolatedInput) {
     for (const SurfaceInput input : {SurfaceInput::position_, SurfaceInput::normal_,
                                      SurfaceInput::uv1_, SurfaceInput::uv3_, SurfaceInput::color0_})
         for (const Variant axis : {Variant::dx, Variant::dy}) {
-            ForwardDiff direction = screen_direction(m, axis, false);
+            ForwardDiff direction =
+                direction_along(m, axis == Variant::dy ? DiffAxis::screen_y : DiffAxis::screen_x);
             EXPECT_EQ(direction.jvp(m.input(input)), m.input(input, axis));
         }
-    ForwardDiff direction = screen_direction(m, Variant::dx, false);
+    ForwardDiff direction = direction_along(m, DiffAxis::screen_x);
     EXPECT_EQ(direction.jvp(m.input(SurfaceInput::facing_)), poison);
     EXPECT_EQ(direction.jvp(m.input(SurfaceInput::view_)), poison);
 }
 
 TEST_F(DeriveTest, ProjectedPositionsStayInTheTangentPlane) {
-    ForwardDiff direction = screen_direction(m, Variant::dx, true);
+    ForwardDiff direction = direction_along(m, DiffAxis::surface_x);
     const Id change = direction.jvp(m.input(SurfaceInput::position_));
     around.inputs[input_extra(SurfaceInput::normal_, Variant::value)] = {0, 0, 2};
     around.inputs[input_extra(SurfaceInput::position_, Variant::dx)] = {3, 4, 5};
@@ -183,7 +184,7 @@ TEST_F(DeriveTest, NestedFunctionsAreDerivedOnceEach) {
         before = last;
         last = next;
     }
-    ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, 0);
+    ForwardDiff direction = direction_along(m, axis_of_uv(SurfaceInput::uv0_, 0));
     const uint32_t regions = m.region_count();
     EXPECT_NE(direction.jvp(apply(last, {u})[0].id), poison);
     EXPECT_EQ(m.region_count(), regions + count + 2);
@@ -370,7 +371,7 @@ TEST_F(TextureTest, TheChangeOfUvMultiplies) {
 }
 
 TEST_F(TextureTest, AFixedPlaceDoesNotChange) {
-    ForwardDiff direction = uv_direction(m, SurfaceInput::uv0_, 0);
+    ForwardDiff direction = direction_along(m, axis_of_uv(SurfaceInput::uv0_, 0));
     const Id there = m.constant(Type::vec2_, std::array{0.5, 0.5});
     EXPECT_EQ(direction.jvp(red(Op::sample_lod_, {there, u.id}).id), poison);
     EXPECT_EQ(direction.jvp(m.add(Op::image_size_, {}, image)), poison);

@@ -27,7 +27,7 @@ protected:
         return m.add(Op::frame_, {uv.id}, WR_FRAME(method, scale));
     }
     Value gradient(Op source, Id operand, Id base = 0) {
-        return {&m, m.gradient(source, operand, base)};
+        return {&m, m.add(source, {operand}, base)};
     }
     Value normal_map(double x, Id frame_id) {
         const Id d = m.add(Op::normal_derivative_, {tilt(x).id, m.number(1), frame_id});

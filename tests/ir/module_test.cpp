@@ -285,8 +285,8 @@ TEST_F(ModuleTest, ProblemsAndOriginsNameTheNode) {
 
 struct GradientTest : ModuleTest {
     Id flat = m.add(Op::gradient_zero_, {});
-    Id a = m.gradient(Op::gradient_from_height_, f, poison);
-    Id b = m.gradient(Op::gradient_from_volume_, v, poison);
+    Id a = m.add(Op::gradient_from_height_, {f}, poison);
+    Id b = m.add(Op::gradient_from_volume_, {v}, poison);
 };
 
 TEST_F(GradientTest, FlatLayersDisappear) {
@@ -301,7 +301,7 @@ TEST_F(GradientTest, FlatLayersDisappear) {
 
 TEST_F(GradientTest, FlatLayersKeepTheirBase) {
     const Id base = m.add(Op::base_, {m.add(Op::resolve_, {a}, 1)});
-    const Id on_base = m.gradient(Op::gradient_from_height_, f, base);
+    const Id on_base = m.add(Op::gradient_from_height_, {f}, base);
     const Id nothing = add(Op::gradient_scale_, {on_base, n(0)});
     EXPECT_NE(nothing, flat);
     EXPECT_EQ(m[nothing].extra, base);
@@ -325,13 +325,13 @@ TEST_F(GradientTest, BasesDoNotMix) {
     m.current_node = 2;
     const Id other = m.add(Op::base_, {m.add(Op::resolve_, {a}, 2)});
     EXPECT_NE(base, other);
-    const Id on_normal = m.gradient(Op::gradient_from_height_, f, base);
+    const Id on_normal = m.add(Op::gradient_from_height_, {f}, base);
     EXPECT_NE(on_normal, a);
     EXPECT_EQ(m[m.add(Op::gradient_scale_, {on_normal, f})].extra, base);
     EXPECT_EQ(refusal(Op::gradient_add_, {a, on_normal}),
               "adds gradients of different bases: one on the surface, one on the normal of node "
               "'first'");
-    const Id on_other = m.gradient(Op::gradient_from_height_, f, other);
+    const Id on_other = m.add(Op::gradient_from_height_, {f}, other);
     EXPECT_EQ(refusal(Op::gradient_mix_, {on_normal, on_other, f}),
               "mixes gradients of different bases: one on the normal of node 'first', one on the "
               "normal of node 'second'");

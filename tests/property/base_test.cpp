@@ -25,7 +25,7 @@ struct Layered {
         base = op(Op::base_, first);
     }
     Value on_base(Op source, Value operand) {
-        return {&m.module, m.module.gradient(source, operand.id, base.id)};
+        return {&m.module, m.module.add(source, {operand.id}, base.id)};
     }
 };
 
@@ -36,7 +36,7 @@ TEST(Base, OfTwoGradientsMustAgree) {
     const Value other = op(Op::base_, m.resolve(m.from_volume(m.position())));
     const Value slope = layered.on_base(Op::gradient_from_height_, m.uv0().x() * 0.1);
     const Value on_other{&m.module,
-                         m.module.gradient(Op::gradient_from_height_, m.uv0().y().id, other.id)};
+                         m.module.add(Op::gradient_from_height_, {m.uv0().y().id}, other.id)};
     m.module.current_node = 3;
     for (const Value& wrong : {m.add(slope, on_other), m.mix_gradients(on_other, slope, 0.5)})
         EXPECT_FALSE(wrong);
@@ -140,9 +140,8 @@ TEST(Base, RebuiltTangentsDifferByTheTableOfTheDocs) {
         m.resolve(m.from_slope(vec2(m.input(texel).x(), m.input(texel).y()), frame));
     const Value detail = op(Op::derivative_, m.uv1(), frame);
     m.output("base", first);
-    m.output("normal",
-             m.resolve({&m.module, m.module.gradient(Op::gradient_from_derivative_, detail.id,
-                                                     op(Op::base_, first).id)}));
+    m.output("normal", m.resolve({&m.module, m.module.add(Op::gradient_from_derivative_,
+                                                          {detail.id}, op(Op::base_, first).id)}));
     const Expanded material(m);
     const std::string docs = bytes_of(WRINKLE_SOURCE_DIR "/docs/surface-gradient.md");
     Surroundings around = on_level_plane();

@@ -38,16 +38,16 @@ struct Material {
     }
 
     Value from_height(Value h) {
-        return {&module, module.gradient(Op::gradient_from_height_, h.id, 0)};
+        return {&module, module.add(Op::gradient_from_height_, {h.id}, 0)};
     }
     Value from_volume(Value g) {
-        return {&module, module.gradient(Op::gradient_from_volume_, g.id, 0)};
+        return {&module, module.add(Op::gradient_from_volume_, {g.id}, 0)};
     }
     Value from_normal(Value n) {
-        return {&module, module.gradient(Op::gradient_from_normal_, n.id, 0)};
+        return {&module, module.add(Op::gradient_from_normal_, {n.id}, 0)};
     }
     Value from_outward_normal(Value n) {
-        return {&module, module.gradient(Op::gradient_from_outward_normal_, n.id, 0)};
+        return {&module, module.add(Op::gradient_from_outward_normal_, {n.id}, 0)};
     }
     Value flat() { return {&module, module.add(Op::gradient_zero_, {})}; }
     Value frame(Value uv, uint32_t method, uint32_t scale) {
@@ -59,11 +59,11 @@ struct Material {
     }
     Value from_slope(Value slope, Value frame) {
         const Value d = op(Op::derivative_, slope, frame);
-        return {&module, module.gradient(Op::gradient_from_derivative_, d.id, 0)};
+        return {&module, module.add(Op::gradient_from_derivative_, {d.id}, 0)};
     }
     Value from_tangent_normal(Value m, Value frame, double strength = 1) {
         const Value d = op(Op::normal_derivative_, m, number(strength), frame);
-        return {&module, module.gradient(Op::gradient_from_derivative_, d.id, 0)};
+        return {&module, module.add(Op::gradient_from_derivative_, {d.id}, 0)};
     }
     Value add(Value a, Value b) { return op(Op::gradient_add_, a, b); }
     Value scale(Value a, Value amount) { return op(Op::gradient_scale_, a, amount); }

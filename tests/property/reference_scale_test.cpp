@@ -182,7 +182,7 @@ TEST(Reference, T11_OrderMattersOnlyAcrossAResolve) {
     const auto on = [&](Value height, Value normal) {
         const Value base = op(Op::base_, normal);
         return m.resolve(
-            {&m.module, m.module.gradient(Op::gradient_from_height_, height.id, base.id)});
+            {&m.module, m.module.add(Op::gradient_from_height_, {height.id}, base.id)});
     };
     m.output("a then b", on(b, m.resolve(m.from_height(a))));
     m.output("b then a", on(a, m.resolve(m.from_height(b))));

@@ -153,7 +153,7 @@ TEST(Variance, OfABumpOnABump) {
         const Value base = op(Op::base_, m.resolve(vertex(m, s.a)));
         const Value frame = m.frame(m.uv1(), WR_FRAME_derived, WR_SCALE_unit);
         const Value d = op(Op::derivative_, s.b, frame);
-        return Value{&m.module, m.module.gradient(Op::gradient_from_derivative_, d.id, base.id)};
+        return Value{&m.module, m.module.add(Op::gradient_from_derivative_, {d.id}, base.id)};
     });
 }
 
