@@ -343,20 +343,16 @@ uint32_t Module::add_parameter(Parameter parameter) {
     return static_cast<uint32_t>(parameters.size() - 1);
 }
 
-uint32_t Module::find_resource(std::string_view file, const TextureOptions& options) const {
-    const auto same = [&](const Resource& r) { return r.file == file && r.options == options; };
-    const auto found = std::find_if(resources.begin(), resources.end(), same);
-    return static_cast<uint32_t>(found - resources.begin());
-}
-
 uint32_t Module::add_resource(const Resource& resource) {
-    const uint32_t index = find_resource(resource.file, resource.options);
-    if (index == resources.size()) {
+    const auto found = std::ranges::find_if(resources, [&](const Resource& known) {
+        return known.file == resource.file && known.options == resource.options;
+    });
+    const auto index = static_cast<uint32_t>(found - resources.begin());
+    if (found == resources.end())
         resources.push_back(resource);
-        return index;
-    }
-    std::vector<Resource::Reader>& readers = resources[index].readers;
-    readers.insert(readers.end(), resource.readers.begin(), resource.readers.end());
+    else
+        found->readers.insert(found->readers.end(), resource.readers.begin(),
+                              resource.readers.end());
     return index;
 }
 

@@ -167,8 +167,6 @@ public:
 
     uint32_t add_parameter(Parameter parameter);
     uint32_t add_resource(const Resource& resource);  // merges with an equal one
-    // Returns the index; the number of resources if there is none.
-    uint32_t find_resource(std::string_view file, const TextureOptions& options) const;
 
     void problem(std::string message, std::string expected = {});
     // Names a value for generated source, used if it becomes a separate statement; an existing name

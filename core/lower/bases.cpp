@@ -52,7 +52,7 @@ Diagnostic base_cycle(const FlatGraph& graph, const FlatNode& node, uint32_t sou
 }  // namespace
 
 bool has_own_base(const FlatGraph& graph, const FlatNode& node) {
-    if (!graph.any_own_base || node.is_passthrough() || node.muted) return false;
+    if (!graph.any_own_base || node.is_passthrough()) return false;
     const uint32_t p = node.type->find_input("base");
     if (p == NodeType::none || !is_base(node.type->ports[p])) return false;
     return graph.wire(node, p).kind == Wire::Kind::node;

@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "ir/surface.h"
 #include "lower/lowering.h"
-#include "lower/op_constraints.h"
 #include "lower/sampling.h"
 #include "registry/library.h"
 #include "registry/port_type.h"
@@ -22,6 +21,18 @@ constexpr uint32_t most_iterations = 65536;
 
 bool is_number(uint32_t type) {
     return type >= WR_TYPE_float && type <= WR_TYPE_bool;
+}
+
+bool exists(uint32_t op) {
+    return op < tables::op_count && !info(static_cast<Op>(op)).name.empty();
+}
+bool host_only(Op op) {
+    return info(op).rule == Rule::leaf || op == Op::loop_ || op == Op::call_ || op == Op::result_ ||
+           reads_image(op);
+}
+bool takes(Op op, uint32_t count) {
+    const int arity = info(op).arity;
+    return arity < 0 ? count >= 1 && count <= 4 : count == static_cast<uint32_t>(arity);
 }
 
 class Builder {
@@ -195,26 +206,27 @@ private:
 
     Id emit(uint32_t number, uint32_t type, const wr_value* args, uint32_t count, uint32_t extra) {
         const auto o = static_cast<Op>(number);
-        const OpConstraints& emission = op_constraints[std::min<size_t>(number, tables::op_count)];
-        const bool fits = count >= emission.least && count < emission.end;
+        const bool fits = exists(number) && !host_only(o) && takes(o, count);
         if (!fits || (count > 0 && !args)) return refuse_op(number, count);
         const std::span<const wr_value> operands(args, count);
         if (!usable(operands)) return poison;
-        if (emission.implicit && module_[operands[0]].level > 0)
+        if ((info(o).flags & WR_FLAG_IMPLICIT) != 0 && module_[operands[0]].level > 0)
             return refuse("takes the derivative " + quoted(o) + " inside a loop or a function");
-        const std::optional<uint32_t> checked =
-            emission.detailed ? checked_extra(o, extra, count) : 0;
+        const std::optional<uint32_t> checked = checked_extra(o, extra, count);
         if (!checked) return poison;
         return module_.add(o, operands, *checked, static_cast<Type>(type));
     }
 
     [[gnu::cold]] Id refuse_op(uint32_t number, uint32_t count) {
         const auto o = static_cast<Op>(number);
-        if (number >= tables::op_count || info(o).name.empty())
+        if (!exists(number))
             return refuse("uses op " + std::to_string(number) + ", which does not exist",
                           "a newer program may be needed");
         if (host_only(o))
             return refuse("emits the op " + quoted(o) + ", which only the host makes");
+        return refuse_count(o, count);
+    }
+    [[gnu::cold]] Id refuse_count(Op o, uint32_t count) {
         return refuse("gives the op " + quoted(o) + " " + std::to_string(count) + " operands");
     }
     static std::string quoted(Op o) { return "'" + std::string(info(o).name) + "'"; }
@@ -223,6 +235,7 @@ private:
     std::optional<uint32_t> checked_extra(Op o, uint32_t extra, uint32_t count) {
         if (o == Op::resolve_) return module_.current_node;
         if (o == Op::swizzle_) return extra;
+        if (o != Op::column_ && o != Op::frame_ && !is_gradient_source(o)) return 0;
         if (o == Op::frame_ && ((extra & 0xFF) == WR_FRAME_guess) != (count == 2)) {
             refuse("gives a frame a direction where there is none, or none to 'guess'");
             return {};
@@ -251,14 +264,12 @@ private:
         if (image == 0) return poison;
         const Lowering::Image* used = lowering_.ready_image(image);
         if (!used) return refuse("samples an image that does not exist");
-        if (count != static_cast<uint32_t>(info(o).arity) || (count > 0 && !args))
-            return refuse("gives the op '" + std::string(info(o).name) + "' " +
-                          std::to_string(count) + " operands");
+        if (!takes(o, count) || (count > 0 && !args)) return refuse_count(o, count);
         const std::span<const wr_value> operands(args, count);
         if (!usable(operands)) return poison;
         const uint32_t resource = used->resource;
+        const Encoding encoding = *used->named.literal.encoding;  // read before another is added
         if (o == Op::image_size_) return module_.add(o, {}, resource);
-        const Encoding encoding = *used->encoding;
         const bool inside = o == Op::sample_ && module_[operands[0]].level > 0;
         const Id texel = inside ? sample_inside(module_, resource, operands[0])
                                 : module_.add(o, operands, resource);
@@ -339,7 +350,7 @@ private:
         if (checked == poison || p->type == PortType::image_) return;
         if (info(module_.type(checked)).lanes == 0) return;  // never a statement of generated code
         const FlatGraph& graph = lowering_.graph();
-        const bool read = graph.wire(graph.nodes[node_], index).kind == Wire::Kind::read;
+        const bool read = graph.wire(graph.nodes[node_], index).kind == Wire::Kind::output_is_read;
         (read ? module_.named : unread_).push_back({checked, module_.current_node, p->name, true});
     }
 

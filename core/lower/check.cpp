@@ -1,5 +1,7 @@
 #include "lower/check.h"
 
+#include <functional>
+
 #include "base/text.h"
 #include "graph/named_files.h"
 #include "graph/order.h"
@@ -13,10 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string join(std::span<const std::string> names) {
-    std::string text;
-    for (const std::string& name : names)
-        text += (text.empty() ? "" : ", ") + name;
-    return text;
+    return joined(names, ", ", std::identity());
 }
 
 std::string in_quotes(std::string_view name) {

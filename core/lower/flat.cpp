@@ -1,5 +1,7 @@
 #include "lower/flat.h"
 
+#include <array>
+#include <map>
 #include <unordered_map>
 
 #include "base/text.h"
@@ -125,22 +127,34 @@ private:
 
     uint32_t flat_node(uint32_t use, uint32_t node) {
         if (uses_[use].nodes[node] != FlatNode::none) return uses_[use].nodes[node];
-        const Node& source = *document(use).nodes[node];
         FlatNode flat;
         flat.type = types_.of(uses_[use].file, node);
-        flat.node = node;
-        flat.muted = source.muted;
+        flat.document_node = node;
         flat.instance = add_instance(use, node, *flat.type);
-        const uint32_t inner = project_.files[uses_[use].file].subgraphs[node];
-        if (inner != Project::File::none && !source.muted) flat.function = inner;
-        const bool reroute = source.type == reroute_type;
-        if (reroute) {
-            flat.passthrough = &flat.type->ports[0];
-            flat.type = nullptr;
-        }
-        const size_t wires = reroute ? 1 : flat.type->ports.size();
-        return uses_[use].nodes[node] = add_node(std::move(flat), static_cast<uint32_t>(wires),
-                                                 {Origin::Kind::node, use});
+        flat.function = project_.files[uses_[use].file].subgraphs[node];
+        return uses_[use].nodes[node] = add_node(
+                   flat, static_cast<uint32_t>(flat.type->ports.size()), {Origin::Kind::node, use});
+    }
+
+    // A muted node or a reroute: the input that it passes to the output; the output if there is
+    // none.
+    uint32_t passed_port(uint32_t use, uint32_t node, uint32_t output) {
+        const Node& source = *document(use).nodes[node];
+        const NodeType& type = *types_.of(uses_[use].file, node);
+        const uint32_t input = passed_input(type, output, [&](uint32_t port) {
+            const Input* written = source.find(type.ports[port].name);
+            return written && written->kind == Input::Kind::link;
+        });
+        const uint32_t port = input == NodeType::none ? output : input;
+        const auto [known, added] = passed_ports_.try_emplace({use, node, port});
+        if (!added) return known->second;
+        uint32_t& first = uses_[use].nodes[node];
+        FlatNode flat;
+        flat.passthrough = &type.ports[port];
+        flat.document_node = node;
+        flat.instance =
+            first == FlatNode::none ? add_instance(use, node, type) : graph_.nodes[first].instance;
+        return first = known->second = add_node(flat, 1, {Origin::Kind::node, use});
     }
 
     // In the parent graph, a sub-graph's input is a port of the sub-graph's node.
@@ -149,7 +163,7 @@ private:
         FlatNode flat;
         const NodeType& type = types_.subgraph(uses_[use].file);
         flat.passthrough = &type.ports[type.find_input(document(use).inputs[input].name)];
-        flat.node = uses_[use].node;
+        flat.document_node = uses_[use].node;
         flat.instance = uses_[use].instance;
         return uses_[use].inputs[input] = add_node(
                    std::move(flat), 1, {Origin::Kind::input, uses_[use].parent, use, input});
@@ -157,7 +171,7 @@ private:
 
     Wire node_wire(uint32_t flat, PortType type, uint32_t output) {
         if (!graph_.nodes[flat].is_passthrough())
-            graph_.wires[graph_.nodes[flat].first_wire + output].kind = Wire::Kind::read;
+            graph_.wires[graph_.nodes[flat].first_wire + output].kind = Wire::Kind::output_is_read;
         return {Wire::Kind::node, type, static_cast<uint16_t>(output), flat};
     }
 
@@ -185,9 +199,11 @@ private:
             if (link->is_input()) return input_wire(use, *link);
             const auto [node, port] = source;
             const PortType carried = types_.of(uses_[use].file, node)->ports[port].type;
-            const bool muted = document(use).nodes[node]->muted;
+            const Node& read = *document(use).nodes[node];
+            if (read.muted || read.type == reroute_type)
+                return node_wire(passed_port(use, node, port), carried, 0);
             const uint32_t inner = project_.files[uses_[use].file].subgraphs[node];
-            if (muted || inner == Project::File::none || functions_.files[inner].function)
+            if (inner == Project::File::none || functions_.files[inner].function)
                 return node_wire(flat_node(use, node), carried, port);
             use = inner_use(use, node);
             const auto output = static_cast<uint32_t>(document(use).outputs.index_of(link->port));
@@ -222,7 +238,8 @@ private:
             const Output& source = document(origin.use).outputs[origin.index];
             graph_.wires[flat.first_wire] = follow(origin.use, source.from.link);
         } else if (flat.is_passthrough()) {
-            Wire wire = port_wire(origin.use, flat.node, flat.passthrough->name);
+            if (flat.passthrough->kind == Port::Kind::output) return;
+            Wire wire = port_wire(origin.use, flat.document_node, flat.passthrough->name);
             if (wire.kind == Wire::Kind::none && origin.kind == Origin::Kind::input)
                 wire = default_wire(uses_[origin.inner].file, origin.index);
             graph_.wires[flat.first_wire] = wire;
@@ -236,31 +253,17 @@ private:
     // In the order of the ports, independent of the file's: nodes visited first are named first.
     void fill_ports(const FlatNode& flat, uint32_t use) {
         const std::vector<Port>& ports = flat.type->ports;
-        const std::span<const NamedInput> inputs = types_.inputs(uses_[use].file, flat.node);
+        const std::span<const NamedInput> inputs =
+            types_.inputs(uses_[use].file, flat.document_node);
         written_.assign(ports.size(), FlatNode::none);
         for (uint32_t i = 0; i < inputs.size(); ++i)
             if (inputs[i].port != NodeType::none) written_[inputs[i].port] = i;
-        if (flat.muted) drop_unused_inputs(*flat.type, document(use).nodes[flat.node]->inputs);
         for (uint32_t p = 0; p < ports.size(); ++p) {
             if (written_[p] == FlatNode::none) continue;
-            const Wire wire = port_wire(use, flat.node, written_[p]);
+            const Wire wire = port_wire(use, flat.document_node, written_[p]);
             graph_.wires[flat.first_wire + p] = wire;
             if (wire.kind == Wire::Kind::node && is_base(ports[p])) graph_.any_own_base = true;
         }
-    }
-
-    void drop_unused_inputs(const NodeType& type, const std::vector<Input>& inputs) {
-        const auto is_connected = [&](uint32_t port) {
-            return written_[port] != FlatNode::none &&
-                   inputs[written_[port]].kind == Input::Kind::link;
-        };
-        std::vector<bool> passed(type.ports.size(), false);
-        for (uint32_t p = 0; p < type.ports.size(); ++p)
-            if (type.ports[p].kind == Port::Kind::output)
-                if (const uint32_t in = passed_input(type, p, is_connected); in != NodeType::none)
-                    passed[in] = true;
-        for (uint32_t p = 0; p < type.ports.size(); ++p)
-            if (!passed[p]) written_[p] = FlatNode::none;
     }
 
     // A graph's inputs are the first ports of its type, in order.
@@ -268,7 +271,7 @@ private:
         const std::vector<bool>& needed = functions_.files[flat.function].inputs;
         for (uint32_t p = 0; p < needed.size(); ++p) {
             if (!needed[p]) continue;
-            Wire wire = port_wire(use, flat.node, flat.type->ports[p].name);
+            Wire wire = port_wire(use, flat.document_node, flat.type->ports[p].name);
             if (wire.kind == Wire::Kind::none) wire = default_wire(flat.function, p);
             graph_.wires[flat.first_wire + p] = wire;
         }
@@ -308,7 +311,8 @@ private:
     std::vector<NodePlace>& places_;
     FlatGraph graph_;
     std::vector<Use> uses_;
-    std::vector<Origin> origins_;    // by flat node
+    std::vector<Origin> origins_;                               // by flat node
+    std::map<std::array<uint32_t, 3>, uint32_t> passed_ports_;  // by use, node and port
     std::vector<uint32_t> written_;  // by port: index of the current node's input
 };
 
@@ -330,11 +334,6 @@ std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOption
                                  did_you_mean(name, keys_of(document.outputs))));
     }
     return chosen;
-}
-
-uint32_t passed_input(const FlatGraph& graph, const FlatNode& node, uint32_t output) {
-    return passed_input(*node.type, output,
-                        [&](uint32_t port) { return graph.wire(node, port).carries(); });
 }
 
 std::optional<FlatGraph> flatten(const Project& project, const Types& types,

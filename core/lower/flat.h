@@ -2,8 +2,8 @@
 // which every wire converts at most once. Internal to core/lower.
 //
 // In addition to the nodes of the registry there are pass-through nodes: a sub-graph's input or
-// output, a reroute. They have one input and one output of one type, and exist so that each wire
-// has its own conversion.
+// output, a reroute, a port that a muted node passes on. They have one input and one output of one
+// type, and exist so that each wire has its own conversion.
 #pragma once
 
 #include <deque>
@@ -28,7 +28,7 @@ struct Wire {
         surface,      // WR_SURFACE_*
         graph_input,  // an input of the graph that is flattened
         literal,
-        read,  // not a wire: marks an output port that some wire reads
+        output_is_read,  // not a wire: marks an output port that some wire reads
     };
     Kind kind = Kind::none;
     PortType type = PortType::float_;  // type of the value
@@ -45,9 +45,8 @@ struct FlatNode {
     static constexpr uint32_t none = ~0u;
     const NodeType* type = nullptr;     // null: a pass-through
     const Port* passthrough = nullptr;  // port of a pass-through, named as the user knows it
-    bool muted = false;
-    uint32_t instance = 0;      // Module::nodes
-    uint32_t node = none;       // index in the document that has its wires
+    uint32_t instance = 0;              // Module::nodes
+    uint32_t document_node = none;      // in the document that has its wires
     uint32_t first_wire = 0;    // in FlatGraph::wires; one per port of the type, pass-through: one
     uint32_t base_node = none;  // node with the input `base` of conversions at this node's inputs
     uint32_t function = none;   // calls only: the file that is called
@@ -87,9 +86,6 @@ struct FlatRoot {
 // options.outputs.
 std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOptions& options,
                                      Diagnostics& diagnostics);
-
-// Returns the input that a muted node passes to the output (lower/mute.h).
-uint32_t passed_input(const FlatGraph& graph, const FlatNode& node, uint32_t output);
 
 // Returns the nodes and wires, with `order` empty; std::nullopt for more than `max_nodes` nodes.
 // Appends the instances of the visited nodes to those of `lowered`.

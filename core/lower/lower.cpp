@@ -33,16 +33,6 @@ void write_outputs(Lowering& lowering, const Project& project) {
     }
 }
 
-// Called in the order of the nodes, so that a long chain of muted nodes recurses one level only.
-void pass_through(Lowering& lowering, uint32_t node) {
-    const FlatNode& flat = lowering.graph().nodes[node];
-    for (uint32_t p = 0; p < flat.type->ports.size(); ++p) {
-        if (flat.type->ports[p].kind != Port::Kind::output) continue;
-        const uint32_t passed = passed_input(lowering.graph(), flat, p);
-        if (passed != NodeType::none) lowering.input(node, passed);
-    }
-}
-
 // Lowers the top graph, with a stack of the functions that must be lowered first.
 class Lowerer {
 public:
@@ -143,8 +133,6 @@ private:
             if (!call(frame, node)) return;
         } else if (flat.is_passthrough()) {
             frame.lowering->input(node, 0);
-        } else if (flat.muted) {
-            pass_through(*frame.lowering, node);
         } else {
             build_node(*frame.lowering, node);
         }

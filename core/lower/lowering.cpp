@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ir/surface.h"
 
@@ -25,15 +26,13 @@ Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& projec
       graph_inputs_(inputs ? inputs->size() : project.top().inputs.size(), unset) {
     for (size_t i = 0; inputs && i < inputs->size(); ++i) {
         const BoundInput& input = (*inputs)[i];
-        graph_inputs_[i] =
-            input.image ? add_image(input.image->literal, input.image->file) : input.value;
+        graph_inputs_[i] = input.image ? add_image(*input.image) : input.value;
     }
 }
 
 Id Lowering::input(uint32_t node, uint32_t port) {
     if (slot(node, port) == unset) {
-        const uint32_t before = module_.current_node;
-        module_.current_node = graph_.nodes[node].instance;
+        const uint32_t before = std::exchange(module_.current_node, graph_.nodes[node].instance);
         const Id value = compute(node, port);
         module_.current_node = before;
         slot(node, port) = value;
@@ -44,10 +43,6 @@ Id Lowering::input(uint32_t node, uint32_t port) {
 Id Lowering::output(uint32_t node, uint32_t port) {
     const FlatNode& flat = graph_.nodes[node];
     if (flat.is_passthrough()) return input(node, 0);
-    if (flat.muted) {
-        const uint32_t passed = passed_input(graph_, flat, port);
-        return passed == NodeType::none ? zero(flat.type->ports[port].type) : input(node, passed);
-    }
     return slot(node, port) == unset ? poison : slot(node, port);
 }
 
@@ -67,7 +62,7 @@ Id Lowering::compute(uint32_t node, uint32_t port) {
     if (wire.kind == Wire::Kind::none) return default_of(node, described);
     if (wire.kind == Wire::Kind::literal) {
         if (described.type == PortType::image_)
-            return add_image(literal_image(*wire.literal), wire.from);
+            return add_image({literal_image(*wire.literal), wire.from});
         std::array<double, 4> value{};
         literal_numbers(*wire.literal, described.type, value);
         return number(node, described, value);
@@ -98,8 +93,7 @@ Id Lowering::number(uint32_t node, const Port& port, std::array<double, 4> value
 Id Lowering::default_of(uint32_t node, const Port& port) {
     if (port.default_kind == Port::Default::surface) return surface(port.default_surface);
     if (port.default_kind == Port::Default::constant) return number(node, port, port.default_value);
-    const bool flat = port.type == PortType::gradient_ || port.type == PortType::derivative_;
-    return flat ? zero(port.type) : poison;
+    return zero(port.type);
 }
 
 Id Lowering::graph_input(uint32_t index, PortType type) {
@@ -108,7 +102,7 @@ Id Lowering::graph_input(uint32_t index, PortType type) {
     const GraphInput& input = project_.top().inputs[index];
     std::array<double, 4> numbers{};
     const bool given = literal_numbers(input.default_value, type, numbers);
-    if (type == PortType::image_) return value = add_image(literal_image(input.default_value), 0);
+    if (type == PortType::image_) return value = add_image({literal_image(input.default_value), 0});
     if (lanes_of(type) == 0 || (type == PortType::normal_ && !given)) return value = zero(type);
     Parameter parameter;
     parameter.port = input.name;
@@ -193,12 +187,8 @@ Id Lowering::convert(Id value, Conversion conversion, uint32_t node) {
     return poison;
 }
 
-Id Lowering::add_image(const ImageLiteral& literal, uint32_t file) {
-    Image image;
-    image.named = static_cast<uint32_t>(named_images_.size());
-    image.encoding = literal.encoding;
-    named_images_.push_back({literal, file});
-    images_.push_back(image);
+Id Lowering::add_image(const BoundImage& named) {
+    images_.push_back({named, 0, false});
     return static_cast<Id>(images_.size());
 }
 
@@ -206,17 +196,16 @@ Id Lowering::image(uint32_t node, uint32_t port) {
     const Id handle = input(node, port);
     if (handle == poison) return poison;
     Image image = images_[handle - 1];
-    const BoundImage& named = named_images_[image.named];
+    ImageLiteral& literal = image.named.literal;
     const FlatNode& flat = graph_.nodes[node];
     const Port& described = flat.type->ports[port];
-    const auto& path = files_.find(named.file, named.literal.file).path;
+    const auto& path = files_.find(image.named.file, literal.file).path;
     if (!path) return poison;
-    image.encoding = image.encoding.value_or(described.encoding);
-    const TextureOptions options{*image.encoding, named.literal.wrap, named.literal.filter};
-    image.resource = module_.find_resource(path->native(), options);
-    if (image.resource == module_.resources.size())
-        module_.add_resource({path->native(), std::string(named.literal.file), options, {}});
-    module_.resources[image.resource].readers.push_back({flat.instance, described.name});
+    literal.encoding = literal.encoding.value_or(described.encoding);
+    image.resource = module_.add_resource({path->native(),
+                                           std::string(literal.file),
+                                           {*literal.encoding, literal.wrap, literal.filter},
+                                           {{flat.instance, described.name}}});
     image.ready = true;
     images_.push_back(image);
     return static_cast<Id>(images_.size());
@@ -224,9 +213,7 @@ Id Lowering::image(uint32_t node, uint32_t port) {
 
 std::optional<BoundImage> Lowering::bound_image(Id handle) const {
     if (handle == poison || handle > images_.size()) return {};
-    BoundImage bound = named_images_[images_[handle - 1].named];
-    bound.literal.encoding = images_[handle - 1].encoding;
-    return bound;
+    return images_[handle - 1].named;
 }
 
 const Lowering::Image* Lowering::ready_image(Id handle) const {

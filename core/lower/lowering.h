@@ -46,8 +46,7 @@ public:
     int32_t option(uint32_t node, uint32_t port) const;
     void set_output(uint32_t node, uint32_t port, Id value) { slot(node, port) = value; }
     bool has_output(uint32_t node, uint32_t port) { return slot(node, port) != unset; }
-    // Returns the value of an output; for a muted or pass-through node, that of the input that it
-    // passes. Returns poison if the node has not been built.
+    // Returns the value of an output; for a pass-through node, that of its input. Returns poison if the node has not been built.
     Id output(uint32_t node, uint32_t port);
 
     Id surface(uint32_t property);
@@ -59,10 +58,9 @@ public:
     Id own_base(uint32_t node);
 
     struct Image {
-        uint32_t named = 0;  // in named_images_
-        std::optional<Encoding> encoding;
+        BoundImage named;
         uint32_t resource = 0;
-        bool ready = false;  // `resource` is set and `encoding` has a value
+        bool ready = false;  // `resource` is set and the encoding has a value
     };
     // Adds the image at an input to the module's resources. Returns a new, ready handle; 0 without
     // an image or if its file cannot be resolved.
@@ -82,7 +80,7 @@ private:
     Id graph_input(uint32_t index, PortType type);
     Id clamped(Id value, const Port& port);
     Id base_of(uint32_t node);
-    Id add_image(const ImageLiteral& literal, uint32_t file);
+    Id add_image(const BoundImage& named);
 
     Module& module_;
     const FlatGraph& graph_;
@@ -93,7 +91,6 @@ private:
     std::vector<Id> slots_;         // by wire: value of an input or output
     std::vector<Id> graph_inputs_;  // by input of the graph
     std::vector<Image> images_;     // by handle - 1, ready or not
-    std::vector<BoundImage> named_images_;
 };
 
 // Runs the node's build() and stores its outputs; its errors are problems of the module.

@@ -11,62 +11,37 @@ namespace {
 
 constexpr uint64_t max_count = std::numeric_limits<uint64_t>::max();
 
-class Walk {
-public:
-    explicit Walk(const Project& project)
-        : project_(project), entered_(project.files.size(), false) {
-        for (const Project::File& file : project.files)
-            reached_.emplace_back(file.document.nodes.size(), false);
-    }
-
-    std::vector<std::vector<bool>> run() {
-        enter(0);
-        while (!open_.empty()) {
-            const Place place = open_.back();
-            open_.pop_back();
-            visit(place.file, place.node);
-        }
-        return std::move(reached_);
-    }
-
-private:
-    struct Place {
-        uint32_t file;
-        size_t node;
-    };
-
-    void enter(uint32_t file) {
-        if (entered_[file]) return;
-        entered_[file] = true;
-        for (const Output& output : project_.files[file].document.outputs)
-            follow(file, output.from.link);
-    }
-
-    void follow(uint32_t file, const Link& link) {
-        if (!link.is_node()) return;
-        const size_t node = project_.files[file].document.nodes.index_of(link.node);
-        if (node == Table<NodePtr>::npos || reached_[file][node]) return;
-        reached_[file][node] = true;
-        open_.push_back({file, node});
-    }
-
-    void visit(uint32_t file, size_t node) {
-        const uint32_t inner = project_.files[file].subgraphs[node];
-        if (inner != Project::File::none) enter(inner);
-        for (const Input& input : project_.files[file].document.nodes[node]->inputs)
-            follow(file, input.link);
-    }
-
-    const Project& project_;
-    std::vector<bool> entered_;
-    std::vector<std::vector<bool>> reached_;
-    std::vector<Place> open_;
-};
-
 }  // namespace
 
 std::vector<std::vector<bool>> reachable_nodes(const Project& project) {
-    return Walk(project).run();
+    std::vector<std::vector<bool>> reached;
+    for (const Project::File& file : project.files)
+        reached.emplace_back(file.document.nodes.size(), false);
+    std::vector<bool> entered(project.files.size(), false);
+    std::vector<std::pair<uint32_t, size_t>> open;  // file and node
+    const auto follow = [&](uint32_t file, const Link& link) {
+        if (!link.is_node()) return;
+        const size_t node = project.files[file].document.nodes.index_of(link.node);
+        if (node == Table<NodePtr>::npos || reached[file][node]) return;
+        reached[file][node] = true;
+        open.emplace_back(file, node);
+    };
+    const auto enter = [&](uint32_t file) {
+        if (entered[file]) return;
+        entered[file] = true;
+        for (const Output& output : project.files[file].document.outputs)
+            follow(file, output.from.link);
+    };
+    enter(0);
+    while (!open.empty()) {
+        const auto [file, node] = open.back();
+        open.pop_back();
+        const uint32_t inner = project.files[file].subgraphs[node];
+        if (inner != Project::File::none) enter(inner);
+        for (const Input& input : project.files[file].document.nodes[node]->inputs)
+            follow(file, input.link);
+    }
+    return reached;
 }
 
 Project reached_part(Project project) {
