@@ -32,16 +32,22 @@ bool makes_gradient(const FlatGraph& graph, const FlatNode& node, uint32_t p) {
     return port.type == PortType::gradient_ && wire.carries() && wire.type != PortType::gradient_;
 }
 
-// Returns the node that makes the base of a node's conversions. Precondition: it has a base.
-uint32_t base_source(const FlatGraph& graph, uint32_t node) {
-    const FlatNode& definer = graph.nodes[graph.nodes[node].base_node];
-    return graph.wire(definer, definer.type->find_input("base")).from;
+// Returns the node at the other end of a wire; none if there is none.
+uint32_t source_of(const Wire& wire) {
+    return wire.kind == Wire::Kind::node ? wire.from : none;
 }
 
-Diagnostic base_cycle(const FlatGraph& graph, const FlatNode& node, uint32_t source,
-                      const Project& project, const Lowered& lowered) {
+// Returns the node that makes the base of a node's conversions.
+uint32_t base_source(const FlatGraph& graph, const FlatNode& node) {
+    if (node.base_node == none) return none;
+    const FlatNode& definer = graph.nodes[node.base_node];
+    return source_of(graph.wire(definer, definer.type->find_input("base")));
+}
+
+Diagnostic base_cycle(const FlatGraph& graph, const FlatNode& node, const Project& project,
+                      const Lowered& lowered) {
     const std::vector<NodeInstance>& instances = lowered.module.nodes;
-    const std::string& base = instances[graph.nodes[source].instance].path;
+    const std::string& base = instances[graph.nodes[base_source(graph, node)].instance].path;
     const std::string& definer = instances[graph.nodes[node.base_node].instance].path;
     return diagnose(project, lowered.places[node.instance], instances[node.instance].path,
                     "its gradient would stand on the normal of node '" + base +
@@ -55,7 +61,7 @@ bool has_own_base(const FlatGraph& graph, const FlatNode& node) {
     if (!graph.any_own_base || node.is_passthrough()) return false;
     const uint32_t p = node.type->find_input("base");
     if (p == NodeType::none || !is_base(node.type->ports[p])) return false;
-    return graph.wire(node, p).kind == Wire::Kind::node;
+    return makes_base(graph.wire(node, p));
 }
 
 void infer_bases(FlatGraph& graph) {
@@ -65,7 +71,7 @@ void infer_bases(FlatGraph& graph) {
     for (uint32_t i = 0; i < count; ++i)
         for (uint32_t p = 0; p < graph.port_count(graph.nodes[i]); ++p) {
             const Wire& wire = graph.wire(graph.nodes[i], p);
-            const bool joins = wire.kind == Wire::Kind::node && wire.type == PortType::gradient_ &&
+            const bool joins = source_of(wire) != none && wire.type == PortType::gradient_ &&
                                graph.port(graph.nodes[i], p).type == PortType::gradient_;
             if (joins) groups.unite(i, wire.from);
         }
@@ -86,19 +92,24 @@ void order_nodes(FlatGraph& graph, const Project& project, const Lowered& lowere
     const auto edges = [&](uint32_t node) {
         return graph.port_count(graph.nodes[node]) + (graph.nodes[node].base_node != none ? 1 : 0);
     };
-    const auto target = [&](uint32_t node, uint32_t edge) {
-        if (edge == graph.port_count(graph.nodes[node])) return base_source(graph, node);
-        const Wire& wire = graph.wire(graph.nodes[node], edge);
-        return wire.kind == Wire::Kind::node ? wire.from : none;
+    const auto target = [&](uint32_t index, uint32_t edge) {
+        const FlatNode& node = graph.nodes[index];
+        if (edge == graph.port_count(node)) return base_source(graph, node);
+        return source_of(graph.wire(node, edge));
     };
-    const auto refuse_base = [&](uint32_t index, uint32_t edge, uint32_t source) {
-        FlatNode& node = graph.nodes[index];
-        if (edge < graph.port_count(node)) return;
-        diagnostics.add(base_cycle(graph, node, source, project, lowered));
-        node.base_node = none;
+    // Reading has refused cycles of wires, so there is a base among the edges of this one.
+    const auto refuse_bases = [&](uint32_t, uint32_t, uint32_t first) {
+        for (auto frame = walk.path().rbegin();; ++frame) {
+            FlatNode& node = graph.nodes[frame->node];
+            if (node.base_node != none && frame->next_edge > graph.port_count(node)) {
+                diagnostics.add(base_cycle(graph, node, project, lowered));
+                node.base_node = none;
+            }
+            if (frame->node == first) return;
+        }
     };
     for (const uint32_t output : graph.outputs)
-        walk.visit(output, edges, target, refuse_base);
+        walk.visit(output, edges, target, refuse_bases);
     graph.order = std::move(walk.order());
 }
 

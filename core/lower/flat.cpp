@@ -262,7 +262,7 @@ private:
             if (written_[p] == FlatNode::none) continue;
             const Wire wire = port_wire(use, flat.document_node, written_[p]);
             graph_.wires[flat.first_wire + p] = wire;
-            if (wire.kind == Wire::Kind::node && is_base(ports[p])) graph_.any_own_base = true;
+            if (makes_base(wire) && is_base(ports[p])) graph_.any_own_base = true;
         }
     }
 

@@ -98,8 +98,12 @@ inline bool is_base(const Port& port) {
     return port.type == PortType::normal_ && port.kind != Port::Kind::output && port.name == "base";
 }
 
-// Returns true if the node's normal input `base` is connected to a node: its gradients are then
-// based on that normal, not on the surface.
+// Returns true if a wire to an input `base` gives another normal than the surface's.
+inline bool makes_base(const Wire& wire) {
+    return wire.kind == Wire::Kind::node || wire.kind == Wire::Kind::graph_input;
+}
+
+// Returns true if such a wire leads to the node: its gradients are then based on that normal.
 bool has_own_base(const FlatGraph& graph, const FlatNode& node);
 
 // Sets the base of each conversion to a gradient (base_node), by propagation over gradient wires.

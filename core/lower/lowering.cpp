@@ -158,7 +158,10 @@ Id Lowering::own_base(uint32_t node) {
     if (!has_own_base(graph_, flat)) return poison;
     const Id normal = input(node, flat.type->find_input("base"));
     if (normal == surface(WR_SURFACE_normal)) return poison;
-    return module_.add(Op::base_, {normal});
+    const uint32_t before = std::exchange(module_.current_node, flat.instance);
+    const Id base = module_.add(Op::base_, {normal});
+    module_.current_node = before;
+    return base;
 }
 
 Id Lowering::convert(Id value, Conversion conversion, uint32_t node) {

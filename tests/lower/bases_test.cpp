@@ -99,5 +99,37 @@ TEST(Bases, AGradientCannotStandOnANormalMadeFromIt) {
         << text;
 }
 
+TEST(Bases, ThatIsAnErrorFromBothEndsOfTheCycle) {
+    const std::string text =
+        problems(graph(R"("weak": {"type": "scale", "in": {"gradient": {"from": "surface.facing"}}},
+"first": {"type": "resolve", "in": {"gradient": {"from": "weak.gradient"}}},
+"on": {"type": "layer", "in": {"base": {"from": "first.normal"}, "height": {"from": "surface.facing"}}},
+"sum": {"type": "sum", "in": {"a": {"from": "weak.gradient"}, "b": {"from": "on.gradient"}}})",
+                       R"("normal": {"from": "sum.gradient"})"));
+    EXPECT_NE(
+        text.find("g.json:1:26: error: node 'weak': its gradient would stand on the normal of "
+                  "node 'first', which is made from it; node 'on' says that base (use a node "
+                  "of its own for each of the two bases)\n"),
+        text.npos)
+        << text;
+}
+
+TEST(Bases, AnInputOfTheGraphIsNotIgnored) {
+    const std::string text =
+        graph(R"("on": {"type": "layer", "in": {"base": {"from": "input.n"}}},
+"weak": {"type": "scale", "in": {"gradient": {"from": "surface.facing"}}},
+"sum": {"type": "sum", "in": {"a": {"from": "weak.gradient"}, "b": {"from": "on.gradient"}}})",
+              R"("normal": {"from": "sum.gradient"})",
+              R"("inputs": {"n": {"type": "normal", "default": [0, 0, 1]}}, )");
+    Diagnostics diagnostics;
+    const Project project = test::project(text, diagnostics);
+    EXPECT_FALSE(compile_material(project, test::registry(), {}, diagnostics).ok);
+    EXPECT_NE(to_text(diagnostics)
+                  .find("error: node 'on': the base is neither the surface's "
+                        "normal nor the output of a resolve"),
+              std::string::npos)
+        << to_text(diagnostics);
+}
+
 }  // namespace
 }  // namespace wrinkle
