@@ -49,10 +49,8 @@ struct CpuInst {
     enum class Kind : uint8_t {
         op,
         pair,         // second(op(in[0], in[1]), in[2]), or second(in[2], op(...))
-        depth,        // max(max(|in[3]|, max(|in[0]|, |in[1]|) * in[2]), in[4])
         constant,     // Program::constants[extra]
-        sample,       // in: u, v, lod; four outputs, of which the first `channels` are read, each
-                      // minus the value of Program::presets[bias - 1] if bias is not 0
+        sample,       // in: u, v, lod; four outputs, of which the first `channels` are read
         size,         // two outputs
         move,         // out[0] = in[0]
         masked_move,  // the same, in lanes in which the innermost loop is active
@@ -70,11 +68,8 @@ struct CpuInst {
     uint8_t channels = 4;
     std::array<uint32_t, 4> out{};
     std::array<uint32_t, 6> in{};
-    uint32_t extra = 0;  // resource index, or as listed at Kind
-    uint32_t bias = 0;
-    uint16_t kernel = 0;  // kernel_index() in kernel_table.h, for kinds op, pair and depth
-    // Resource index + 1 if the result is used only for that texture's lod; 0 if it has other uses.
-    uint32_t lod_of = 0;
+    uint32_t extra = 0;   // resource index, or as listed at Kind
+    uint16_t kernel = 0;  // kernel_index() in kernel_table.h, for kinds op and pair
 };
 
 struct Program {

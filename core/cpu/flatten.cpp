@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <unordered_set>
 
 #include "cpu/kernel_table.h"
 #include "ir/module_cloner.h"
+#include "ir/rewrite.h"
 
 namespace wrinkle {
 namespace {
@@ -75,47 +75,19 @@ uint32_t Flattener::constant(double value, Type type) {
     return step.out[0];
 }
 
-// Returns the values that an instruction depends on: its operands and, for a loop, the values that
-// its body captures.
-std::vector<Id> Flattener::dependencies(Id id) const {
-    const auto operands = module_->operands(id);
-    std::vector<Id> found(operands.begin(), operands.end());
-    if ((*module_)[id].op != Op::loop_) return found;
-    const Region& region = module_->region((*module_)[id].extra);
-    std::unordered_set<Id> seen;
-    std::vector<Id> open(region.results.begin(), region.results.end());
-    while (!open.empty()) {
-        const Id next = open.back();
-        open.pop_back();
-        if (!seen.insert(next).second) continue;
-        if ((*module_)[next].level < region.level)
-            found.push_back(next);
-        else
-            append_dependencies(*module_, next, false, open);
-    }
-    return found;
-}
-
-std::vector<Id> Flattener::needed(std::vector<Id> open, int level) const {
-    std::unordered_set<Id> seen;
+// Computes what the roots need of the levels `low` to `high`. Of deeper loops that is what their
+// bodies capture.
+void Flattener::compute(std::span<const Id> roots, int low, int high) {
     std::vector<Id> list;
-    while (!open.empty()) {
-        const Id id = open.back();
-        open.pop_back();
-        if ((*module_)[id].level < level || !seen.insert(id).second) continue;
-        list.push_back(id);
-        for (const Id dependency : dependencies(id))
-            open.push_back(dependency);
-    }
+    walk(roots, [&](Id id, std::vector<Id>& open) {
+        const Inst& inst = (*module_)[id];
+        if (inst.level < low) return;
+        if (inst.level <= high && !is_number(inst.op)) list.push_back(id);
+        append_dependencies(*module_, id, false, open);
+    });
     std::sort(list.begin(), list.end());
-    return list;
-}
-
-void Flattener::compute(std::vector<Id> roots, int level) {
-    for (const Id id : needed(std::move(roots), level)) {
-        if (refused()) return;
-        if (!is_number((*module_)[id].op)) instruction(id);
-    }
+    for (const Id id : list)
+        if (!refused()) instruction(id);
 }
 
 Flattener::Lanes Flattener::lanes(Id id) {
@@ -153,7 +125,7 @@ std::vector<Flattener::Lanes> Flattener::called(const Inst& inst, const std::vec
     inside[1].params = args;
     std::swap(inside, context_);
     ++depth_;
-    compute(region.results, 0);
+    compute(region.results, 0, 1);
     --depth_;
     std::vector<Lanes> results;
     if (!refused())
@@ -183,7 +155,7 @@ std::vector<Flattener::Lanes> Flattener::looped(const Inst& inst, const std::vec
     if (context_.size() <= region.level) context_.resize(region.level + 1u);
     context_[region.level] = {};
     context_[region.level].params = state;
-    compute(region.results, region.level);
+    compute(region.results, region.level, region.level);
     if (!refused()) advance_state(region, state);
     step.kind = CpuInst::Kind::loop_end;
     step.extra = begin;
@@ -221,10 +193,7 @@ void Flattener::advance_state(const Region& region, const std::vector<Lanes>& st
 }
 
 Program Flattener::run(std::string& why) {
-    std::vector<Id> roots;
-    for (const ModuleOutput& output : module_->outputs)
-        roots.push_back(output.value);
-    compute(roots, 0);
+    compute(output_values(*module_), 0, 0);
     for (const ModuleOutput& output : module_->outputs)
         if (!refused())
             program_.outputs.push_back(
@@ -232,7 +201,7 @@ Program Flattener::run(std::string& why) {
     why = why_;
     if (refused()) return {};
     hoist_constants(program_);
-    mark_live_channels(program_, integer_.size());
+    remove_unused(program_, integer_.size());
     fuse_steps(program_, integer_.size());
     allocate_registers(program_, integer_);
     for (CpuInst& step : program_.steps)

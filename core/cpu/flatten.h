@@ -28,9 +28,7 @@ private:
         std::vector<Lanes> params;  // parameters of the region at this depth
     };
 
-    void compute(std::vector<Id> roots, int level);
-    std::vector<Id> needed(std::vector<Id> roots, int level) const;
-    std::vector<Id> dependencies(Id id) const;
+    void compute(std::span<const Id> roots, int low, int high);
     Lanes lanes(Id id);
     void instruction(Id id);
     Lanes made(const Inst& inst, const std::vector<Lanes>& args);
@@ -89,9 +87,9 @@ void remove_steps(std::vector<CpuInst>& steps, F is_removed) {
 // and removes their steps.
 void hoist_constants(Program& program);
 
-// Sets CpuInst::lod_of and CpuInst::channels. Precondition: each register is written once, except
-// loop state.
-void mark_live_channels(Program& program, size_t registers);
+// Removes steps of which nothing is read, and sets CpuInst::channels. Precondition: each register is
+// written once, except loop state.
+void remove_unused(Program& program, size_t registers);
 
 // Fuses steps, so that several ops share a pass over memory.
 void fuse_steps(Program& program, size_t registers);

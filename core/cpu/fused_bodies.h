@@ -49,19 +49,6 @@ void pair(const CpuInst& step, const Registers<T>& registers, size_t n) {
     }
 }
 
-template <class T>
-void depth(const CpuInst& step, const Registers<T>& registers, size_t n) {
-    const T* in[5];
-    for (size_t i = 0; i < 5; ++i)
-        in[i] = lanes_of<T>(registers, step.in[i]);
-    T* __restrict out = lanes_of<T>(registers, step.out[0]);
-    WRINKLE_LANES
-    for (size_t k = 0; k < n; ++k) {
-        const T least = max_{}(std::fabs(in[0][k]), std::fabs(in[1][k])) * in[2][k];
-        out[k] = max_{}(max_{}(std::fabs(in[3][k]), least), in[4][k]);
-    }
-}
-
 template <class T, class First>
 void add_pairs(KernelTable<T>& table, Op first) {
     const auto add = [&]<class Second>(Op second, Second) {

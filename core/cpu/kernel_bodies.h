@@ -98,7 +98,6 @@ template <class T>
         for (size_t op = 0; op < tables::op_count; ++op)
             table[op_kernel(static_cast<Op>(op), type)] = kernel_of<T>(static_cast<Op>(op), type);
     add_pairs<T>(table);
-    table[depth_kernel] = depth<T>;
     return table;
 }
 

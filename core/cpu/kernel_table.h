@@ -1,6 +1,5 @@
 // Numbers of all kernels that a step may use: one for each op and type of operands, one for each
-// fused pair of ops, one for the depth of a decoded normal. compile_program() stores the number in
-// the step; each instruction set has a table of its kernels.
+// fused pair of ops. compile_program() stores the number in the step; each instruction set has a table of its kernels.
 //
 // A pair is out = second(first(a, b), c), or second(c, first(a, b)) if swapped. Each op rounds
 // separately.
@@ -19,8 +18,7 @@ inline constexpr std::array first_ops = {Op::abs_, Op::add_, Op::sub_,
 inline constexpr std::array second_ops = {Op::add_, Op::sub_, Op::mul_, Op::min_, Op::max_};
 
 inline constexpr size_t first_pair = 3 * tables::op_count;
-inline constexpr size_t depth_kernel = first_pair + first_ops.size() * second_ops.size() * 2;
-inline constexpr size_t kernel_count = depth_kernel + 1;
+inline constexpr size_t kernel_count = first_pair + first_ops.size() * second_ops.size() * 2;
 
 template <size_t count>
 constexpr size_t index_in(const std::array<Op, count>& ops, Op op) {
@@ -42,7 +40,6 @@ constexpr size_t fused_kernel(Op first, Op second, bool swapped) {
 }
 
 inline size_t kernel_index(const CpuInst& step) {
-    if (step.kind == CpuInst::Kind::depth) return depth_kernel;
     return step.kind == CpuInst::Kind::pair ? fused_kernel(step.op, step.second, step.swapped)
                                             : op_kernel(step.op, step.type);
 }

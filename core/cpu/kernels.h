@@ -24,13 +24,13 @@ struct Registers {
     uint32_t* const* integers;
 };
 
-// Runs a step of kind `op`, `pair` or `depth` on the first n lanes.
+// Runs a step of kind `op` or `pair` on the first n lanes.
 template <class T>
 using InstKernel = void (*)(const CpuInst& step, const Registers<T>& registers, size_t n);
 
 // Samples the first channels of a level at n points with bilinear filtering, as
-// Texture::sample_lod<float>() does, and subtracts `bias`; out[channel][lane].
-using SampleLevel = void (*)(const TexelLevel& level, float bias, const float* u, const float* v,
+// Texture::sample_lod<float>() does; out[channel][lane].
+using SampleLevel = void (*)(const TexelLevel& level, const float* u, const float* v,
                              float* const* out, size_t n);
 
 // Indexed by kernel_index(); null if an op has no kernel.

@@ -162,28 +162,27 @@ struct Single {
 };
 
 template <int channel, class Corners>
-WRINKLE_INLINE void put(const Corners& corners, Floats x, Floats y, float bias, float* out) {
+WRINKLE_INLINE void put(const Corners& corners, Floats x, Floats y, float* out) {
     const Floats corner[] = {corners.template value<channel>(0), corners.template value<channel>(1),
                              corners.template value<channel>(2),
                              corners.template value<channel>(3)};
-    store(out, mixed(corner, x, y) - bias);
+    store(out, mixed(corner, x, y));
 }
 
 template <Wrap wrap, int channels, class Corners>
-WRINKLE_INLINE void vector(const TexelLevel& level, float bias, const float* u, const float* v,
+WRINKLE_INLINE void vector(const TexelLevel& level, const float* u, const float* v,
                            float* const* out, size_t k, bool& near) {
     const Below i = below<wrap>(load<Floats>(u + k), static_cast<float>(level.width));
     const Below j = below<wrap>(load<Floats>(v + k), static_cast<float>(level.height));
     const auto corners = Corners::template at<wrap>(level, i.texel, j.texel, near);
-    put<0>(corners, i.weight, j.weight, bias, out[0] + k);
-    if constexpr (channels > 1) put<1>(corners, i.weight, j.weight, bias, out[1] + k);
-    if constexpr (channels > 2) put<2>(corners, i.weight, j.weight, bias, out[2] + k);
-    if constexpr (channels > 3) put<3>(corners, i.weight, j.weight, bias, out[3] + k);
+    put<0>(corners, i.weight, j.weight, out[0] + k);
+    if constexpr (channels > 1) put<1>(corners, i.weight, j.weight, out[1] + k);
+    if constexpr (channels > 2) put<2>(corners, i.weight, j.weight, out[2] + k);
+    if constexpr (channels > 3) put<3>(corners, i.weight, j.weight, out[3] + k);
 }
 
 template <Wrap wrap, int channels, class Corners>
-void bilinear(const TexelLevel& of, float bias, const float* u, const float* v, float* const* to,
-              size_t n) {
+void bilinear(const TexelLevel& of, const float* u, const float* v, float* const* to, size_t n) {
     // Local copies, which the stores below cannot alias.
     const TexelLevel level = of;
     float* const out[] = {to[0], to[1], to[2], to[3]};
@@ -191,7 +190,7 @@ void bilinear(const TexelLevel& of, float bias, const float* u, const float* v, 
     bool near = true;
     for (; k + vector_lanes <= n; k += vector_lanes) {
         near = near || k % 64 == 0;
-        vector<wrap, channels, Corners>(level, bias, u, v, out, k, near);
+        vector<wrap, channels, Corners>(level, u, v, out, k, near);
     }
     if (k == n) return;
     // The arrays end at lane n: the remaining lanes are processed in local buffers.
@@ -199,7 +198,7 @@ void bilinear(const TexelLevel& of, float bias, const float* u, const float* v, 
     float* const rest[] = {values[0], values[1], values[2], values[3]};
     __builtin_memcpy(uvs[0], u + k, (n - k) * sizeof(float));
     __builtin_memcpy(uvs[1], v + k, (n - k) * sizeof(float));
-    vector<wrap, channels, Corners>(level, bias, uvs[0], uvs[1], rest, 0, near);
+    vector<wrap, channels, Corners>(level, uvs[0], uvs[1], rest, 0, near);
     for (size_t c = 0; c < static_cast<size_t>(channels); ++c)
         __builtin_memcpy(out[c] + k, values[c], (n - k) * sizeof(float));
 }

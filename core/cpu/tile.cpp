@@ -16,8 +16,7 @@ void allot(AlignedVector<Lane>& memory, std::vector<Lane*>& pointers, size_t reg
 }
 
 bool has_kernel(const CpuInst& step) {
-    return step.kind == CpuInst::Kind::op || step.kind == CpuInst::Kind::pair ||
-           step.kind == CpuInst::Kind::depth;
+    return step.kind == CpuInst::Kind::op || step.kind == CpuInst::Kind::pair;
 }
 
 template <class Lane>
@@ -38,57 +37,27 @@ Tile<T>::Tile(const Program& program, std::span<const Texture> textures, Instruc
       memory_(memory) {
     allot(memory_.floats, memory_.float_pointers, program.float_registers);
     allot(memory_.integers, memory_.integer_pointers, program.integer_registers);
-    if (is_prepared()) return;
+    // No step writes a preset's register, so its contents remain valid for the same program.
+    if (program.serial != 0 && memory_.serial == program.serial) return;
+    memory_.serial = program.serial;
     for (const Program::ConstantRegister& each : program.presets)
-        fill(each.reg, each.type, each.value, tile_points);
-    skip_lods();
-}
-
-// No step writes a preset's register, so its contents remain valid for the same program.
-template <class T>
-bool Tile<T>::is_prepared() {
-    const auto same_levels = [](const Texture& texture, uint32_t count) {
-        return texture.level_count() == count;
-    };
-    if (memory_.serial != 0 && memory_.serial == program_.serial &&
-        std::equal(textures_.begin(), textures_.end(), memory_.level_counts.begin(),
-                   memory_.level_counts.end(), same_levels))
-        return true;
-    memory_.serial = program_.serial;
-    memory_.level_counts.clear();
-    for (const Texture& texture : textures_)
-        memory_.level_counts.push_back(texture.level_count());
-    return false;
-}
-
-// Skips the steps that compute a lod for a texture with one level, which does not read it.
-template <class T>
-void Tile<T>::skip_lods() {
-    auto& next = memory_.next;
-    next.resize(program_.steps.size() + 1);
-    next.back() = static_cast<uint32_t>(program_.steps.size());
-    for (size_t s = program_.steps.size(); s-- > 0;) {
-        const uint32_t lod_of = program_.steps[s].lod_of;
-        const bool skipped = lod_of != 0 && textures_[lod_of - 1].level_count() == 1;
-        next[s] = skipped ? next[s + 1] : static_cast<uint32_t>(s);
-    }
+        fill_register(each.reg, each.type, each.value, tile_points);
 }
 
 template <class T>
 void Tile<T>::run(size_t count) {
     count_ = count;
-    const uint32_t* next = memory_.next.data();
     const Registers<T> registers = {memory_.float_pointers.data(), memory_.integer_pointers.data()};
     const auto end = static_cast<uint32_t>(program_.steps.size());
-    for (uint32_t index = next[0]; index < end;) {
+    for (uint32_t index = 0; index < end;) {
         const CpuInst& step = program_.steps[index];
         if (!has_kernel(step)) {
-            index = next[execute(index)];
+            index = execute(index);
             continue;
         }
         assert(kernel_table_[step.kernel] && "an op without a CPU case");
         kernel_table_[step.kernel](step, registers, count_);
-        index = next[index + 1];
+        ++index;
     }
 }
 
@@ -98,10 +67,9 @@ uint32_t Tile<T>::execute(uint32_t index) {
     switch (step.kind) {
         case CpuInst::Kind::op:
         case CpuInst::Kind::pair:
-        case CpuInst::Kind::depth:
             break;  // done by run()
         case CpuInst::Kind::constant:
-            fill(step.out[0], step.type, program_.constants[step.extra], count_);
+            fill_register(step.out[0], step.type, program_.constants[step.extra], count_);
             break;
         case CpuInst::Kind::sample:
             sample(step);
@@ -128,7 +96,7 @@ uint32_t Tile<T>::execute(uint32_t index) {
 }
 
 template <class T>
-void Tile<T>::fill(uint32_t reg, Type type, double value, size_t count) {
+void Tile<T>::fill_register(uint32_t reg, Type type, double value, size_t count) {
     if (type == Type::float_)
         std::fill_n(floats(reg), count, static_cast<T>(value));
     else
@@ -139,13 +107,11 @@ template <class T>
 void Tile<T>::sample(const CpuInst& step) {
     const Texture& texture = textures_[step.extra];
     const T *u = floats(step.in[0]), *v = floats(step.in[1]), *lod = floats(step.in[2]);
-    const T bias = step.bias ? static_cast<T>(program_.presets[step.bias - 1].value) : T(0);
     if constexpr (std::is_same_v<T, float>)
         if (texture.options().filter == Filter::linear &&
             !texture.texels().levels(texture.options().wrap).empty())
             return sample_tile(texture, kernels_,
                                {step.channels,
-                                bias,
                                 u,
                                 v,
                                 lod,
@@ -155,7 +121,7 @@ void Tile<T>::sample(const CpuInst& step) {
     for (size_t k = 0; k < count_; ++k) {
         const std::array<T, 4> texel = texture.sample_lod(u[k], v[k], lod[k]);
         for (size_t i = 0; i < 4; ++i)
-            floats(step.out[i])[k] = texel[i] - bias;
+            floats(step.out[i])[k] = texel[i];
     }
 }
 

@@ -3,7 +3,7 @@
 // the outputs after it.
 //
 // TileMemory is scratch memory that tiles reuse one after the other; it only grows. The preset
-// registers are not filled again for the same program and numbers of mip levels.
+// registers are not filled again for the same program.
 #pragma once
 
 #include <array>
@@ -31,13 +31,8 @@ struct TileMemory {
     AlignedVector<uint32_t> integers;
     std::vector<T*> float_pointers;  // by register
     std::vector<uint32_t*> integer_pointers;
-    // By step: index of the first step from it on that is not skipped (CpuInst::lod_of).
-    std::vector<uint32_t> next;
     std::vector<RunningLoop> loops;
-    // The preset registers and `next` are valid for this Program::serial and these numbers of mip
-    // levels, by texture.
-    uint64_t serial = 0;
-    std::vector<uint32_t> level_counts;
+    uint64_t serial = 0;  // the preset registers are valid for this Program::serial
 };
 
 template <class T>
@@ -67,9 +62,7 @@ public:
 
 private:
     uint32_t execute(uint32_t index);
-    bool is_prepared();
-    void skip_lods();
-    void fill(uint32_t reg, Type type, double value, size_t count);
+    void fill_register(uint32_t reg, Type type, double value, size_t count);
     void sample(const CpuInst& step);
     void size(const CpuInst& step);
     void move(const CpuInst& step, const uint8_t* mask);
@@ -89,7 +82,6 @@ private:
 // Texture::sample_lod<float>() for each lane.
 struct TileSample {
     size_t channels = 4;  // number of channels required; others of `out` may be overwritten
-    float bias = 0;       // subtracted from every channel
     const float* u = nullptr;
     const float* v = nullptr;
     const float* lod = nullptr;  // not read if the texture has one level

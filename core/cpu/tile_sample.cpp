@@ -22,14 +22,12 @@ void sample_one(const TexelLevel& level, Wrap wrap, const Kernels& kernels,
     const size_t read = gray && sample.channels < 4 ? 1 : std::min(stored, sample.channels);
     Outputs to = out;
     if (gray && read == 2) to[1] = out[3];
-    kernels.sample_level(level, wrap, read)(level, sample.bias, sample.u, sample.v, to.data(),
-                                            sample.count);
+    kernels.sample_level(level, wrap, read)(level, sample.u, sample.v, to.data(), sample.count);
     for (size_t c = 1; gray && c < std::min(sample.channels, size_t{3}); ++c)
         std::copy_n(out[0], sample.count, out[c]);
-    if (stored == 2 && !gray && sample.channels > 2)
-        std::fill_n(out[2], sample.count, 0 - sample.bias);
+    if (stored == 2 && !gray && sample.channels > 2) std::fill_n(out[2], sample.count, 0.0F);
     const bool opaque = stored == 1 || stored == 3 || (stored == 2 && !gray);
-    if (sample.channels == 4 && opaque) std::fill_n(out[3], sample.count, 1 - sample.bias);
+    if (sample.channels == 4 && opaque) std::fill_n(out[3], sample.count, 1.0F);
 }
 
 // Level of each lane, and the interpolation weight of the next level.
@@ -54,14 +52,6 @@ bool are_same(const float* lod, size_t n) {
     return other == 0;
 }
 
-// Returns true if all lanes read level 0, as under magnification. NaN reads level 0.
-bool is_finest(const float* lod, size_t n) {
-    uint32_t above = 0;  // branch-free, so that the loop is vectorised
-    for (size_t k = 0; k < n; ++k)
-        above |= static_cast<uint32_t>(lod[k] > 0);
-    return above == 0;
-}
-
 // Returns the first lane after `first` that reads another level.
 size_t run_end(const Lods& lods, size_t first, size_t n) {
     size_t end = first + 1;
@@ -77,14 +67,14 @@ bool any_between(const Lods& lods, size_t first, size_t end) {
     return any != 0;
 }
 
-// Interpolates with the next level in the lanes that read it, then subtracts the bias.
-void mix_in(const TileSample& fine, const Outputs& coarse, const float* between, float bias) {
+// Interpolates with the next level in the lanes that read it.
+void mix_in(const TileSample& fine, const Outputs& coarse, const float* between) {
     for (size_t c = 0; c < fine.channels; ++c) {
         float* __restrict out = fine.out[c];
         const float* next = coarse[c];
         for (size_t k = 0; k < fine.count; ++k) {
             const float mixed = out[k] + (next[k] - out[k]) * between[k];
-            out[k] = (between[k] > 0 ? mixed : out[k]) - bias;
+            out[k] = between[k] > 0 ? mixed : out[k];
         }
     }
 }
@@ -96,13 +86,12 @@ void sample_run(const Texture& texture, std::span<const TexelLevel> levels, cons
     const Wrap wrap = texture.options().wrap;
     if (!any_between(lods, first, first + run.count))
         return sample_one(levels[level], wrap, kernels, run);
-    TileSample fine = run, coarse = run;
-    fine.bias = coarse.bias = 0;
+    TileSample coarse = run;
     std::array<std::array<float, tile_points>, 4> next;
     coarse.out = {next[0].data(), next[1].data(), next[2].data(), next[3].data()};
-    sample_one(levels[level], wrap, kernels, fine);
+    sample_one(levels[level], wrap, kernels, run);
     sample_one(levels[level + 1], wrap, kernels, coarse);
-    mix_in(fine, coarse.out, &lods.between[first], run.bias);
+    mix_in(run, coarse.out, &lods.between[first]);
 }
 
 }  // namespace
@@ -120,7 +109,6 @@ void sample_tile(const Texture& texture, const Kernels& kernels, const TileSampl
         std::fill_n(lods.between.begin(), sample.count, lods.between[0]);
         return sample_run(texture, levels, kernels, sample, lods, 0);
     }
-    if (is_finest(sample.lod, sample.count)) return sample_one(levels[0], wrap, kernels, sample);
     find_lods(sample.lod, sample.count, last, lods);
     for (size_t first = 0, end = 0; first < sample.count; first = end) {
         end = run_end(lods, first, sample.count);

@@ -120,7 +120,15 @@ TEST(Fused, ADecodedNormalsDepth) {
                 between.push_back(id);
             return m.add(Op::max_, {deep, m.number(5e-7)});
         },
-        2);
+        9);
+}
+
+TEST(Unused, ComponentsTakeNoStep) {
+    Scene s(fuse_points);
+    const Id vector = s.m.construct(Type::vec3_, {operand(s, 1), operand(s, 2), operand(s, 3)});
+    s.output(s.m.swizzle(s.m.add(Op::mul_, {vector, vector}), "y"));
+    std::string why;
+    EXPECT_EQ(compile_program(s.m, why).steps.size(), 1U);
 }
 
 // A value computed before a loop and used inside it is not recomputed in every iteration.

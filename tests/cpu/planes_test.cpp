@@ -91,7 +91,7 @@ TEST(Planes, OneScratchServesAnyProgram) {
     }
 }
 
-// A texture with one level needs no lod; the next one has several levels.
+// A texture with one level, then one with several.
 TEST(Planes, OneScratchServesAnyTextures) {
     Scene s(many);
     write_outputs(s);
