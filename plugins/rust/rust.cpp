@@ -46,8 +46,8 @@ static Node rust =
         .out<Gradient>("gradient", "Metal and rust")
         .out<Float>("mask", "0 on metal, 1 on rust; for colour and roughness")
         .body([](Rust in) {
-            const Float wet = exposure(in.where, in.metal, in.height, in.depth);
-            const Float mask = saturate((wet + in.amount - 1) * in.hardness + in.amount);
+            const Float exposed = exposure(in.where, in.metal, in.height, in.depth);
+            const Float mask = saturate((exposed + in.amount - 1) * in.hardness + in.amount);
             return std::tuple{mix(in.metal, in.rust, mask), mask};
         });
 
