@@ -55,10 +55,13 @@ std::shared_ptr<const Prepared> prepare(const Graph::Parts& parts, bool vertex_t
     if (!compiled.ok) return prepared;
     TextureStore textures;
     read_textures(textures, compiled, parts.project, problems);
+    if (problems.has_errors()) return prepared;
     std::string why;
-    if (!problems.has_errors()) prepared->program = compile_program(compiled.module, why);
-    if (!why.empty()) problems.error(why);
-    prepared->textures = textures.textures_of(compiled.module.resources);
+    prepared->program = compile_program(compiled.module, why);
+    if (why.empty())
+        prepared->textures = textures.textures_of(compiled.module.resources);
+    else
+        problems.error(why);
     return prepared;
 }
 
