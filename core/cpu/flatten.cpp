@@ -75,8 +75,8 @@ uint32_t Flattener::constant(double value, Type type) {
     return step.out[0];
 }
 
-// Computes what the roots need of the levels `low` to `high`. Of deeper loops that is what their
-// bodies capture.
+// Computes the values at levels `low` to `high` that the roots need, including those that bodies of
+// deeper loops capture.
 void Flattener::compute(std::span<const Id> roots, int low, int high) {
     std::vector<Id> list;
     walk(roots, [&](Id id, std::vector<Id>& open) {

@@ -87,7 +87,7 @@ void remove_steps(std::vector<CpuInst>& steps, F is_removed) {
 // and removes their steps.
 void hoist_constants(Program& program);
 
-// Removes steps of which nothing is read, and sets CpuInst::channels. Precondition: each register is
+// Removes steps without a used output, and sets CpuInst::channels. Precondition: each register is
 // written once, except loop state.
 void remove_unused(Program& program, size_t registers);
 

@@ -1,5 +1,6 @@
 // Numbers of all kernels that a step may use: one for each op and type of operands, one for each
-// fused pair of ops. compile_program() stores the number in the step; each instruction set has a table of its kernels.
+// fused pair of ops. compile_program() stores the number in the step; each instruction set has a
+// table of its kernels.
 //
 // A pair is out = second(first(a, b), c), or second(c, first(a, b)) if swapped. Each op rounds
 // separately.

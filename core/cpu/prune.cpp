@@ -1,6 +1,5 @@
 // Two passes of compile_program() between flattening and register allocation: hoisting of constants
-// into preset registers, and removal of steps and sampled channels that nothing reads. Linear in the
-// steps.
+// into preset registers, and removal of unused steps and sampled channels. Linear in the steps.
 #include <algorithm>
 
 #include "cpu/flatten.h"

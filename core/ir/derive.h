@@ -123,7 +123,7 @@ private:
     Screen* screen_ = nullptr;
 };
 
-// Seeds what varies along an axis; all else is constant.
+// Seeds the inputs that vary along an axis; all else is constant.
 //   screen, surface   every interpolated input with its own differential to the next pixel; along
 //                     the surface, that of position is projected on the tangent plane of the
 //                     surface normal, so that a height of position equals its volume form on

@@ -120,7 +120,7 @@ constexpr int swizzle_count(uint32_t extra) {
 constexpr int swizzle_component(uint32_t extra, int lane) {
     return static_cast<int>(extra >> (4 + 4 * lane) & 0xF);
 }
-// The bits of `extra` that say that component `lane` is `component` of the operand.
+// The bits of a swizzle's `extra` by which component `lane` is `component` of the operand.
 constexpr uint32_t swizzle_lane(int component, int lane) {
     return static_cast<uint32_t>(component) << (4 + 4 * lane);
 }

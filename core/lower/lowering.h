@@ -46,7 +46,8 @@ public:
     int32_t option(uint32_t node, uint32_t port) const;
     void set_output(uint32_t node, uint32_t port, Id value) { slot(node, port) = value; }
     bool has_output(uint32_t node, uint32_t port) { return slot(node, port) != unset; }
-    // Returns the value of an output; for a pass-through node, that of its input. Returns poison if the node has not been built.
+    // Returns the value of an output; for a pass-through node, that of its input. Returns poison if
+    // the node has not been built.
     Id output(uint32_t node, uint32_t port);
 
     Id surface(uint32_t property);
