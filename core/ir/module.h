@@ -113,7 +113,7 @@ public:
     Id parameter(uint32_t index);
     Id construct(Type type, std::initializer_list<Id> parts);
     Id swizzle(Id vector, std::string_view components);  // "xy", "z"
-    Id component(Id vector, uint32_t lane);              // of a float: the float
+    Id component(Id vector, uint32_t lane);              // a float has itself as component
 
     // Regions are recorded in nested pairs of begin and end. begin_region() returns the parameters;
     // the values added before end_region() that use them are the body.

@@ -32,7 +32,7 @@ enum class DiffAxis : uint8_t {
     uv0_u,  // then uv0_v, uv1_u, ... uv3_v
     end = uv0_u + 8,
 };
-constexpr bool is_y(DiffAxis axis) {  // of the screen
+constexpr bool is_y(DiffAxis axis) {  // the axis is y of the screen
     return axis == DiffAxis::screen_y || axis == DiffAxis::surface_y;
 }
 constexpr DiffAxis axis_of_uv(SurfaceInput set, int axis) {
