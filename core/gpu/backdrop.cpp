@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "gpu/draw_state.h"
 #include "gpu/wrapper.h"
 
 namespace wrinkle::gpu {
@@ -50,9 +51,6 @@ Backdrop::Backdrop(const MipChain& radiance)
     program_ = Program::link(backdrop_vertex_text,
                              std::string(fragment_head).append(display_text()) + fragment_body,
                              outputs, log);
-    GLuint array = 0;
-    glGenVertexArrays(1, &array);
-    array_ = VertexArrayHandle(array);
 }
 
 void Backdrop::draw(const OrbitCamera& camera, float aspect, float factor, float exposure) const {
@@ -72,9 +70,7 @@ void Backdrop::draw(const OrbitCamera& camera, float aspect, float factor, float
     sampler_.bind(0);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
-    glBindVertexArray(array_.id());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
+    draw_covering_triangle();
     glBindSampler(0, 0);
 }
 

@@ -23,7 +23,6 @@ private:
     Texture texture_;
     Sampler sampler_;
     std::optional<Program> program_;
-    VertexArrayHandle array_;  // vertex array without attributes
 };
 
 }  // namespace wrinkle::gpu

@@ -153,30 +153,21 @@ std::optional<Context> Context::sharing_current(Diagnostics& diagnostics) {
     return context;
 }
 
-Context::Context(Context&& other) noexcept
-    : display_(std::exchange(other.display_, nullptr)),
-      context_(std::exchange(other.context_, nullptr)),
-      surface_(std::exchange(other.surface_, nullptr)) {}
+Context::Context(Context&& other) noexcept {
+    *this = std::move(other);
+}
 
 Context& Context::operator=(Context&& other) noexcept {
-    if (this == &other) return *this;
-    destroy();
-    display_ = std::exchange(other.display_, nullptr);
-    context_ = std::exchange(other.context_, nullptr);
-    surface_ = std::exchange(other.surface_, nullptr);
+    std::swap(display_, other.display_);
+    std::swap(context_, other.context_);
+    std::swap(surface_, other.surface_);
     return *this;
 }
 
 Context::~Context() {
-    destroy();
-}
-
-void Context::destroy() {
-    if (!display_) return;
     if (context_ && eglGetCurrentContext() == context_) release_current();
     if (surface_) eglDestroySurface(display_, surface_);
     if (context_) eglDestroyContext(display_, context_);
-    display_ = nullptr;
 }
 
 bool Context::make_current() {

@@ -54,7 +54,6 @@ public:
 private:
     Context() = default;
     static std::optional<Context> on_display(void* display, void* share, std::string& why);
-    void destroy();
 
     void* display_ = nullptr;  // EGLDisplay
     void* context_ = nullptr;  // EGLContext

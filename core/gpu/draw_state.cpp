@@ -51,6 +51,13 @@ OrbitCamera turned(const Scene& scene) {
     return camera;
 }
 
+void draw_covering_triangle() {
+    const auto array = VertexArrayHandle::make();
+    glBindVertexArray(array.id());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+}
+
 void set_edges(bool on) {
     glPolygonMode(GL_FRONT_AND_BACK, on ? GL_LINE : GL_FILL);
     glPolygonOffset(-1, -1);

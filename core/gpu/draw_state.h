@@ -20,6 +20,9 @@ void set_raster_state(bool mirrored);
 // environment equals the scene camera's view of the rotated environment.
 OrbitCamera turned(const Scene& scene);
 
+// Draws three vertices without attributes, for programs that cover the target by gl_VertexID.
+void draw_covering_triangle();
+
 // Switches drawing to triangle edges, with a depth offset in front of their triangles.
 void set_edges(bool on);
 

@@ -150,11 +150,7 @@ EnvironmentCube prefilter(const Image& image) {
 }
 
 EnvironmentTexture::EnvironmentTexture(const EnvironmentCube& cube) {
-    GLuint id = 0;
-    glGenTextures(1, &id);
-    handle_ = TextureHandle(id);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_CUBE_MAP, id);
+    bind(0);
     for (size_t level = 0; level < cube.faces.size(); ++level)
         for (size_t face = 0; face < 6; ++face) {
             const GLsizei side = environment_side >> level;

@@ -46,7 +46,7 @@ public:
     void bind(int unit) const;
 
 private:
-    TextureHandle handle_;
+    TextureHandle handle_ = TextureHandle::make();
 };
 
 }  // namespace wrinkle::gpu

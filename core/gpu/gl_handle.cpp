@@ -2,34 +2,37 @@
 
 #include <epoxy/gl.h>
 
+#include <array>
+
 namespace wrinkle::gpu {
+namespace {
 
-void delete_buffer(uint32_t id) {
-    glDeleteBuffers(1, &id);
+// GL's functions of a kind of object. libepoxy declares each as a variable.
+struct Functions {
+    PFNGLGENTEXTURESPROC* create;
+    PFNGLDELETETEXTURESPROC* destroy;
+};
+
+// By GlKind; programs have functions of another signature.
+constexpr std::array<Functions, 6> functions{{{&glGenBuffers, &glDeleteBuffers},
+                                              {&glGenFramebuffers, &glDeleteFramebuffers},
+                                              {&glGenRenderbuffers, &glDeleteRenderbuffers},
+                                              {&glGenSamplers, &glDeleteSamplers},
+                                              {&glGenTextures, &glDeleteTextures},
+                                              {&glGenVertexArrays, &glDeleteVertexArrays}}};
+
+}  // namespace
+
+uint32_t create_gl_object(GlKind kind) {
+    if (kind == GlKind::program) return glCreateProgram();
+    uint32_t id = 0;
+    (*functions[static_cast<size_t>(kind)].create)(1, &id);
+    return id;
 }
 
-void delete_framebuffer(uint32_t id) {
-    glDeleteFramebuffers(1, &id);
-}
-
-void delete_program(uint32_t id) {
-    glDeleteProgram(id);
-}
-
-void delete_renderbuffer(uint32_t id) {
-    glDeleteRenderbuffers(1, &id);
-}
-
-void delete_sampler(uint32_t id) {
-    glDeleteSamplers(1, &id);
-}
-
-void delete_texture(uint32_t id) {
-    glDeleteTextures(1, &id);
-}
-
-void delete_vertex_array(uint32_t id) {
-    glDeleteVertexArrays(1, &id);
+void delete_gl_object(GlKind kind, uint32_t id) {
+    if (kind == GlKind::program) return glDeleteProgram(id);
+    (*functions[static_cast<size_t>(kind)].destroy)(1, &id);
 }
 
 }  // namespace wrinkle::gpu

@@ -7,18 +7,27 @@
 
 namespace wrinkle::gpu {
 
-template <void (*destroy)(uint32_t)>
+enum class GlKind { buffer, framebuffer, renderbuffer, sampler, texture, vertex_array, program };
+
+uint32_t create_gl_object(GlKind kind);
+void delete_gl_object(GlKind kind, uint32_t id);
+
+template <GlKind kind>
 class GlHandle {
 public:
     GlHandle() = default;
-    explicit GlHandle(uint32_t id) : id_(id) {}
+    static GlHandle make() {
+        GlHandle made;
+        made.id_ = create_gl_object(kind);
+        return made;
+    }
     GlHandle(GlHandle&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
     GlHandle& operator=(GlHandle&& other) noexcept {
         std::swap(id_, other.id_);
         return *this;
     }
     ~GlHandle() {
-        if (id_) destroy(id_);
+        if (id_) delete_gl_object(kind, id_);
     }
 
     uint32_t id() const { return id_; }  // 0 if it owns nothing
@@ -27,20 +36,12 @@ private:
     uint32_t id_ = 0;
 };
 
-void delete_buffer(uint32_t id);
-void delete_framebuffer(uint32_t id);
-void delete_program(uint32_t id);
-void delete_renderbuffer(uint32_t id);
-void delete_sampler(uint32_t id);
-void delete_texture(uint32_t id);
-void delete_vertex_array(uint32_t id);
-
-using BufferHandle = GlHandle<delete_buffer>;
-using FramebufferHandle = GlHandle<delete_framebuffer>;
-using ProgramHandle = GlHandle<delete_program>;
-using RenderbufferHandle = GlHandle<delete_renderbuffer>;
-using SamplerHandle = GlHandle<delete_sampler>;
-using TextureHandle = GlHandle<delete_texture>;
-using VertexArrayHandle = GlHandle<delete_vertex_array>;
+using BufferHandle = GlHandle<GlKind::buffer>;
+using FramebufferHandle = GlHandle<GlKind::framebuffer>;
+using ProgramHandle = GlHandle<GlKind::program>;
+using RenderbufferHandle = GlHandle<GlKind::renderbuffer>;
+using SamplerHandle = GlHandle<GlKind::sampler>;
+using TextureHandle = GlHandle<GlKind::texture>;
+using VertexArrayHandle = GlHandle<GlKind::vertex_array>;
 
 }  // namespace wrinkle::gpu

@@ -9,12 +9,11 @@ namespace {
 
 template <typename T>
 BufferHandle make_buffer(GLenum target, const std::vector<T>& values) {
-    GLuint id = 0;
-    glGenBuffers(1, &id);
-    glBindBuffer(target, id);
+    auto buffer = BufferHandle::make();
+    glBindBuffer(target, buffer.id());
     glBufferData(target, static_cast<GLsizeiptr>(values.size() * sizeof(T)), values.data(),
                  GL_STATIC_DRAW);
-    return BufferHandle(id);
+    return buffer;
 }
 
 }  // namespace
@@ -31,10 +30,7 @@ void MeshBuffers::add(int location, const std::vector<T>& values) {
 
 MeshBuffers::MeshBuffers(const Mesh& mesh)
     : indices_(static_cast<int>(mesh.indices.size())), bounds_(bounds_of(mesh)) {
-    GLuint array = 0;
-    glGenVertexArrays(1, &array);
-    array_ = VertexArrayHandle(array);
-    glBindVertexArray(array);
+    glBindVertexArray(array_.id());
     add(location_of(SurfaceInput::position_), mesh.positions);
     add(location_of(SurfaceInput::normal_), mesh.normals);
     add(location_of(SurfaceInput::tangent_), mesh.tangents);

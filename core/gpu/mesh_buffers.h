@@ -23,7 +23,7 @@ private:
     template <typename T>
     void add(int location, const std::vector<T>& values);
 
-    VertexArrayHandle array_;
+    VertexArrayHandle array_ = VertexArrayHandle::make();
     std::vector<BufferHandle> buffers_;
     std::array<bool, attribute_count + 1> has_{};
     int indices_ = 0;

@@ -18,10 +18,9 @@ GLenum internal_format(PixelFormat format) {
 }
 
 FramebufferHandle make_framebuffer() {
-    GLuint id = 0;
-    glGenFramebuffers(1, &id);
-    glBindFramebuffer(GL_FRAMEBUFFER, id);
-    return FramebufferHandle(id);
+    auto framebuffer = FramebufferHandle::make();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    return framebuffer;
 }
 
 GLenum attachment(size_t color) {
@@ -29,10 +28,9 @@ GLenum attachment(size_t color) {
 }
 
 TextureHandle make_color_texture(const TargetOptions& options) {
-    GLuint id = 0;
-    glGenTextures(1, &id);
+    auto texture = TextureHandle::make();
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, id);
+    glBindTexture(GL_TEXTURE_2D, texture.id());
     const GLenum type = options.format == PixelFormat::rgba8 ? GL_UNSIGNED_BYTE : GL_FLOAT;
     glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format(options.format)),
                  options.width, options.height, 0, GL_RGBA, type, nullptr);
@@ -41,18 +39,17 @@ TextureHandle make_color_texture(const TargetOptions& options) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    return TextureHandle(id);
+    return texture;
 }
 
 RenderbufferHandle attach_buffer(GLenum where, GLenum format, const TargetOptions& options) {
-    GLuint id = 0;
-    glGenRenderbuffers(1, &id);
-    glBindRenderbuffer(GL_RENDERBUFFER, id);
+    auto buffer = RenderbufferHandle::make();
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer.id());
     const GLsizei samples = options.samples > 1 ? options.samples : 0;
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, options.width,
                                      options.height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, where, GL_RENDERBUFFER, id);
-    return RenderbufferHandle(id);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, where, GL_RENDERBUFFER, buffer.id());
+    return buffer;
 }
 
 void draw_to_all_colors(size_t count) {

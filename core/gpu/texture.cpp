@@ -10,14 +10,6 @@
 namespace wrinkle::gpu {
 namespace {
 
-uint32_t make_texture() {
-    GLuint id = 0;
-    glGenTextures(1, &id);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, id);
-    return id;
-}
-
 template <typename T, typename Convert>
 std::vector<T> rgba_of(const Image& image, Convert convert) {
     const size_t texels = static_cast<size_t>(image.width) * image.height;
@@ -78,9 +70,13 @@ GLint wrap_mode(Wrap wrap) {
 
 }  // namespace
 
+Texture::Texture() {
+    bind(0);
+}
+
 Texture Texture::upload(const MipChain& chain) {
     if (chain.levels.empty()) return of_floats(1, 1, std::array<float, 4>{0, 0, 0, 1});
-    Texture texture(make_texture());
+    Texture texture;
     const Storage storage = storage_of(chain.levels.front());
     for (uint32_t level = 0; level < chain.count(); ++level)
         upload_level(chain.levels[level], static_cast<GLint>(level), storage);
@@ -90,7 +86,7 @@ Texture Texture::upload(const MipChain& chain) {
 }
 
 Texture Texture::of_floats(int width, int height, std::span<const float> rgba) {
-    Texture texture(make_texture());
+    Texture texture;
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, rgba.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -104,9 +100,7 @@ void Texture::bind(int unit) const {
 }
 
 Sampler::Sampler(Wrap wrap, Filter filter) {
-    GLuint id = 0;
-    glGenSamplers(1, &id);
-    handle_ = SamplerHandle(id);
+    const GLuint id = handle_.id();
     const bool linear = filter == Filter::linear;
     glSamplerParameteri(id, GL_TEXTURE_WRAP_S, wrap_mode(wrap));
     glSamplerParameteri(id, GL_TEXTURE_WRAP_T, wrap_mode(wrap));

@@ -26,8 +26,8 @@ public:
     uint32_t id() const { return handle_.id(); }
 
 private:
-    explicit Texture(uint32_t id) : handle_(id) {}
-    TextureHandle handle_;
+    Texture();  // bound to unit 0
+    TextureHandle handle_ = TextureHandle::make();
 };
 
 // Sampler object. linear: trilinear; nearest: the nearest texel of the nearest level.
@@ -37,7 +37,7 @@ public:
     void bind(int unit) const;
 
 private:
-    SamplerHandle handle_;
+    SamplerHandle handle_ = SamplerHandle::make();
 };
 
 }  // namespace wrinkle::gpu
