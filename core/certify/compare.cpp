@@ -71,7 +71,7 @@ gpu::PointJob job_of(const Shader& shader, const PointSet& points, const ImageOf
     for (const MemberInfo& member : shader.reflection.members)
         job.attributes.push_back({member.name, info(member.type).lanes,
                                   floats(points.at(member.input, member.variant))});
-    for (const gpu::MaterialSampler& sampler : job.samplers)
+    for (const SamplerInfo& sampler : job.samplers)
         job.images.push_back({sampler.file, &images(sampler.file)});
     return job;
 }

@@ -7,7 +7,6 @@
 #include "base/diagnostics.h"
 #include "cli/arguments.h"
 #include "cli/evaluation.h"
-#include "gpu/material.h"
 #include "image/load.h"
 #include "mesh/mesh.h"
 
@@ -111,9 +110,9 @@ bool OffscreenRenderer::can_compare(const Shader& shader, Diagnostics& diagnosti
     return true;
 }
 
-bool OffscreenRenderer::set_material(const gpu::Material& material, const TextureStore& textures,
+bool OffscreenRenderer::set_material(const Shader& material, const TextureStore& textures,
                                      Diagnostics& diagnostics) {
-    for (const gpu::MaterialSampler& sampler : material.samplers) {
+    for (const SamplerInfo& sampler : material.reflection.samplers) {
         const auto chain = textures.find(sampler.file);
         if (!chain || !renderer_.add_image(sampler.file, *chain, diagnostics)) return false;
     }
@@ -124,7 +123,7 @@ std::optional<RenderedImage> OffscreenRenderer::draw(const Shader& shader,
                                                      const TextureStore& textures,
                                                      Diagnostics& diagnostics) {
     if (!can_compare(shader, diagnostics)) return {};
-    if (!set_material(gpu::material_from(shader), textures, diagnostics)) return {};
+    if (!set_material(shader, textures, diagnostics)) return {};
     gpu::ViewOptions view;
     view.view = options_.view;
     view.against = options_.against;

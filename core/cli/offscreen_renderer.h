@@ -68,7 +68,7 @@ private:
     OffscreenRenderer(gpu::Context context, gpu::Target target, const RenderOptions& options,
                       const Mesh& mesh);
     bool can_compare(const Shader& shader, Diagnostics& diagnostics) const;
-    bool set_material(const gpu::Material& material, const TextureStore& textures,
+    bool set_material(const Shader& material, const TextureStore& textures,
                       Diagnostics& diagnostics);
 
     gpu::Context context_;  // destroyed last

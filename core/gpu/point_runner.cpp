@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <span>
 
+#include "glsl/attributes.h"
+#include "glsl/emit.h"
+#include "gpu/draw_state.h"
 #include "gpu/program.h"
 #include "gpu/target.h"
 #include "gpu/texture.h"
@@ -55,7 +58,7 @@ bool check(const PointJob& job, Diagnostics& diagnostics) {
                                            " values, which does not fit " +
                                            std::to_string(job.points) + " points");
     }
-    for (const MaterialSampler& sampler : job.samplers)
+    for (const SamplerInfo& sampler : job.samplers)
         if (!find_image(job, sampler.file))
             return refuse(diagnostics, "no image is given for '" + sampler.file + "'");
     return true;
@@ -112,7 +115,7 @@ class BoundImages {
 public:
     BoundImages(const PointJob& job, const Program& program) {
         for (size_t i = 0; i < job.samplers.size(); ++i) {
-            const MaterialSampler& sampler = job.samplers[i];
+            const SamplerInfo& sampler = job.samplers[i];
             textures_.push_back(Texture::upload(*find_image(job, sampler.file)));
             samplers_.emplace_back(sampler.options.wrap, sampler.options.filter);
             program.set(sampler.name.c_str(), static_cast<int>(i) + 1);
@@ -140,11 +143,7 @@ void draw_all_pixels() {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_SCISSOR_TEST);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    GLuint array = 0;
-    glGenVertexArrays(1, &array);
-    glBindVertexArray(array);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    glDeleteVertexArrays(1, &array);
+    draw_covering_triangle();
 }
 
 PointResults read_results(const PointJob& job, const Target& target) {
@@ -159,6 +158,26 @@ PointResults read_results(const PointJob& job, const Target& target) {
 }
 
 }  // namespace
+
+PointJob point_job_from(const Shader& shader) {
+    const Reflection& reflection = shader.reflection;
+    const bool has_struct = !reflection.struct_name.empty();
+    PointJob job;
+    job.globals = shader.source;
+    if (has_struct) job.body = reflection.struct_name + " s;\n";
+    for (const MemberInfo& member : reflection.members)
+        job.body += "s." + member.name + " = " + member.name + ";\n";
+    for (size_t k = 0; k < reflection.functions.size(); ++k) {
+        const FunctionInfo& function = reflection.functions[k];
+        constexpr std::array padding{", 0.0, 0.0, 0.0", ", 0.0, 0.0", ", 0.0", ""};
+        job.body += "out" + std::to_string(k) + " = vec4(" + function.function +
+                    (has_struct ? "(s)" : "()") + padding[info(function.type).lanes - 1U] + ");\n";
+    }
+    job.outputs = static_cast<int>(reflection.functions.size());
+    job.samplers = reflection.samplers;
+    job.uniforms = reflection.uniforms;
+    return job;
+}
 
 std::optional<PointResults> run_points(const PointJob& job, Diagnostics& diagnostics) {
     if (!check(job, diagnostics)) return std::nullopt;
@@ -176,8 +195,8 @@ std::optional<PointResults> run_points(const PointJob& job, Diagnostics& diagnos
     const BoundImages images(job, *program);
     table.bind(0);
     program->set("WrPoint_table", 0);
-    for (const MaterialUniform& uniform : job.uniforms)
-        program->set(uniform.name.c_str(), std::span<const float>(uniform.value));
+    for (const UniformInfo& uniform : job.uniforms)
+        program->set(uniform);
     target->bind();
     draw_all_pixels();
     return read_results(job, *target);

@@ -16,8 +16,12 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "gpu/material.h"
+#include "glsl/reflection.h"
 #include "image/mips.h"
+
+namespace wrinkle {
+struct Shader;
+}
 
 namespace wrinkle::gpu {
 
@@ -28,7 +32,7 @@ struct PointAttribute {
 };
 
 struct PointImage {
-    std::string file;  // MaterialSampler::file
+    std::string file;  // SamplerInfo::file
     const MipChain* chain = nullptr;
 };
 
@@ -38,14 +42,14 @@ struct PointJob {
     int outputs = 1;  // 1 to 8
     size_t points = 0;
     std::vector<PointAttribute> attributes;
-    std::vector<MaterialSampler> samplers;  // files are searched only in `images`
-    std::vector<MaterialUniform> uniforms;
+    std::vector<SamplerInfo> samplers;  // files are searched only in `images`
+    std::vector<UniformInfo> uniforms;
     std::vector<PointImage> images;
 };
 
-// As material_from(), but with given differentials. Output k of the job is function k, its value in
-// the first components. The caller adds the points, the images, and for each member of the struct
-// an attribute with the member's name.
+// Precondition: the shader has no problems, is in the function form and has given differentials.
+// Output k of the job is function k, its value in the first components. The caller adds the points,
+// the images, and for each member of the struct an attribute with the member's name.
 PointJob point_job_from(const Shader& shader);
 
 // result[output][point]

@@ -2,7 +2,11 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <array>
 #include <glm/gtc/type_ptr.hpp>
+
+#include "glsl/attributes.h"
 
 namespace wrinkle::gpu {
 namespace {
@@ -50,7 +54,7 @@ std::optional<Program> Program::link(const std::string& vertex, const std::strin
     const uint32_t fragment_shader = compile(GL_FRAGMENT_SHADER, fragment, log);
     std::optional<Program> program;
     if (vertex_shader && fragment_shader) {
-        program = Program(glCreateProgram());
+        program = Program();
         glAttachShader(program->id(), vertex_shader);
         glAttachShader(program->id(), fragment_shader);
         for (size_t i = 0; i < outputs.size(); ++i)
@@ -94,6 +98,12 @@ void Program::set(const char* name, std::span<const float> value) const {
         default:
             return;
     }
+}
+
+void Program::set(const UniformInfo& uniform) const {
+    std::array<float, 4> value;
+    std::copy(uniform.value.begin(), uniform.value.end(), value.begin());
+    set(uniform.name.c_str(), std::span<const float>(value).first(info(uniform.type).lanes));
 }
 
 }  // namespace wrinkle::gpu

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "glsl/reflection.h"
 #include "gpu/gl_handle.h"
 
 namespace wrinkle::gpu {
@@ -31,12 +32,13 @@ public:
     void set(const char* name, const glm::mat3& value) const;
     void set(const char* name, const glm::mat4& value) const;
     void set(const char* name, std::span<const float> value) const;  // 1 to 4 components
+    void set(const UniformInfo& uniform) const;
 
     uint32_t id() const { return handle_.id(); }
 
 private:
-    explicit Program(uint32_t id) : handle_(id) {}
-    ProgramHandle handle_;
+    Program() = default;
+    ProgramHandle handle_ = ProgramHandle::make();
 };
 
 }  // namespace wrinkle::gpu

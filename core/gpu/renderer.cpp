@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "glsl/attributes.h"
+#include "glsl/emit.h"
 #include "glsl/log.h"
 #include "gpu/backdrop.h"
 #include "gpu/draw_state.h"
@@ -30,41 +32,39 @@ std::string in_quotes(std::string_view text) {
     return "'" + std::string(text) + "'";
 }
 
-bool same_shader(const Material& a, const Material& b) {
-    return a.text == b.text && a.struct_name == b.struct_name && a.members == b.members &&
-           a.outputs == b.outputs;
-}
-
 // Returns the same material with another output as its normal.
-Material with_normal(Material material, const OutputFunction& normal) {
-    std::erase_if(material.outputs, [](const OutputFunction& o) { return o.output == "normal"; });
-    material.outputs.push_back({"normal", normal.function, normal.type});
+Shader with_normal(Shader material, const FunctionInfo& normal) {
+    auto& functions = material.reflection.functions;
+    FunctionInfo renamed = normal;
+    renamed.output = "normal";
+    std::erase_if(functions, [](const FunctionInfo& f) { return f.output == "normal"; });
+    functions.push_back(std::move(renamed));
     return material;
 }
 
 // The compiled shader numbers the lines of the material's source from 1 (wrapper.h).
-Diagnostic refusal(const Material& material, const std::string& log) {
+Diagnostic refusal(const Reflection& reflection, const std::string& log) {
     Diagnostic problem;
     problem.message = "the driver refuses the material's shader: " + log;
-    const size_t line = line_in(log);
-    if (line > 0 && line <= material.nodes.size()) problem.node = material.nodes[line - 1];
+    const uint32_t node = node_of_line(reflection, line_in(log));
+    if (node != no_node) problem.node = reflection.node_paths[node];
     return problem;
 }
 
-std::optional<Program> compile(const Material& material, View view, const OutputFunction* against,
+std::optional<Program> compile(const Shader& material, View view, const FunctionInfo* against,
                                const Shading& shading, Diagnostics& diagnostics) {
     const ShaderText text = wrap_material(material, view, against, shading);
     const std::array<std::string, 1> outputs{"WrView_color"};
     std::string log;
     std::optional<Program> program = Program::link(text.vertex, text.fragment, outputs, log);
-    if (!program) diagnostics.add(refusal(material, log));
+    if (!program) diagnostics.add(refusal(material.reflection, log));
     return program;
 }
 
-bool check_members(const Material& material, Diagnostics& diagnostics) {
-    for (const Member& member : material.members)
-        if (!is_property(member.property)) {
-            diagnostics.error("the material reads " + in_quotes(member.property) +
+bool check_members(const Shader& material, Diagnostics& diagnostics) {
+    for (const MemberInfo& member : material.reflection.members)
+        if (member.variant != Variant::value) {
+            diagnostics.error("the material reads " + in_quotes(member.name) +
                               ", which is no property of a drawn surface");
             return false;
         }
@@ -87,7 +87,7 @@ struct Renderer::State {
         friend auto operator<=>(const ProgramKey&, const ProgramKey&) = default;
     };
     std::optional<MeshBuffers> mesh;
-    std::optional<Material> material;
+    std::optional<Shader> material;
     std::vector<Sampler> samplers;  // one per sampler of the material
     std::map<ProgramKey, Program> programs;
     std::map<std::string, CachedTexture> images;
@@ -97,7 +97,7 @@ struct Renderer::State {
     uint64_t linked = 0;
     double strips_took = 0;
 
-    bool upload_stale_images(const Material& material, Diagnostics& diagnostics);
+    bool upload_stale_images(const std::vector<SamplerInfo>& needed, Diagnostics& diagnostics);
     bool upload(const std::string& file, const MipChain& chain, bool is_file,
                 Diagnostics& diagnostics);
     const Program* program_for(const ViewOptions& options, Diagnostics& diagnostics);
@@ -125,12 +125,13 @@ bool Renderer::State::upload(const std::string& file, const MipChain& chain, boo
     return true;
 }
 
-bool Renderer::State::upload_stale_images(const Material& material, Diagnostics& diagnostics) {
+bool Renderer::State::upload_stale_images(const std::vector<SamplerInfo>& needed,
+                                          Diagnostics& diagnostics) {
     GLint units = 0;
     glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
     if (wanted.environment) --units;
-    if (material.samplers.size() > static_cast<size_t>(units)) {
-        diagnostics.error("the material reads " + std::to_string(material.samplers.size()) +
+    if (needed.size() > static_cast<size_t>(units)) {
+        diagnostics.error("the material reads " + std::to_string(needed.size()) +
                               " textures, more than this driver binds at once",
                           "at most " + std::to_string(units));
         return false;
@@ -138,7 +139,7 @@ bool Renderer::State::upload_stale_images(const Material& material, Diagnostics&
     bool ok = true;
     ImageLimits limits = image_limits_from_environment(diagnostics);
     limits.left_bytes = limit_of(Limit::all_images_bytes);
-    for (const MaterialSampler& sampler : material.samplers) {
+    for (const SamplerInfo& sampler : needed) {
         const auto cached = images.find(sampler.file);
         if (cached == images.end() || cached->second.stale) {
             std::optional<Image> image = load_image(sampler.file, limits, diagnostics);
@@ -155,8 +156,8 @@ const Program* Renderer::State::program_for(const ViewOptions& options, Diagnost
     const std::string against = options.view == View::difference ? options.against : "";
     const ProgramKey key{options.view, options.normal, against};
     if (const auto found = programs.find(key); found != programs.end()) return &found->second;
-    const OutputFunction* other = find_output(*material, against);
-    const OutputFunction* normal = find_output(*material, options.normal);
+    const FunctionInfo* other = find_output(*material, against);
+    const FunctionInfo* normal = find_output(*material, options.normal);
     for (const std::string& name : {against, options.normal})
         if (!name.empty() && name != "normal" && !find_output(*material, name)) {
             diagnostics.error("the graph has no output " + in_quotes(name) + " to compare with");
@@ -180,26 +181,26 @@ bool Renderer::State::can_draw(Diagnostics& diagnostics) const {
         return false;
     }
     bool ok = true;
-    for (const Member& member : material->members) {
-        const int location = attribute_location(member.property);
+    for (const MemberInfo& member : material->reflection.members) {
+        const int location = location_of(member.input);
         if (location < 0 || mesh->has(location)) continue;
-        diagnostics.error(
-            "the material reads " + in_quotes(member.property) + ", which the mesh does not have",
-            "a mesh that has it, or a graph that reads another one");
+        diagnostics.error("the material reads " + in_quotes(info(member.input).name) +
+                              ", which the mesh does not have",
+                          "a mesh that has it, or a graph that reads another one");
         ok = false;
     }
     return ok;
 }
 
 void Renderer::State::draw_mesh(const Program& program) const {
-    for (size_t i = 0; i < material->samplers.size(); ++i) {
-        const MaterialSampler& sampler = material->samplers[i];
+    for (size_t i = 0; i < samplers.size(); ++i) {
+        const SamplerInfo& sampler = material->reflection.samplers[i];
         images.at(sampler.file).texture.bind(static_cast<int>(i));
         samplers[i].bind(static_cast<int>(i));
         program.set(sampler.name.c_str(), static_cast<int>(i));
     }
-    for (const MaterialUniform& uniform : material->uniforms)
-        program.set(uniform.name.c_str(), std::span<const float>(uniform.value));
+    for (const UniformInfo& uniform : material->reflection.uniforms)
+        program.set(uniform);
     if (shading.environment) {
         const auto unit = static_cast<int>(samplers.size());
         environment->bind(unit);
@@ -266,11 +267,11 @@ uint64_t Renderer::programs_linked() const {
     return state_->linked;
 }
 
-bool Renderer::set_material(const Material& material, Diagnostics& diagnostics) {
+bool Renderer::set_material(const Shader& material, Diagnostics& diagnostics) {
     if (!check_members(material, diagnostics)) return false;
-    if (!state_->upload_stale_images(material, diagnostics)) return false;
+    if (!state_->upload_stale_images(material.reflection.samplers, diagnostics)) return false;
     const bool same_shading = state_->wanted == state_->shading;
-    if (!state_->material || !same_shading || !same_shader(*state_->material, material)) {
+    if (!state_->material || !same_shading || state_->material->source != material.source) {
         std::optional<Program> shaded =
             compile(material, View::shaded, nullptr, state_->wanted, diagnostics);
         if (!shaded) return false;
@@ -281,16 +282,16 @@ bool Renderer::set_material(const Material& material, Diagnostics& diagnostics) 
     }
     state_->material = material;
     state_->samplers.clear();
-    for (const MaterialSampler& sampler : material.samplers)
+    for (const SamplerInfo& sampler : material.reflection.samplers)
         state_->samplers.emplace_back(sampler.options.wrap, sampler.options.filter);
     return true;
 }
 
 bool Renderer::set_uniform(std::string_view name, std::span<const float> value) {
     if (!state_->material) return false;
-    for (MaterialUniform& uniform : state_->material->uniforms)
-        if (uniform.name == name && uniform.value.size() == value.size()) {
-            uniform.value.assign(value.begin(), value.end());
+    for (UniformInfo& uniform : state_->material->reflection.uniforms)
+        if (uniform.name == name && info(uniform.type).lanes == value.size()) {
+            std::copy(value.begin(), value.end(), uniform.value.begin());
             return true;
         }
     return false;

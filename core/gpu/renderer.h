@@ -43,11 +43,14 @@
 
 #include "base/diagnostics.h"
 #include "gpu/camera.h"
-#include "gpu/material.h"
 #include "gpu/target.h"
 #include "image/image.h"
 #include "image/mips.h"
 #include "mesh/mesh.h"
+
+namespace wrinkle {
+struct Shader;
+}
 
 namespace wrinkle::gpu {
 
@@ -121,7 +124,10 @@ public:
 
     // Compiles the shaded view and uploads the images; on failure returns false and retains the
     // previous material. A material that differs only in samplers and uniforms compiles nothing.
-    bool set_material(const Material& material, Diagnostics& diagnostics);
+    // Precondition: the shader has no problems, is in the function form and has differentials from
+    // the screen. Uniforms get the values of the graph; SamplerInfo::file is also the renderer's
+    // key for the texture.
+    bool set_material(const Shader& material, Diagnostics& diagnostics);
     // Sets a uniform of the current material; returns false if it has no such uniform of this size.
     bool set_uniform(std::string_view name, std::span<const float> value);
     uint64_t programs_linked() const;  // total number, by this renderer

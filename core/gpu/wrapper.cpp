@@ -1,38 +1,11 @@
 #include "gpu/wrapper.h"
 
-#include <algorithm>
 #include <array>
 
 #include "glsl/attributes.h"
 
 namespace wrinkle::gpu {
 namespace {
-
-struct Property {
-    std::string_view name;
-    std::string_view value;  // expression in the fragment shader's main()
-    SurfaceInput input;      // input that it is computed from
-};
-
-constexpr std::array<Property, 11> properties{{
-    {"position", "WrView_position", SurfaceInput::position_},
-    {"position_relative", "WrView_position_relative", SurfaceInput::position_},
-    {"normal", "WrView_normal", SurfaceInput::normal_},
-    {"tangent", "WrView_tangent", SurfaceInput::tangent_},
-    {"uv0", "WrView_uv0", SurfaceInput::uv0_},
-    {"uv1", "WrView_uv1", SurfaceInput::uv1_},
-    {"uv2", "WrView_uv2", SurfaceInput::uv2_},
-    {"uv3", "WrView_uv3", SurfaceInput::uv3_},
-    {"color0", "WrView_color0", SurfaceInput::color0_},
-    {"view", "normalize(WrView_to_eye)", SurfaceInput::view_},
-    {"facing", "(gl_FrontFacing ? 1.0 : -1.0)", SurfaceInput::facing_},
-}};
-
-const Property* find_property(std::string_view name) {
-    const auto* found = std::find_if(properties.begin(), properties.end(),
-                                     [&](const Property& p) { return p.name == name; });
-    return found == properties.end() ? nullptr : found;
-}
 
 constexpr std::string_view vertex_globals = R"(out vec3 WrView_position_relative;
 out vec3 WrView_to_eye;
@@ -163,6 +136,57 @@ vec3 WrView_heat(float angle) {
 }
 )";
 
+// GLSL of a view: declarations, and statements of main() that set `value` and `shown`.
+struct ViewText {
+    std::string_view declarations, body;
+};
+
+// By View; shading_of() has the declarations of the shaded view. In the gradient view, the normal
+// may be on the invisible side of the surface: a graph may leave back faces unflipped.
+constexpr std::array<ViewText, 7> view_texts{{
+    {"", R"(    vec3 n = normalize(WrView_normal_to_world * WrView_bumped);
+    vec3 v = normalize(WrView_vector_to_world * WrView_to_eye);
+    vec3 value = WrView_shade(n, v, WrView_base, clamp(WrView_roughness, 0.0, 1.0),
+                              clamp(WrView_metalness, 0.0, 1.0), WrView_occlusion)
+                 + WrView_emission;
+    vec3 shown = WrView_display(value);
+)"},
+    {"", R"(    vec3 value = WrView_bumped;
+    vec3 shown = 0.5 + 0.5 * value;
+)"},
+    {"", R"(    vec3 side = dot(WrView_bumped, surface) < 0.0 ? -surface : surface;
+    vec3 value = side - WrView_bumped / dot(side, WrView_bumped);
+    vec3 shown = 0.5 + 0.5 * value;
+)"},
+    {"uniform vec2 WrView_height_range;\n", R"(    vec3 value = vec3(WrView_height);
+    vec3 shown = (value - WrView_height_range.x) / (WrView_height_range.y - WrView_height_range.x);
+)"},
+    {"", R"(    vec3 value = vec3(WrView_uv0, 0.0);
+    vec3 shown = fract(value);
+)"},
+    {difference_text, R"(    float angle = WrView_angle(WrView_bumped, WrView_other);
+    vec3 value = vec3(angle);
+    vec3 shown = WrView_heat(angle);
+)"},
+    {"uniform float WrView_edges;\n", R"(    vec3 to_eye = normalize(WrView_to_eye);
+    vec3 value = vec3(WrView_edges);
+    vec3 shown = mix(vec3(0.12 + 0.2 * abs(dot(surface, to_eye))), vec3(0.75), WrView_edges);
+)"},
+}};
+
+// A variable of main() with the value of an output, for the views that read it.
+struct OutputValue {
+    std::string_view type, name, output, missing;
+};
+constexpr std::array<OutputValue, 6> output_values{{
+    {"vec3", "bumped", "normal", "surface"},
+    {"vec3", "base", "color", "vec3(0.6)"},
+    {"float", "roughness", "roughness", "0.5"},
+    {"float", "metalness", "metalness", "0.0"},
+    {"float", "occlusion", "occlusion", "1.0"},
+    {"float", "height", "height", "0.0"},
+}};
+
 // `surface` is the unit surface normal, flipped towards the eye; materials without a normal output
 // use it.
 constexpr std::string_view surface_text = R"(    float WrView_length = length(WrView_normal);
@@ -170,140 +194,58 @@ constexpr std::string_view surface_text = R"(    float WrView_length = length(Wr
     surface = gl_FrontFacing ? surface : -surface;
 )";
 
-std::string struct_values(const Material& material) {
-    if (material.struct_name.empty()) return {};
-    std::string text = "    " + material.struct_name + " WrView_s;\n";
-    for (const Member& member : material.members)
-        if (const Property* property = find_property(member.property))
-            text += "    WrView_s." + member.name + " = " + std::string(property->value) + ";\n";
+// Expression in main() for a member of the material's struct, in object space. Interpolated vectors
+// are not normalised; `view` is towards the eye, `facing` is 1 on the side of the normal, else -1.
+std::string member_value(const MemberInfo& member) {
+    if (member.input == SurfaceInput::view_) return "normalize(WrView_to_eye)";
+    if (member.input == SurfaceInput::facing_) return "(gl_FrontFacing ? 1.0 : -1.0)";
+    return "WrView_" + std::string(info(member.input).name) + (member.relative ? "_relative" : "");
+}
+
+std::string struct_values(const Reflection& reflection) {
+    if (reflection.struct_name.empty()) return {};
+    std::string text = "    " + reflection.struct_name + " WrView_s;\n";
+    for (const MemberInfo& member : reflection.members)
+        text += "    WrView_s." + member.name + " = " + member_value(member) + ";\n";
     return text;
 }
 
-std::string call(const Material& material, const OutputFunction& output) {
-    return output.function + (material.struct_name.empty() ? "()" : "(WrView_s)");
+std::string call(const Shader& material, const FunctionInfo& output) {
+    return output.function + (material.reflection.struct_name.empty() ? "()" : "(WrView_s)");
 }
 
-std::string value_of(const Material& material, const std::string& output, const std::string& type,
-                     const std::string& missing) {
-    const OutputFunction* found = find_output(material, output);
-    return found ? type + "(" + call(material, *found) + ")" : missing;
+std::string assign(std::string_view type, std::string_view name, const std::string& value) {
+    return std::string("    ").append(type).append(" WrView_").append(name) + " = " + value + ";\n";
 }
 
 // Emission is added to the lit color; black if the output is not a vec3 or a float.
-std::string emission_of(const Material& material) {
-    const OutputFunction* found = find_output(material, "emission");
-    const bool adds = found && (found->type == "vec3" || found->type == "float");
+std::string emission_of(const Shader& material) {
+    const FunctionInfo* found = find_output(material, "emission");
+    const bool adds = found && (found->type == Type::vec3_ || found->type == Type::float_);
     return adds ? "max(vec3(" + call(material, *found) + "), 0.0)" : "vec3(0.0)";
 }
 
-std::string assign(const std::string& type, const std::string& name, const std::string& value) {
-    return "    " + type + " WrView_" + name + " = " + value + ";\n";
-}
-
-std::string normal_value(const Material& material) {
-    return assign("vec3", "bumped", value_of(material, "normal", "vec3", "surface"));
-}
-
-std::string shaded_body(const Material& m) {
-    std::string text = normal_value(m);
-    text += assign("vec3", "base", value_of(m, "color", "vec3", "vec3(0.6)"));
-    text += assign("float", "roughness", value_of(m, "roughness", "float", "0.5"));
-    text += assign("float", "metalness", value_of(m, "metalness", "float", "0.0"));
-    text += assign("float", "occlusion", value_of(m, "occlusion", "float", "1.0"));
-    text += assign("vec3", "emission", emission_of(m));
-    return text + R"(    vec3 n = normalize(WrView_normal_to_world * WrView_bumped);
-    vec3 v = normalize(WrView_vector_to_world * WrView_to_eye);
-    vec3 value = WrView_shade(n, v, WrView_base, clamp(WrView_roughness, 0.0, 1.0),
-                              clamp(WrView_metalness, 0.0, 1.0), WrView_occlusion)
-                 + WrView_emission;
-    vec3 shown = WrView_display(value);
-)";
-}
-
-std::string normal_body(const Material& material) {
-    return normal_value(material) + R"(    vec3 value = WrView_bumped;
-    vec3 shown = 0.5 + 0.5 * value;
-)";
-}
-
-// The normal may be on the invisible side of the surface: a graph may leave back faces unflipped.
-std::string gradient_body(const Material& material) {
-    return normal_value(material) +
-           R"(    vec3 side = dot(WrView_bumped, surface) < 0.0 ? -surface : surface;
-    vec3 value = side - WrView_bumped / dot(side, WrView_bumped);
-    vec3 shown = 0.5 + 0.5 * value;
-)";
-}
-
-std::string height_body(const Material& material) {
-    return assign("float", "height", value_of(material, "height", "float", "0.0")) +
-           R"(    vec3 value = vec3(WrView_height);
-    vec3 shown = (value - WrView_height_range.x) / (WrView_height_range.y - WrView_height_range.x);
-)";
-}
-
-std::string uv_body() {
-    return R"(    vec3 value = vec3(WrView_uv0, 0.0);
-    vec3 shown = fract(value);
-)";
-}
-
-std::string difference_body(const Material& material, const OutputFunction* against) {
+std::string values_of(const Shader& material, View view, const FunctionInfo* against) {
+    const std::string_view body = view_texts[static_cast<size_t>(view)].body;
+    std::string text;
+    for (const auto& [type, name, output, missing] : output_values) {
+        if (body.find("WrView_" + std::string(name)) == body.npos) continue;
+        const FunctionInfo* found = find_output(material, std::string(output));
+        text += assign(
+            type, name,
+            found ? std::string(type) + "(" + call(material, *found) + ")" : std::string(missing));
+    }
+    if (view == View::shaded) text += assign("vec3", "emission", emission_of(material));
     const std::string flat = "dot(WrView_bumped, surface) < 0.0 ? -surface : surface";
-    const std::string other = against ? "vec3(" + call(material, *against) + ")" : flat;
-    return normal_value(material) + assign("vec3", "other", other) +
-           R"(    float angle = WrView_angle(WrView_bumped, WrView_other);
-    vec3 value = vec3(angle);
-    vec3 shown = WrView_heat(angle);
-)";
-}
-
-std::string wireframe_body() {
-    return R"(    vec3 to_eye = normalize(WrView_to_eye);
-    vec3 value = vec3(WrView_edges);
-    vec3 shown = mix(vec3(0.12 + 0.2 * abs(dot(surface, to_eye))), vec3(0.75), WrView_edges);
-)";
+    if (view == View::difference)
+        text += assign("vec3", "other", against ? "vec3(" + call(material, *against) + ")" : flat);
+    return text;
 }
 
 std::string shading_of(const Shading& shading) {
     std::string text = std::string(shading_text).append(curve_text);
     if (shading.lighting == Lighting::phong) return text.append(phong_text);
     return text.append(shading.environment ? surroundings_text : sky_text).append(ggx_text);
-}
-
-std::string helpers_of(View view, const Shading& shading) {
-    switch (view) {
-        case View::shaded:
-            return shading_of(shading);
-        case View::height:
-            return "uniform vec2 WrView_height_range;\n";
-        case View::difference:
-            return std::string(difference_text);
-        case View::wireframe:
-            return "uniform float WrView_edges;\n";
-        default:
-            return "";
-    }
-}
-
-std::string body_of(const Material& material, View view, const OutputFunction* against) {
-    switch (view) {
-        case View::shaded:
-            return shaded_body(material);
-        case View::normal:
-            return normal_body(material);
-        case View::gradient:
-            return gradient_body(material);
-        case View::height:
-            return height_body(material);
-        case View::uv:
-            return uv_body();
-        case View::difference:
-            return difference_body(material, against);
-        case View::wireframe:
-            return wireframe_body();
-    }
-    return {};
 }
 
 // Calls use(input, type, name) for each input with a vertex attribute.
@@ -347,30 +289,23 @@ std::string_view display_text() {
     return curve_text;
 }
 
-bool is_property(std::string_view name) {
-    return find_property(name) != nullptr;
-}
-
-int attribute_location(std::string_view property) {
-    const Property* found = find_property(property);
-    return found ? location_of(found->input) : -1;
-}
-
-ShaderText wrap_material(const Material& material, View view, const OutputFunction* against,
+ShaderText wrap_material(const Shader& material, View view, const FunctionInfo* against,
                          const Shading& shading) {
+    const ViewText& texts = view_texts[static_cast<size_t>(view)];
     std::string fragment = fragment_inputs();
-    fragment += "#line 1\n" + material.text + "\n#line 100001\n";
-    fragment += helpers_of(view, shading);
+    fragment += "#line 1\n" + material.source + "\n#line 100001\n";
+    fragment += view == View::shaded ? shading_of(shading) : std::string(texts.declarations);
     fragment += "\nvoid main() {\n";
-    fragment += struct_values(material);
+    fragment += struct_values(material.reflection);
     fragment += surface_text;
-    fragment += body_of(material, view, against);
+    fragment += values_of(material, view, against);
+    fragment += texts.body;
     fragment += "    WrView_color = vec4(WrView_raw ? value : clamp(shown, 0.0, 1.0), 1.0);\n}\n";
     return {vertex_text(), std::move(fragment)};
 }
 
-const OutputFunction* find_output(const Material& material, const std::string& output) {
-    for (const OutputFunction& function : material.outputs)
+const FunctionInfo* find_output(const Shader& material, const std::string& output) {
+    for (const FunctionInfo& function : material.reflection.functions)
         if (function.output == output) return &function;
     return nullptr;
 }

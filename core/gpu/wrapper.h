@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "glsl/attributes.h"
-#include "gpu/material.h"
+#include "glsl/emit.h"
 #include "gpu/renderer.h"
 
 namespace wrinkle::gpu {
@@ -29,8 +29,10 @@ struct Shading {
 
 // `against` may be null: the un-bumped surface. Precondition of the height view: the material has
 // the output `height`.
-ShaderText wrap_material(const Material& material, View view, const OutputFunction* against,
+ShaderText wrap_material(const Shader& material, View view, const FunctionInfo* against,
                          const Shading& shading = {});
+
+const FunctionInfo* find_output(const Shader& material, const std::string& output);
 
 // Returns the GLSL of `vec3 WrView_display(vec3 radiance)`, the display curve of the shaded view,
 // with its uniform WrView_exposure.
@@ -38,10 +40,5 @@ std::string_view display_text();
 
 // Location of the drawn position; it differs from the position attribute on displaced meshes.
 inline constexpr int drawn_location = attribute_count;
-
-bool is_property(std::string_view name);  // returns true for the properties of material.h
-
-// Returns the location of a property's vertex attribute; -1 if it has none ("view", "facing").
-int attribute_location(std::string_view property);
 
 }  // namespace wrinkle::gpu

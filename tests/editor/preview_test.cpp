@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "gpu/material.h"
 #include "graph/edit.h"
 #include "graph/read.h"
 #include "lower/material.h"
@@ -125,7 +124,7 @@ TEST_F(WithPreview, AShaderThatTheDriverRefusesIsAProblemOfItsNode) {
     for (size_t i = 1; i < line; ++i)
         at = broken.source.find('\n', at) + 1;
     broken.source.insert(at, "nonsense nonsense; ");
-    preview_->set_material(std::make_shared<const gpu::Material>(gpu::material_from(broken)), {});
+    preview_->set_material(std::make_shared<const Shader>(broken), {});
     EXPECT_EQ(pixels_of(see().texture), before);
     EXPECT_TRUE(state.preview_stale);
     ASSERT_FALSE(state.preview_problems.list().empty());

@@ -102,8 +102,10 @@ TEST(Environment, IgnoresWhatIsNoRadiance) {
 class LightingTest : public WithRenderer {
 protected:
     std::vector<vec3> positions() {
-        const auto pixels = draw(
-            material_with_normal("s.position", {{"position", "vec3", "position"}}), View::normal);
+        const auto pixels =
+            draw(material_with_normal("s.position",
+                                      {{"position", Type::vec3_, SurfaceInput::position_}}),
+                 View::normal);
         std::vector<vec3> result;
         for (const Pixel& pixel : pixels)
             result.push_back(pixel.value);
@@ -111,15 +113,16 @@ protected:
     }
 
     // A material of constants.
-    static Material constants(const std::string& color, const std::string& roughness,
-                              const std::string& metalness) {
-        Material material;
-        material.text = "vec3 test_color() { return " + color +
-                        "; }\nfloat test_roughness() { return " + roughness +
-                        "; }\nfloat test_metalness() { return " + metalness + "; }\n";
-        material.outputs = {{"color", "test_color", "vec3"},
-                            {"roughness", "test_roughness", "float"},
-                            {"metalness", "test_metalness", "float"}};
+    static Shader constants(const std::string& color, const std::string& roughness,
+                            const std::string& metalness) {
+        Shader material;
+        material.source = "vec3 test_color() { return " + color +
+                          "; }\nfloat test_roughness() { return " + roughness +
+                          "; }\nfloat test_metalness() { return " + metalness + "; }\n";
+        material.reflection.functions = {
+            function_info("color", "test_color", Type::vec3_),
+            function_info("roughness", "test_roughness", Type::float_),
+            function_info("metalness", "test_metalness", Type::float_)};
         return material;
     }
 };
@@ -219,7 +222,7 @@ TEST_F(LightingTest, PhongsLightIsItsFormula) {
 }
 
 TEST_F(LightingTest, ChangesWithTheNextMaterial) {
-    const Material material = constants("vec3(0.5)", "0.4", "0.0");
+    const Shader material = constants("vec3(0.5)", "0.4", "0.0");
     const auto before = draw(material, View::shaded);
     renderer->set_lighting(Lighting::phong);
     const auto phong = draw(material, View::shaded);

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "glsl/attributes.h"
+#include "glsl/emit.h"
 #include "gpu/context.h"
 #include "gpu/renderer.h"
 #include "mesh/shapes.h"
@@ -27,18 +29,45 @@ protected:
     std::optional<Context> context;
 };
 
+inline FunctionInfo function_info(const std::string& output, const std::string& function,
+                                  Type type) {
+    FunctionInfo result;
+    result.output = output;
+    result.function = function;
+    result.type = type;
+    return result;
+}
+
+inline UniformInfo uniform_info(const std::string& name, Type type,
+                                const std::array<double, 4>& value) {
+    UniformInfo result;
+    result.name = name;
+    result.type = type;
+    result.value = value;
+    return result;
+}
+
+inline SamplerInfo sampler_info(const std::string& name, const std::string& file,
+                                const TextureOptions& options = {}) {
+    SamplerInfo result;
+    result.name = name;
+    result.file = file;
+    result.options = options;
+    return result;
+}
+
 // A material with the normal output `expression` over the members of `s`.
-inline Material material_with_normal(const std::string& expression,
-                                     const std::vector<Member>& members) {
-    Material material;
-    material.struct_name = "WrinkleSurface_test";
-    material.members = members;
-    material.text = "struct WrinkleSurface_test {\n";
-    for (const Member& member : members)
-        material.text += "    " + member.type + " " + member.name + ";\n";
-    material.text += "};\nvec3 wrinkle_test_normal(WrinkleSurface_test s) {\n    return " +
-                     expression + ";\n}\n";
-    material.outputs = {{"normal", "wrinkle_test_normal", "vec3"}};
+inline Shader material_with_normal(const std::string& expression,
+                                   const std::vector<MemberInfo>& members) {
+    Shader material;
+    material.reflection.struct_name = "WrinkleSurface_test";
+    material.reflection.members = members;
+    material.source = "struct WrinkleSurface_test {\n";
+    for (const MemberInfo& member : members)
+        material.source += "    " + std::string(info(member.type).name) + " " + member.name + ";\n";
+    material.source += "};\nvec3 wrinkle_test_normal(WrinkleSurface_test s) {\n    return " +
+                       expression + ";\n}\n";
+    material.reflection.functions = {function_info("normal", "wrinkle_test_normal", Type::vec3_)};
     return material;
 }
 
@@ -93,7 +122,7 @@ protected:
         return pixels;
     }
 
-    std::vector<Pixel> draw(const Material& material, View view) {
+    std::vector<Pixel> draw(const Shader& material, View view) {
         EXPECT_TRUE(renderer->set_material(material, diagnostics)) << errors();
         return draw(view);
     }
@@ -111,15 +140,17 @@ inline size_t covered(const std::vector<Pixel>& pixels) {
 }
 
 // A bump with a gradient of length 0.3 everywhere, with outputs `flat` and `height` = 7 n.y.
-inline Material tilted() {
-    Material material = material_with_normal(
+inline Shader tilted() {
+    Shader material = material_with_normal(
         "normalize(normalize(s.normal) - 0.3 * normalize(cross(s.normal, vec3(0.0, 1.0, 0.0))))",
-        {{"normal", "vec3", "normal"}});
-    material.text +=
+        {{"normal", Type::vec3_, SurfaceInput::normal_}});
+    material.source +=
         "vec3 wrinkle_test_flat(WrinkleSurface_test s) { return normalize(s.normal); }\n"
         "float wrinkle_test_height(WrinkleSurface_test s) { return 7.0 * s.normal.y; }\n";
-    material.outputs.push_back({"flat", "wrinkle_test_flat", "vec3"});
-    material.outputs.push_back({"height", "wrinkle_test_height", "float"});
+    material.reflection.functions.push_back(
+        function_info("flat", "wrinkle_test_flat", Type::vec3_));
+    material.reflection.functions.push_back(
+        function_info("height", "wrinkle_test_height", Type::float_));
     return material;
 }
 

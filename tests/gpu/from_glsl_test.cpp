@@ -1,4 +1,3 @@
-#include "gpu/material.h"
 #include "gpu/point_runner.h"
 
 #include "fixture.h"
@@ -42,18 +41,11 @@ Shader written_by_hand() {
 }
 
 TEST_F(FromGlslTest, DrawsAGeneratedShader) {
-    const Material material = material_from(written_by_hand());
-    ASSERT_EQ(material.uniforms.size(), 1U);
-    EXPECT_EQ(material.uniforms[0].value, (std::vector<float>{3, 0.5F}));
-    EXPECT_EQ(material.samplers[0].options.filter, Filter::nearest);
-    EXPECT_EQ(material.members[0].property, "position_relative");
-    EXPECT_EQ(material.outputs[0].type, "vec3");
-
     Image image = make_image(1, 1, 1);
     image.data = {8};
     ASSERT_TRUE(renderer->add_image("two", build_mips(image), diagnostics)) << errors();
     show("plane");
-    for (const Pixel& pixel : draw(material, View::normal)) {
+    for (const Pixel& pixel : draw(written_by_hand(), View::normal)) {
         const glm::vec3 expected = pixel.covered ? glm::vec3(0, 0, 4) : glm::vec3(0);
         ASSERT_LT(glm::distance(pixel.value, expected), 1e-3);
     }
@@ -71,7 +63,7 @@ TEST_F(FromGlslTest, SaysWhichNodeADriverRefuses) {
     Image image = make_image(1, 1, 1);
     image.data = {8};
     ASSERT_TRUE(renderer->add_image("two", build_mips(image), diagnostics)) << errors();
-    EXPECT_FALSE(renderer->set_material(material_from(shader), diagnostics));
+    EXPECT_FALSE(renderer->set_material(shader, diagnostics));
     ASSERT_FALSE(diagnostics.list().empty());
     EXPECT_EQ(diagnostics.list()[0].node, "bump") << diagnostics.list()[0].message;
 }

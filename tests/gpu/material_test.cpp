@@ -12,13 +12,14 @@ namespace {
 
 using MaterialTest = WithRenderer;
 
-Material with_uniform() {
-    Material material = material_with_normal("tint_color * gain", {});
-    material.struct_name.clear();
-    material.text =
+Shader with_uniform() {
+    Shader material = material_with_normal("tint_color * gain", {});
+    material.reflection.struct_name.clear();
+    material.source =
         "uniform vec3 tint_color;\nuniform float gain;\n"
         "vec3 wrinkle_test_normal() { return tint_color * gain; }\n";
-    material.uniforms = {{"tint_color", {1, 2, 3}}, {"gain", {2}}};
+    material.reflection.uniforms = {uniform_info("tint_color", Type::vec3_, {1, 2, 3}),
+                                    uniform_info("gain", Type::float_, {2})};
     return material;
 }
 
@@ -33,18 +34,19 @@ TEST_F(MaterialTest, TakesUniformsWithoutCompiling) {
     EXPECT_EQ(middle(draw(View::normal)), glm::vec3(-1, -2, -3));
     EXPECT_FALSE(renderer->set_uniform("gain", std::vector<float>{1, 2}));
     EXPECT_FALSE(renderer->set_uniform("pain", std::vector<float>{1}));
-    Material changed = with_uniform();
-    changed.uniforms[1].value = {10};
+    Shader changed = with_uniform();
+    changed.reflection.uniforms[1].value = {10};
     EXPECT_EQ(middle(draw(changed, View::normal)), glm::vec3(10, 20, 30));
 }
 
-Material with_image(const std::string& file) {
-    Material material = material_with_normal("vec3(0.0)", {});
-    material.struct_name.clear();
-    material.text =
+Shader with_image(const std::string& file) {
+    Shader material = material_with_normal("vec3(0.0)", {});
+    material.reflection.struct_name.clear();
+    material.source =
         "uniform sampler2D map;\n"
         "vec3 wrinkle_test_normal() { return texture(map, vec2(1.25, 0.5)).rgb; }\n";
-    material.samplers = {{"map", file, {Encoding::linear, Wrap::clamp, Filter::linear}}};
+    material.reflection.samplers = {
+        sampler_info("map", file, {Encoding::linear, Wrap::clamp, Filter::linear})};
     return material;
 }
 
@@ -56,9 +58,9 @@ MipChain two_texels() {
 
 TEST_F(MaterialTest, LooksImagesUpAsTheSamplerSays) {
     ASSERT_TRUE(renderer->add_image("given", two_texels(), diagnostics));
-    Material material = with_image("given");
+    Shader material = with_image("given");
     EXPECT_EQ(middle(draw(material, View::normal)), glm::vec3(4, 5, 6));
-    material.samplers[0].options.wrap = Wrap::repeat;
+    material.reflection.samplers[0].options.wrap = Wrap::repeat;
     EXPECT_EQ(middle(draw(material, View::normal)), glm::vec3(1, 2, 3));
     renderer->forget_images();
     EXPECT_EQ(middle(draw(View::normal)), glm::vec3(1, 2, 3)) << "a given image is kept";
@@ -86,8 +88,8 @@ TEST_F(MaterialTest, ReadsImageFilesOnceUntilToldToForgetThem) {
 
 TEST_F(MaterialTest, KeepsTheFormerMaterialWhenOneIsRefused) {
     EXPECT_EQ(middle(draw(with_uniform(), View::normal)), glm::vec3(2, 4, 6));
-    Material broken = with_uniform();
-    broken.text += "float nonsense() { return oops; }\n";
+    Shader broken = with_uniform();
+    broken.source += "float nonsense() { return oops; }\n";
     EXPECT_FALSE(renderer->set_material(broken, diagnostics));
     EXPECT_TRUE(mentions(errors(), ":4(")) << errors();
     EXPECT_FALSE(renderer->set_material(with_image("/nowhere/at_all.png"), diagnostics));
@@ -101,8 +103,9 @@ TEST_F(MaterialTest, RefusesImagesWithoutTexels) {
 }
 
 TEST_F(MaterialTest, RefusesWhatTheMeshCannotGive) {
-    const Material wants =
-        material_with_normal("vec3(s.a, s.b.x)", {{"a", "vec2", "uv2"}, {"b", "vec4", "tangent"}});
+    const Shader wants = material_with_normal(
+        "vec3(s.a, s.b.x)",
+        {{"a", Type::vec2_, SurfaceInput::uv2_}, {"b", Type::vec4_, SurfaceInput::tangent_}});
     Mesh bare = *make_shape("sphere");
     bare.tangents.clear();
     renderer->set_mesh(bare);
@@ -113,15 +116,16 @@ TEST_F(MaterialTest, RefusesWhatTheMeshCannotGive) {
 }
 
 TEST_F(MaterialTest, RefusesPropertiesThatNoSurfaceHas) {
-    EXPECT_FALSE(renderer->set_material(material_with_normal("vec3(s.t)", {{"t", "float", "time"}}),
-                                        diagnostics));
-    EXPECT_NE(errors().find("'time'"), std::string::npos) << errors();
+    const MemberInfo given{"uv0_dx", Type::vec2_, SurfaceInput::uv0_, Variant::dx};
+    EXPECT_FALSE(
+        renderer->set_material(material_with_normal("vec3(s.uv0_dx, 0.0)", {given}), diagnostics));
+    EXPECT_NE(errors().find("'uv0_dx'"), std::string::npos) << errors();
 }
 
 TEST_F(MaterialTest, RefusesMoreTexturesThanTheDriverBinds) {
-    Material greedy = with_uniform();
+    Shader greedy = with_uniform();
     for (int i = 0; i < 300; ++i)
-        greedy.samplers.push_back({"s" + std::to_string(i), "given", {}});
+        greedy.reflection.samplers.push_back(sampler_info("s" + std::to_string(i), "given"));
     EXPECT_FALSE(renderer->set_material(greedy, diagnostics));
     EXPECT_NE(errors().find("300 textures"), std::string::npos) << errors();
 }
@@ -138,7 +142,7 @@ TEST_F(MaterialTest, RefusesViewsOfMissingOutputs) {
 
 TEST_F(MaterialTest, RefusesToDrawNothingOrWithAFlatMatrix) {
     EXPECT_FALSE(renderer->draw(scene, {}, *target, diagnostics));
-    ASSERT_TRUE(renderer->set_material(Material{}, diagnostics));
+    ASSERT_TRUE(renderer->set_material(Shader{}, diagnostics));
     scene.object = glm::scale(glm::mat4(1), glm::vec3(1, 1, 0));
     Diagnostics said;
     EXPECT_FALSE(renderer->draw(scene, {}, *target, said));

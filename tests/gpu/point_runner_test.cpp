@@ -55,7 +55,9 @@ TEST_F(PointRunner, CallsFunctionsWithUniforms) {
         "uniform float factor;\nuniform vec2 shift;\nstruct S { float x; };\n"
         "float twice(S s) { return factor * s.x + shift.y; }\n";
     job.body = "S s;\ns.x = x;\nout0 = vec4(twice(s));";
-    job.uniforms = {{"factor", {2}}, {"shift", {5, 0.5F}}, {"unused", {1, 2, 3}}};
+    job.uniforms = {uniform_info("factor", Type::float_, {2}),
+                    uniform_info("shift", Type::vec2_, {5, 0.5}),
+                    uniform_info("unused", Type::vec3_, {1, 2, 3})};
     const auto results = run_points(job, diagnostics);
     ASSERT_TRUE(results) << errors();
     EXPECT_EQ((*results)[0][0][0], 2.5F);
@@ -84,9 +86,7 @@ TEST_F(PointRunner, RefusesWhatDoesNotFit) {
         {"1 to 8 outputs", [](PointJob& job) { job.outputs = 0; }},
         {"too large", [](PointJob& job) { job.points = size_t{1} << 40; }},
         {"no image is given for 'a.png'",
-         [](PointJob& job) {
-             job.samplers = {{"t", "a.png", {}}};
-         }},
+         [](PointJob& job) { job.samplers = {sampler_info("t", "a.png")}; }},
         {":2(", [](PointJob& job) { job.globals = "float f;\nfloat g = oops;\n"; }},
         {":200001(", [](PointJob& job) { job.body = "out0 = vec4(nonsense);"; }},
     };

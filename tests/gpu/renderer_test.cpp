@@ -18,7 +18,7 @@ using glm::vec3;
 using glm::vec4;
 using RendererTest = WithRenderer;
 
-const Member normal_member{"normal", "vec3", "normal"};
+const MemberInfo normal_member{"normal", Type::vec3_, SurfaceInput::normal_};
 
 double mean_value(const std::vector<Pixel>& pixels, size_t from_row, size_t to_row, size_t side) {
     double sum = 0;
@@ -34,7 +34,7 @@ double mean_value(const std::vector<Pixel>& pixels, size_t from_row, size_t to_r
 TEST_F(RendererTest, DrawsEveryShapeLitFromAbove) {
     for (const Shape& shape : shapes()) {
         show(std::string(shape.name));
-        const std::vector<Pixel> pixels = draw(Material{}, View::shaded);
+        const std::vector<Pixel> pixels = draw(Shader{}, View::shaded);
         const size_t part = shape.name == "teapot" ? 5 : 3;
         EXPECT_GT(covered(pixels), pixels.size() / part) << shape.name;
         EXPECT_LT(covered(pixels), pixels.size()) << shape.name;
@@ -51,9 +51,10 @@ TEST_F(RendererTest, DrawsEveryShapeLitFromAbove) {
 }
 
 TEST_F(RendererTest, GivesTheSphereItsNormals) {
-    const Material where = material_with_normal("s.position", {{"position", "vec3", "position"}});
+    const Shader where =
+        material_with_normal("s.position", {{"position", Type::vec3_, SurfaceInput::position_}});
     const auto positions = draw(where, View::normal);
-    const auto normals = draw(Material{}, View::normal);
+    const auto normals = draw(Shader{}, View::normal);
     const auto uvs = draw(View::uv);
     for (size_t i = 0; i < positions.size(); ++i) {
         if (!positions[i].covered) continue;
@@ -76,7 +77,7 @@ TEST_F(RendererTest, LightsATransformedObjectAsItsTransformedMesh) {
         scene.object = glm::scale(turn, scale);
         show("sphere");
         scene.camera.distance = 12;
-        const auto found = draw(Material{}, View::shaded);
+        const auto found = draw(Shader{}, View::shaded);
 
         Mesh mesh = *make_shape("sphere");
         for (size_t v = 0; v < mesh.vertex_count(); ++v) {
@@ -106,7 +107,8 @@ TEST_F(RendererTest, LightsATransformedObjectAsItsTransformedMesh) {
 }
 
 TEST_F(RendererTest, SeesFrontFacesOfMirroredObjects) {
-    const Material facing = material_with_normal("vec3(s.facing)", {{"facing", "float", "facing"}});
+    const Shader facing =
+        material_with_normal("vec3(s.facing)", {{"facing", Type::float_, SurfaceInput::facing_}});
     for (const vec3 scale : {vec3(1), vec3(-1, 1, 1), vec3(1, -2, 1), vec3(-1, -1, -1)}) {
         scene.object = glm::scale(mat4(1), scale);
         const auto pixels = draw(facing, View::normal);
@@ -119,9 +121,10 @@ TEST_F(RendererTest, SeesFrontFacesOfMirroredObjects) {
 TEST_F(RendererTest, SeesBackFacesFromBehind) {
     show("plane");
     scene.camera.yaw = std::numbers::pi_v<float>;
-    const auto facing =
-        draw(material_with_normal("vec3(s.facing)", {{"facing", "float", "facing"}}), View::normal);
-    const auto normals = draw(Material{}, View::normal);
+    const auto facing = draw(
+        material_with_normal("vec3(s.facing)", {{"facing", Type::float_, SurfaceInput::facing_}}),
+        View::normal);
+    const auto normals = draw(Shader{}, View::normal);
     EXPECT_GT(covered(facing), 500U);
     for (size_t i = 0; i < facing.size(); ++i) {
         if (!facing[i].covered) continue;
@@ -137,8 +140,10 @@ TEST_F(RendererTest, SeesBackFacesFromBehind) {
 TEST_F(RendererTest, GivesTheEyeInObjectSpace) {
     scene.object = glm::scale(glm::translate(mat4(1), vec3(0.5F, 0, 0)), vec3(2, -1, 0.5F));
     const vec3 eye = (vec3(eye_of(scene.camera)) - vec3(0.5F, 0, 0)) / vec3(2, -1, 0.5F);
-    const std::vector<Member> members{
-        {"p", "vec3", "position"}, {"r", "vec3", "position_relative"}, {"v", "vec3", "view"}};
+    const std::vector<MemberInfo> members{
+        {"p", Type::vec3_, SurfaceInput::position_},
+        {"r", Type::vec3_, SurfaceInput::position_, Variant::value, true},
+        {"v", Type::vec3_, SurfaceInput::view_}};
     const auto eyes = draw(material_with_normal("s.p - s.r", members), View::normal);
     for (const Pixel& pixel : eyes)
         ASSERT_LT(glm::distance(pixel.value, pixel.covered ? eye : vec3(0)), 1e-4);
@@ -159,11 +164,11 @@ TEST_F(RendererTest, HandsVertexAttributesOn) {
     mesh.colors.assign(mesh.vertex_count(), vec4(0.1F, 0.2F, 0.3F, 0.4F));
     mesh.tangents.assign(mesh.vertex_count(), vec4(1, 0, 0, -1));
     renderer->set_mesh(mesh);
-    const std::vector<Member> members{{"b", "vec2", "uv1"},
-                                      {"c", "vec2", "uv2"},
-                                      {"d", "vec2", "uv3"},
-                                      {"t", "vec4", "tangent"},
-                                      {"k", "vec4", "color0"}};
+    const std::vector<MemberInfo> members{{"b", Type::vec2_, SurfaceInput::uv1_},
+                                          {"c", Type::vec2_, SurfaceInput::uv2_},
+                                          {"d", Type::vec2_, SurfaceInput::uv3_},
+                                          {"t", Type::vec4_, SurfaceInput::tangent_},
+                                          {"k", Type::vec4_, SurfaceInput::color0_}};
     const auto at_middle = [&](const std::string& expression) {
         return draw(material_with_normal(expression, members), View::normal)[32 * 64 + 32].value;
     };
@@ -223,13 +228,14 @@ TEST_F(RendererTest, ReflectsStraightBackAsTheFormulaSays) {
     for (const Case& c :
          {Case{1, 0, 0.5F * (0.6F + 0.04F / 4)}, Case{0.5F, 0, 0.5F * (0.6F + 0.04F * 16 / 4)},
           Case{0.5F, 1, 0.5F * 0.6F * 16 / 4}, Case{0.8F, 1, 0.5F * 0.6F / 1.6384F}}) {
-        Material material;
-        material.text =
+        Shader material;
+        material.source =
             "uniform vec2 rough_metal;\nfloat roughness() { return rough_metal.x; }\n"
             "float metalness() { return rough_metal.y; }\n";
-        material.outputs = {{"roughness", "roughness", "float"},
-                            {"metalness", "metalness", "float"}};
-        material.uniforms = {{"rough_metal", {c.roughness, c.metalness}}};
+        material.reflection.functions = {function_info("roughness", "roughness", Type::float_),
+                                         function_info("metalness", "metalness", Type::float_)};
+        material.reflection.uniforms = {
+            uniform_info("rough_metal", Type::vec2_, {c.roughness, c.metalness})};
         const auto pixels = draw(material, View::shaded);
         EXPECT_NEAR(pixels[32 * 64 + 32].value.g, c.expected, 0.01 * c.expected);
     }
@@ -237,32 +243,33 @@ TEST_F(RendererTest, ReflectsStraightBackAsTheFormulaSays) {
 
 TEST_F(RendererTest, HasASkyAboveAGroundThatOcclusionDarkens) {
     scene.light = 0;
-    const auto open = draw(Material{}, View::shaded);
+    const auto open = draw(Shader{}, View::shaded);
     EXPECT_GT(mean_value(open, 40, 64, 64), 1.5 * mean_value(open, 0, 24, 64));
-    Material half;
-    half.text = "float occlusion() { return 0.5; }\n";
-    half.outputs = {{"occlusion", "occlusion", "float"}};
+    Shader half;
+    half.source = "float occlusion() { return 0.5; }\n";
+    half.reflection.functions = {function_info("occlusion", "occlusion", Type::float_)};
     const auto dark = draw(half, View::shaded);
     for (size_t i = 0; i < open.size(); ++i)
         ASSERT_NEAR(dark[i].value.g, open[i].value.g / 2, 1e-5);
 }
 
 TEST_F(RendererTest, EmissionIsAddedToWhatIsLit) {
-    Material lit;
-    lit.text = "vec3 color() { return vec3(0.2, 0.4, 0.8); }\n";
-    lit.outputs = {{"color", "color", "vec3"}};
+    Shader lit;
+    lit.source = "vec3 color() { return vec3(0.2, 0.4, 0.8); }\n";
+    lit.reflection.functions = {function_info("color", "color", Type::vec3_)};
     for (const Lighting lighting : {Lighting::ggx, Lighting::phong}) {
         renderer->set_lighting(lighting);
         const auto dark = draw(lit, View::shaded);
-        const std::tuple<const char*, const char*, vec3> cases[] = {
-            {"vec3", "vec3(0.25, 0.5, 3.0)", vec3(0.25F, 0.5F, 3)},
-            {"float", "0.75", vec3(0.75F)},
-            {"float", "-1.0", vec3(0)},
-            {"vec2", "vec2(1.0)", vec3(0)}};
+        const std::tuple<Type, const char*, vec3> cases[] = {
+            {Type::vec3_, "vec3(0.25, 0.5, 3.0)", vec3(0.25F, 0.5F, 3)},
+            {Type::float_, "0.75", vec3(0.75F)},
+            {Type::float_, "-1.0", vec3(0)},
+            {Type::vec2_, "vec2(1.0)", vec3(0)}};
         for (const auto& [type, value, emitted] : cases) {
-            Material glowing = lit;
-            glowing.text += std::string(type) + " emission() { return " + value + "; }\n";
-            glowing.outputs.push_back({"emission", "emission", type});
+            Shader glowing = lit;
+            glowing.source +=
+                std::string(info(type).name) + " emission() { return " + value + "; }\n";
+            glowing.reflection.functions.push_back(function_info("emission", "emission", type));
             const auto bright = draw(glowing, View::shaded);
             const auto pixel = size_t{32} * 64 + 32;
             for (int k = 0; k < 3; ++k)
@@ -278,7 +285,7 @@ TEST_F(RendererTest, SmoothsEdgesWithSamples) {
     const auto smooth = Target::make(options, diagnostics);
     ASSERT_TRUE(smooth) << errors();
     if (smooth->options().samples < 2) GTEST_SKIP() << "this driver has no multisampling";
-    ASSERT_TRUE(renderer->set_material(Material{}, diagnostics));
+    ASSERT_TRUE(renderer->set_material(Shader{}, diagnostics));
     scene.background = vec4(0, 1, 0, 1);
     scene.light = 0;
     scene.environment = 0;

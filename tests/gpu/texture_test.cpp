@@ -28,7 +28,7 @@ std::vector<std::array<float, 4>> look_up(const MipChain& chain, TextureOptions 
     job.attributes = {{"p", 3, uv_lod}};
     job.globals = "uniform sampler2D picture;\n";
     job.body = "out0 = textureLod(picture, p.xy, p.z);";
-    job.samplers = {{"picture", "picture.png", options}};
+    job.samplers = {sampler_info("picture", "picture.png", options)};
     job.images = {{"picture.png", &chain}};
     const auto results = run_points(job, diagnostics);
     EXPECT_TRUE(results) << to_text(diagnostics);

@@ -17,7 +17,8 @@ TEST_F(ViewTest, ADisplacedMeshKeepsTheSurfaceOfItsMaterial) {
     Mesh mesh = *make_shape("sphere");
     for (const glm::vec3& position : mesh.positions)
         mesh.displaced.push_back(position * 0.5F);
-    const Material where = material_with_normal("s.position", {{"position", "vec3", "position"}});
+    const Shader where =
+        material_with_normal("s.position", {{"position", Type::vec3_, SurfaceInput::position_}});
     const size_t whole = covered(draw(where, View::normal));
     renderer->set_mesh(mesh);
     const std::vector<Pixel> small = draw(View::normal);
@@ -30,7 +31,7 @@ TEST_F(ViewTest, ADisplacedMeshKeepsTheSurfaceOfItsMaterial) {
 }
 
 TEST_F(ViewTest, FindsTheGradientInTheNormal) {
-    const auto normals = draw(Material{}, View::normal);
+    const auto normals = draw(Shader{}, View::normal);
     const auto gradients = draw(tilted(), View::gradient);
     for (size_t i = 0; i < normals.size(); ++i) {
         if (!normals[i].covered) continue;
@@ -56,7 +57,7 @@ TEST_F(ViewTest, MeasuresTheDifferenceInDegrees) {
 }
 
 TEST_F(ViewTest, ShowsHeightAndUvAsTheyAre) {
-    const auto normals = draw(Material{}, View::normal);
+    const auto normals = draw(Shader{}, View::normal);
     const auto heights = draw(tilted(), View::height);
     for (size_t i = 0; i < normals.size(); ++i)
         ASSERT_NEAR(heights[i].value.x, 7 * normals[i].value.y, 0.02);
@@ -93,9 +94,9 @@ TEST_F(ViewTest, StretchesHeightsOverTheGraysUnlessToldARange) {
         ASSERT_NEAR(own[4 * i], (h - low) / (high - low), 0.6 / 255);
         ASSERT_NEAR(given[4 * i + 2], (h + 7) / 21, 0.6 / 255);
     }
-    Material level = tilted();
-    level.outputs.back().function = "wrinkle_test_level";
-    level.text += "float wrinkle_test_level(WrinkleSurface_test s) { return 3.0; }\n";
+    Shader level = tilted();
+    level.reflection.functions.back().function = "wrinkle_test_level";
+    level.source += "float wrinkle_test_level(WrinkleSurface_test s) { return 3.0; }\n";
     ASSERT_TRUE(renderer->set_material(level, diagnostics)) << errors();
     EXPECT_NEAR(grays({0, 0})[4 * (32 * 64 + 32)], 0.5F, 0.6 / 255);
 }
@@ -109,7 +110,7 @@ float displayed(float radiance) {
 
 TEST_F(ViewTest, MakesColorsAsTheHeaderSays) {
     scene.light = 3;
-    const auto values = draw(Material{}, View::shaded);
+    const auto values = draw(Shader{}, View::shaded);
     const auto shown = Target::make({size, size}, diagnostics);
     ASSERT_TRUE(shown) << errors();
     ASSERT_TRUE(renderer->draw(scene, {}, *shown, diagnostics)) << errors();
@@ -153,19 +154,19 @@ TEST_F(ViewTest, WireframeShowsEdgesOnTriangles) {
     mesh.indices = {0, 1, static_cast<uint32_t>(mesh.vertex_count() - 1)};
     renderer->set_mesh(mesh);
     size_t edges = 0, faces = 0;
-    for (const auto& pixel : draw(Material{}, View::wireframe)) {
+    for (const auto& pixel : draw(Shader{}, View::wireframe)) {
         if (!pixel.covered) continue;
         EXPECT_TRUE(pixel.value.r == 0 || pixel.value.r == 1) << pixel.value.r;
         (pixel.value.r > 0 ? edges : faces) += 1;
     }
     EXPECT_GT(edges, 50U);
     EXPECT_GT(faces, 50U);
-    EXPECT_GE(covered(draw(Material{}, View::uv)), faces) << "the next view fills no triangles";
+    EXPECT_GE(covered(draw(Shader{}, View::uv)), faces) << "the next view fills no triangles";
 }
 
 TEST_F(ViewTest, AnotherOutputStandsForTheNormal) {
-    Material two = tilted();
-    two.outputs.push_back({"other", "wrinkle_test_flat", "vec3"});
+    Shader two = tilted();
+    two.reflection.functions.push_back(function_info("other", "wrinkle_test_flat", Type::vec3_));
     const auto flat = draw(tilted(), View::difference);
     ViewOptions options;
     options.view = View::difference;

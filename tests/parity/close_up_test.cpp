@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "glsl/emit.h"
-#include "gpu/material.h"
 #include "gpu/renderer.h"
 #include "mesh/shapes.h"
 #include "parity/context.h"
@@ -27,13 +26,13 @@ const char* const wave = R"({"wrinkle": 1, "nodes": {
     "r": {"type": "resolve", "in": {"gradient": {"from": "h.height"}}}
   }, "outputs": {"normal": {"from": "r.normal"}}})";
 
-gpu::Material material() {
+Shader material() {
     Diagnostics diagnostics;
     const Project project =
         load_project(read_document(wave, "wave.json", diagnostics), {}, {}, diagnostics);
     const Compiled compiled = compile_material(project, all_nodes(), {}, diagnostics);
     EXPECT_TRUE(compiled.ok) << to_text(diagnostics);
-    return gpu::material_from(emit(compiled.module, {}));
+    return emit(compiled.module, {});
 }
 
 std::vector<float> draw(gpu::Renderer& renderer, const gpu::Scene& scene, gpu::View view) {

@@ -11,7 +11,6 @@
 #include <numbers>
 
 #include "glsl/emit.h"
-#include "gpu/material.h"
 #include "gpu/renderer.h"
 #include "mesh/shapes.h"
 #include "parity/context.h"
@@ -22,14 +21,14 @@ namespace {
 
 constexpr int far_side = 96;
 
-gpu::Material material_of(const std::filesystem::path& path) {
+Shader material_of(const std::filesystem::path& path) {
     Diagnostics diagnostics;
     const Project project = load_project(path, {}, diagnostics);
     MaterialOptions options;
     options.vertex_tangents = false;
     const Compiled compiled = compile_material(project, all_nodes(), options, diagnostics);
     EXPECT_TRUE(compiled.ok) << to_text(diagnostics);
-    return gpu::material_from(emit(compiled.module, {}));
+    return emit(compiled.module, {});
 }
 
 std::vector<float> normals(gpu::Renderer& renderer, const gpu::Scene& scene) {

@@ -4,7 +4,6 @@
 
 #include "editor/model/document/field.h"
 #include "glsl/log.h"
-#include "gpu/material.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -98,9 +97,8 @@ void apply_latest_build(State& state) {
     follow.copied = built.copied;
     follow.displacement = built.displacement;
     if (!state.preview) return;
-    state.preview->set_material(
-        std::make_shared<const gpu::Material>(gpu::material_from(*follow.running)),
-        follow.displacement);
+    state.preview->set_material(std::make_shared<const Shader>(*follow.running),
+                                follow.displacement);
     if (state.timings) state.timings->compiled(follow.finished_version, state.preview->asked() + 1);
     send_values(state);
 }

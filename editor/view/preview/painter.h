@@ -24,7 +24,7 @@ namespace wrinkle::editor {
 struct PreviewJob {
     uint64_t version = 0;
     uint64_t graph = 0;                                // a change discards the last rendering
-    std::shared_ptr<const gpu::Material> material;     // nullptr: none yet
+    std::shared_ptr<const Shader> material;            // nullptr: none yet
     std::map<std::string, std::vector<float>> values;  // uniform values changed since `material`
     std::shared_ptr<const Displacement> displacement;  // nullptr: none
     PreviewView view;
@@ -95,7 +95,7 @@ private:
     std::optional<gpu::Target> numbers_;
     gpu::OrbitCamera framing_;
     PreviewImage last_;
-    std::shared_ptr<const gpu::Material> tried_;
+    std::shared_ptr<const Shader> tried_;
     Diagnostics refusal_;  // errors of `tried_`
     Diagnostics dark_;     // problems of the environment
     bool has_material_ = false, relit_ = false;

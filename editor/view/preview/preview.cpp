@@ -44,7 +44,7 @@ void Preview::recreate_context() {
     changed_ = true;
 }
 
-void Preview::set_material(std::shared_ptr<const gpu::Material> material,
+void Preview::set_material(std::shared_ptr<const Shader> material,
                            std::shared_ptr<const Displacement> displacement) {
     job_.material = std::move(material);
     job_.displacement = std::move(displacement);

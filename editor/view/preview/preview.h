@@ -23,7 +23,7 @@ public:
     // called on the preview's thread when there is a new rendering.
     explicit Preview(std::function<void()> wake = {});
 
-    void set_material(std::shared_ptr<const gpu::Material> material,
+    void set_material(std::shared_ptr<const Shader> material,
                       std::shared_ptr<const Displacement> displacement);
     // Called when another graph is opened: nothing is shown until there is a material.
     void forget_material();
