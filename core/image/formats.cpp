@@ -74,6 +74,10 @@ WriteProblem find_layout_problem(const Writable& format, const WriterOptions& op
 
 }  // namespace
 
+std::string quoted(const fs::path& path) {
+    return "image '" + path.string() + "' ";
+}
+
 ImageFormat sniff_format(const fs::path& path, std::string& why) {
     const std::string head = read_head(path, why);
     if (head.empty()) return {};

@@ -13,6 +13,9 @@
 
 namespace wrinkle {
 
+// Returns "image 'PATH' ", which begins a message.
+std::string quoted(const std::filesystem::path& path);
+
 struct ImageFormat {
     std::string name;    // "png", "jpeg", "tiff", "exr", "hdr", "pnm"; "" when none is recognised
     std::string plugin;  // OpenImageIO's name

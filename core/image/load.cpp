@@ -20,10 +20,6 @@ struct CloseReader {
 };
 using Reader = std::unique_ptr<WrinkleImageReader, CloseReader>;
 
-std::string quoted(const fs::path& path) {
-    return "image '" + path.string() + "' ";
-}
-
 struct Opened {
     ImageInfo info;
     Reader reader{nullptr, CloseReader{nullptr}};
@@ -34,18 +30,28 @@ std::string raised(Limit limit, uint64_t value) {
            " to raise the limit";
 }
 
-// Returns true if `found` is within the limit; else appends an error.
-bool check_size(const fs::path& path, const char* what, uint64_t found, uint64_t max, Limit limit,
-                Diagnostics& diagnostics) {
-    if (found <= max) return true;
-    diagnostics.error(quoted(path) + "has " + what + " " + std::to_string(found) +
-                          ", over the limit of " + std::to_string(max),
-                      "a smaller image, " + raised(limit, found));
-    return false;
-}
-
-bool check_size_together(const fs::path& path, uint64_t found, uint64_t left,
-                         Diagnostics& diagnostics) {
+// Returns true if the image is within the limits; else appends an error.
+bool within_limits(const fs::path& path, const ImageInfo& info, const ImageLimits& limits,
+                   Diagnostics& diagnostics) {
+    if (info.width == 0 || info.height == 0) {
+        diagnostics.error(quoted(path) + "has no pixels", "at least one pixel");
+        return false;
+    }
+    const auto fits = [&](const char* what, uint64_t found, uint64_t max, Limit limit) {
+        if (found > max)
+            diagnostics.error(quoted(path) + "has " + what + " " + std::to_string(found) +
+                                  ", over the limit of " + std::to_string(max),
+                              "a smaller image, " + raised(limit, found));
+        return found <= max;
+    };
+    const uint64_t pixels = uint64_t{info.width} * info.height;
+    if (!fits("width", info.width, limits.max_side, Limit::image_side) ||
+        !fits("height", info.height, limits.max_side, Limit::image_side) ||
+        !fits("a pixel count of", pixels, limits.max_pixels, Limit::image_pixels) ||
+        !fits("a size in memory of", pixels * info.channels * sizeof(float), limits.max_bytes,
+              Limit::image_bytes))
+        return false;
+    const uint64_t found = bytes_with_mips(info), left = limits.left_bytes;
     if (found <= left) return true;
     const uint64_t all = limit_of(Limit::all_images_bytes);
     diagnostics.error(
@@ -54,24 +60,6 @@ bool check_size_together(const fs::path& path, uint64_t found, uint64_t left,
             " for all images of the graph " + std::to_string(left) + " are left",
         "fewer or smaller images, " + raised(Limit::all_images_bytes, all - left + found));
     return false;
-}
-
-bool within_limits(const fs::path& path, const ImageInfo& info, const ImageLimits& limits,
-                   Diagnostics& diagnostics) {
-    if (info.width == 0 || info.height == 0) {
-        diagnostics.error(quoted(path) + "has no pixels", "at least one pixel");
-        return false;
-    }
-    const uint64_t pixels = uint64_t{info.width} * info.height;
-    const auto check = [&](const char* what, uint64_t found, uint64_t max, Limit limit) {
-        return check_size(path, what, found, max, limit, diagnostics);
-    };
-    return check("width", info.width, limits.max_side, Limit::image_side) &&
-           check("height", info.height, limits.max_side, Limit::image_side) &&
-           check("a pixel count of", pixels, limits.max_pixels, Limit::image_pixels) &&
-           check("a size in memory of", pixels * info.channels * sizeof(float), limits.max_bytes,
-                 Limit::image_bytes) &&
-           check_size_together(path, bytes_with_mips(info), limits.left_bytes, diagnostics);
 }
 
 uint32_t side_of(const ImageLimits& limits) {

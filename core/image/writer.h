@@ -18,6 +18,7 @@
 // every later call fails silently. Not thread-safe: one thread at a time may use a writer.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -28,7 +29,11 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/temporary.h"
 #include "image/image.h"
+
+struct WrinkleImageModule;
+struct WrinkleImageWriter;
 
 namespace wrinkle {
 
@@ -61,13 +66,14 @@ struct WriterOptions {
 // Returns Y, YA or RG, RGB, RGBA.
 std::vector<std::string> channel_names(uint32_t channels, bool has_alpha);
 
+// The names of OpenImageIO's `maketx --bumpslopes`.
+inline constexpr std::array bumpslopes_channels = {"b0_h",     "b1_dhds",  "b2_dhdt",
+                                                   "b3_dhds2", "b4_dhdt2", "b5_dh2dsdt"};
+
 class ImageWriter {
 public:
     static std::optional<ImageWriter> open(const std::filesystem::path& path,
                                            const WriterOptions& options, Diagnostics& diagnostics);
-    ImageWriter(ImageWriter&&) noexcept;
-    ImageWriter& operator=(ImageWriter&&) noexcept;
-    ~ImageWriter();
 
     // Writes the next rows of a level: interleaved, complete rows.
     bool write(std::span<const float> rows, Diagnostics& diagnostics, uint32_t level = 0);
@@ -76,8 +82,8 @@ public:
     bool write_stored(std::span<const std::byte> rows, Diagnostics& diagnostics,
                       uint32_t level = 0);
 
-    uint32_t levels() const;
-    uint32_t width(uint32_t level = 0) const;
+    uint32_t levels() const { return static_cast<uint32_t>(levels_.size()); }
+    uint32_t width(uint32_t level = 0) const { return levels_[level].width; }
     uint32_t rows_left(uint32_t level = 0) const;  // rows not written yet
 
     // Precondition: all rows of all levels have been written. close() completes the temporary file;
@@ -86,9 +92,28 @@ public:
     bool finish(Diagnostics& diagnostics);
 
 private:
-    struct State;
-    explicit ImageWriter(std::unique_ptr<State> state);
-    std::unique_ptr<State> state_;
+    struct Level {
+        uint32_t width = 0, height = 0, written = 0;  // rows
+        size_t row_bytes = 0;
+        std::vector<std::byte> waiting = {};  // rows of an incomplete granule
+    };
+    struct Drop {
+        const WrinkleImageModule* module;
+        void operator()(WrinkleImageWriter* file) const;
+    };
+
+    ImageWriter(std::filesystem::path path, Temporary temporary, const WriterOptions& options,
+                const WrinkleImageModule* module);
+    bool fail(const std::string& why, Diagnostics& diagnostics);
+
+    std::filesystem::path path_;
+    Temporary temporary_;
+    PixelType type_;
+    uint32_t granule_;  // rows per write to the file
+    std::vector<Level> levels_;
+    std::vector<std::byte> converted_;  // values of one write() call
+    std::unique_ptr<WrinkleImageWriter, Drop> file_;
+    bool failed_ = false;
 };
 
 }  // namespace wrinkle
