@@ -92,10 +92,7 @@ Image solved(const Rows& rows) {
     });
     // Slopes are per unit of length; the solver expects slopes per texel.
     const Source& source = rows.source();
-    for (size_t i = 0; i < du.size(); ++i) {
-        du[i] *= source.texel_width;
-        dv[i] *= source.texel_height;
-    }
+    multiply(du.data(), source.texel_width, dv.data(), source.texel_height, du.size());
     Image image = make_image(width, height, 1);
     image.data = height_of_slopes(std::move(du), std::move(dv), width, height, source.wrap);
     return image;

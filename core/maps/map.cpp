@@ -13,40 +13,33 @@ namespace {
 constexpr auto max_slope_float = static_cast<float>(max_slope);
 constexpr auto min_depth_float = static_cast<float>(min_depth);
 
-float mean_of_colors(const float* texel, const Image& image) {
-    const bool colors = image.channels >= 3;
-    return colors ? (texel[0] + texel[1] + texel[2]) / 3 : texel[0];
-}
-
 // Returns the index before or after `index`, wrapped or clamped at the border.
 uint32_t neighbour(uint32_t index, int step, uint32_t size, Wrap wrap) {
     if (step < 0) return index > 0 ? index - 1 : wrap == Wrap::repeat ? size - 1 : 0;
     return index + 1 < size ? index + 1 : wrap == Wrap::repeat ? 0 : index;
 }
 
-struct Slope {
-    float du, dv;
-};
-
-Slope slope_of_normal(const float* texel, uint32_t channels, float green) {
-    const float x = 2 * texel[0] - 1;
-    const float y = channels > 1 ? green * (2 * texel[1] - 1) : 0;
-    const float z =
-        channels > 2 ? std::abs(2 * texel[2] - 1) : std::sqrt(std::max(0.0f, 1 - x * x - y * y));
-    const float least =
-        std::max(std::max(std::abs(x), std::abs(y)) / max_slope_float, min_depth_float);
-    const float depth = std::max(z, least);
-    return {-x / depth, -y / depth};
-}
-
 }  // namespace
 
 void slopes_of_normals(const float* texels, uint32_t stride, uint32_t channels, float green,
                        uint32_t count, float* du, float* dv) {
-    for (uint32_t x = 0; x < count; ++x, texels += stride) {
-        const Slope slope = slope_of_normal(texels, channels, green);
-        du[x] = slope.du;
-        dv[x] = slope.dv;
+    for (uint32_t i = 0; i < count; ++i, texels += stride) {
+        const float x = 2 * texels[0] - 1;
+        const float y = channels > 1 ? green * (2 * texels[1] - 1) : 0;
+        const float z = channels > 2 ? std::abs(2 * texels[2] - 1)
+                                     : std::sqrt(std::max(0.0f, 1 - x * x - y * y));
+        const float least =
+            std::max(std::max(std::abs(x), std::abs(y)) / max_slope_float, min_depth_float);
+        const float depth = std::max(z, least);
+        du[i] = -x / depth;
+        dv[i] = -y / depth;
+    }
+}
+
+void multiply(float* du, float across, float* dv, float up, size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+        du[i] *= across;
+        dv[i] *= up;
     }
 }
 
@@ -79,9 +72,11 @@ Rows::Rows(const Source& source) : source_(source) {
     heights_ = image.data.data();
     if (image.channels == 1 && source.factor == 1 && source.offset == 0) return;
     made_.resize(size_t{image.width} * image.height);
-    for (size_t i = 0; i < made_.size(); ++i)
-        made_[i] =
-            mean_of_colors(&image.data[i * image.channels], image) * source.factor + source.offset;
+    for (size_t i = 0; i < made_.size(); ++i) {
+        const float* texel = &image.data[i * image.channels];
+        const float mean = image.channels >= 3 ? (texel[0] + texel[1] + texel[2]) / 3 : texel[0];
+        made_[i] = mean * source.factor + source.offset;
+    }
     heights_ = made_.data();
 }
 
@@ -94,11 +89,7 @@ void Rows::sobel(uint32_t y, float* du, float* dv) const {
     const ThreeRows rows = {heights(neighbour(y, 1, height(), source_.wrap)), heights(y),
                             heights(neighbour(y, -1, height(), source_.wrap))};
     sobel_row(rows, count, source_.wrap, du, dv);
-    const float across = 1 / (8 * source_.texel_width), up = 1 / (8 * source_.texel_height);
-    for (uint32_t x = 0; x < count; ++x) {
-        du[x] *= across;
-        dv[x] *= up;
-    }
+    multiply(du, 1 / (8 * source_.texel_width), dv, 1 / (8 * source_.texel_height), count);
 }
 
 void Rows::decode(uint32_t y, float* du, float* dv) const {
@@ -112,19 +103,13 @@ void Rows::decode(uint32_t y, float* du, float* dv) const {
     const float across = source_.factor / (uv ? static_cast<float>(width()) : 1);
     const float up = source_.factor / (uv ? static_cast<float>(height()) : 1);
     const float green = source_.green == Green::dx ? -1.0f : 1.0f;
-    if (normal) {
-        slopes_of_normals(texel, image.channels, channels, green, width(), du, dv);
-        for (uint32_t x = 0; x < width(); ++x) {
-            du[x] *= across;
-            dv[x] *= up;
-        }
-        return;
-    }
-    for (uint32_t x = 0; x < width(); ++x, texel += image.channels) {
+    if (normal) slopes_of_normals(texel, image.channels, channels, green, width(), du, dv);
+    for (uint32_t x = 0; x < width() && !normal; ++x, texel += image.channels) {
         const float second = channels > 1 ? texel[1] : middle / 2;
-        du[x] = scale * (2 * texel[0] - middle) * across;
-        dv[x] = scale * (2 * second - middle) * up;
+        du[x] = scale * (2 * texel[0] - middle);
+        dv[x] = scale * (2 * second - middle);
     }
+    multiply(du, across, dv, up, width());
 }
 
 }  // namespace wrinkle::maps

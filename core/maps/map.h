@@ -53,6 +53,9 @@ struct Source {
 void slopes_of_normals(const float* texels, uint32_t stride, uint32_t channels, float green,
                        uint32_t count, float* du, float* dv);
 
+// Multiplies `count` slopes along u by `across` and those along v by `up`.
+void multiply(float* du, float across, float* dv, float up, size_t count);
+
 // Three rows of heights. sobel_row() computes the slopes along the middle one, times 8.
 struct ThreeRows {
     const float *above, *here, *below;

@@ -34,12 +34,8 @@ MapWriter::MapWriter(const Rows& rows, const Target& target, const Stored& store
       writer_(writer),
       means_(mean_channels(target.kind)),
       channels_(channels) {
-    uint32_t width = rows.width(), height = rows.height();
-    for (uint32_t i = 0; i < writer.levels(); ++i) {
-        levels_.push_back({width, height});
-        width = next_mip_size(width);
-        height = next_mip_size(height);
-    }
+    for (uint32_t i = 0; i < writer.levels(); ++i)
+        levels_.push_back({writer.width(i), writer.rows_left(i)});
 }
 
 bool MapWriter::write(Diagnostics& diagnostics) {

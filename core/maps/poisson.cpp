@@ -23,34 +23,29 @@ struct Plane {
     Complex* row(uint32_t y) { return values.data() + size_t{y} * width; }
 };
 
-void transform_rows(Plane& plane, bool inverse) {
-    tbb::parallel_for(tbb::blocked_range<uint32_t>(0, plane.height), [&](const auto& range) {
-        kissfft<float> transform(plane.width, inverse);
-        std::vector<Complex> result(plane.width);
-        for (uint32_t y = range.begin(); y < range.end(); ++y) {
-            transform.transform(plane.row(y), result.data());
-            std::copy(result.begin(), result.end(), plane.row(y));
-        }
-    });
-}
+enum class Along { rows, columns };
 
-// Transforms a group of columns at a time, as their values are adjacent in memory.
-void transform_columns(Plane& plane, bool inverse) {
+// Transforms a group of lines at a time, as values of adjacent columns are adjacent in memory.
+void transform(Plane& plane, Along along, bool inverse) {
     constexpr uint32_t at_once = 16;
-    const uint32_t groups = (plane.width + at_once - 1) / at_once, height = plane.height;
-    tbb::parallel_for(tbb::blocked_range<uint32_t>(0, groups), [&](const auto& range) {
-        kissfft<float> transform(height, inverse);
-        std::vector<Complex> columns(size_t{height} * at_once), result(height);
+    const bool rows = along == Along::rows;
+    const uint32_t lines = rows ? plane.height : plane.width;
+    const uint32_t length = rows ? plane.width : plane.height;
+    const size_t next_line = rows ? plane.width : 1, next_value = rows ? 1 : plane.width;
+    const tbb::blocked_range<uint32_t> groups(0, (lines + at_once - 1) / at_once);
+    tbb::parallel_for(groups, [&](const auto& range) {
+        kissfft<float> transform(length, inverse);
+        std::vector<Complex> values(size_t{length} * at_once), result(length);
         for (uint32_t group = range.begin(); group < range.end(); ++group) {
-            const uint32_t first = group * at_once;
-            const uint32_t count = std::min(at_once, plane.width - first);
-            for (uint32_t y = 0; y < height; ++y)
+            const uint32_t count = std::min(at_once, lines - group * at_once);
+            Complex* first = plane.values.data() + group * at_once * next_line;
+            for (uint32_t k = 0; k < length; ++k)
                 for (uint32_t i = 0; i < count; ++i)
-                    columns[size_t{i} * height + y] = plane.row(y)[first + i];
+                    values[size_t{i} * length + k] = first[i * next_line + k * next_value];
             for (uint32_t i = 0; i < count; ++i) {
-                transform.transform(&columns[size_t{i} * height], result.data());
-                for (uint32_t y = 0; y < height; ++y)
-                    plane.row(y)[first + i] = result[y];
+                transform.transform(&values[size_t{i} * length], result.data());
+                for (uint32_t k = 0; k < length; ++k)
+                    first[i * next_line + k * next_value] = result[k];
             }
         }
     });
@@ -132,11 +127,11 @@ std::vector<float> height_of_slopes(std::vector<float> du, std::vector<float> dv
     Plane plane = extended(du, dv, width, height, wrap);
     du = {};
     dv = {};
-    transform_rows(plane, false);
-    transform_columns(plane, false);
+    transform(plane, Along::rows, false);
+    transform(plane, Along::columns, false);
     solve(plane);
-    transform_columns(plane, true);
-    transform_rows(plane, true);
+    transform(plane, Along::columns, true);
+    transform(plane, Along::rows, true);
     const float divisor = static_cast<float>(plane.values.size());
     std::vector<float> heights(size_t{width} * height);
     for (uint32_t y = 0; y < height; ++y)

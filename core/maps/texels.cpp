@@ -1,6 +1,7 @@
 #include "maps/texels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace wrinkle::maps {
@@ -41,31 +42,15 @@ void encode_normals(float green, const float* slopes, size_t count, float* out) 
 }  // namespace
 
 uint32_t mean_channels(Kind kind) {
-    switch (kind) {
-        case Kind::height:
-            return 1;
-        case Kind::moments:
-            return 3;
-        case Kind::slopes:
-            return 6;
-        default:
-            return 2;
-    }
+    constexpr std::array<uint32_t, 5> counts = {1, 2, 2, 6, 3};  // by Kind
+    return counts[static_cast<size_t>(kind)];
 }
 
 std::vector<std::string> file_channel_names(const Target& target, bool pairs) {
-    switch (target.kind) {
-        case Kind::height:
-            return channel_names(1, false);
-        case Kind::normal:
-        case Kind::moments:
-            return channel_names(3, false);
-        case Kind::derivative:
-            return channel_names(pairs ? 2 : 3, false);
-        case Kind::slopes:
-            return {"b0_h", "b1_dhds", "b2_dhdt", "b3_dhds2", "b4_dhdt2", "b5_dh2dsdt"};
-    }
-    return {};
+    if (target.kind == Kind::slopes)
+        return {bumpslopes_channels.begin(), bumpslopes_channels.end()};
+    if (target.kind == Kind::height) return channel_names(1, false);
+    return channel_names(target.kind == Kind::derivative && pairs ? 2 : 3, false);
 }
 
 void mean_row(const Rows& rows, const Target& target, uint32_t y, float* out) {
@@ -79,13 +64,8 @@ void mean_row(const Rows& rows, const Target& target, uint32_t y, float* out) {
     along_v.resize(count);
     float *du = along_u.data(), *dv = along_v.data();
     rows.slopes(y, du, dv);
-    if (target.per == Per::uv && target.kind != Kind::normal) {
-        const float across = static_cast<float>(count), up = static_cast<float>(rows.height());
-        for (uint32_t x = 0; x < count; ++x) {
-            du[x] *= across;
-            dv[x] *= up;
-        }
-    }
+    if (target.per == Per::uv && target.kind != Kind::normal)
+        multiply(du, static_cast<float>(count), dv, static_cast<float>(rows.height()), count);
     if (target.kind == Kind::moments) return second_moments(du, dv, count, out);
     if (target.kind == Kind::slopes) return six_channels(rows.heights(y), du, dv, count, out);
     for (uint32_t x = 0; x < count; ++x, out += 2) {
