@@ -62,16 +62,50 @@ bool is_normal(MapClass map_class) {
            map_class == MapClass::normal_dx;
 }
 
+// Takes the rows of an image from the top, then examines its statistics.
 class Examination {
 public:
-    Examination(const ImageInfo& info, const Measuring& measured, Wrap wrap, bool is_layout = false)
+    Examination(const ImageInfo& info, Wrap wrap)
         : info_(info),
-          measured_(measured),
           wrap_(wrap),
-          is_layout_(is_layout),
-          channels_(info.channels - (info.has_alpha ? 1 : 0)) {}
+          channels_(info.channels - (info.has_alpha ? 1 : 0)),
+          curl_(info.width, info.height, wrap),
+          made_curl_(info.width, info.height, wrap) {
+        const uint32_t count = std::min(channels_, 2u);
+        if (is_integer(info.source)) steps_.assign(count, StepSums(info.source));
+        seams_.assign(count, SeamSums(info.width));
+        islands_ = {IslandSums(IslandSums::Background::zero),
+                    IslandSums(IslandSums::Background::middle)};
+        if (channels_ >= 3) islands_.emplace_back(IslandSums::Background::normals);
+    }
 
-    Verdict run() {
+    void add(const float* row) {
+        const uint32_t width = info_.width, channels = info_.channels;
+        not_finite_ += static_cast<size_t>(std::count_if(
+            row, row + size_t{width} * channels, [](float t) { return !std::isfinite(t); }));
+        if (not_finite_ > 0) return;  // statistics of NaN are undefined
+        if (channels_ >= 3) {
+            vector_sums_.add(row, width, channels);
+            curl_.add(row, channels, channels_);
+        }
+        if (channels_ >= 2) {
+            made_curl_.add(row, channels, 2);
+            if (info_.source == PixelType::u8) offset_.add(row, width, channels);
+        }
+        for (uint32_t channel = 0; channel < seams_.size(); ++channel)
+            seams_[channel].add(row, channels, channel);
+        for (IslandSums& islands : islands_)
+            islands.add(row, width, channels);
+        for (size_t i = 0; i < size_t{width} * channels; i += channels) {
+            lowest_ = std::min(lowest_, row[i]);
+            highest_ = std::max(highest_, row[i]);
+        }
+        for (uint32_t channel = 0; channel < steps_.size(); ++channel)
+            steps_[channel].add(row, width, channels, channel);
+    }
+
+    // `is_layout`: the file is marked as a mesh layout. Precondition: all rows were added.
+    Verdict run(bool is_layout) {
         if (!check_finite()) return verdict_;
         if (channels_ >= 3)
             classify_vectors();
@@ -80,11 +114,11 @@ public:
         if (is_normal(verdict_.map_class) || verdict_.map_class == MapClass::two_channel)
             check_green();
         if (is_normal(verdict_.map_class)) check_normals();
-        if (verdict_.map_class == MapClass::height && measured_.is_one_value())
+        if (verdict_.map_class == MapClass::height && lowest_ == highest_)
             find(MapDefect::one_value, "all of its texels hold one height", false);
         const bool relief = is_normal(verdict_.map_class) || verdict_.map_class == MapClass::height;
         if (relief) check_steps();
-        if (relief) check_seams();
+        if (relief) check_seams(is_layout);
         return verdict_;
     }
 
@@ -94,16 +128,17 @@ private:
         verdict_.findings.push_back({defect, std::move(message), is_defect});
     }
 
-    // Statistics of images with NaN are undefined.
+    double texels() const { return static_cast<double>(info_.width) * info_.height; }
+
     bool check_finite() {
-        if (measured_.not_finite() == 0) return true;
+        if (not_finite_ == 0) return true;
         verdict_.map_class = channels_ == 1 ? MapClass::height : MapClass::color;
-        find(MapDefect::not_finite, text("%zu values are NaN or infinite", measured_.not_finite()));
+        find(MapDefect::not_finite, text("%zu values are NaN or infinite", not_finite_));
         return false;
     }
 
     void classify_vectors() {
-        vectors_ = measured_.vectors();
+        vectors_ = vector_sums_.measures(texels());
         measure("empty", vectors_.empty);
         measure("gray", vectors_.gray);
         if (vectors_.gray > 0.995 || vectors_.empty == 1) {
@@ -135,7 +170,7 @@ private:
 
     void check_green() {
         const bool made = verdict_.map_class == MapClass::two_channel || has_unsigned_z();
-        const CurlMeasures curl = measured_.curl(made);
+        const CurlMeasures curl = (made ? made_curl_ : curl_).measures();
         measure("curl_gl", curl.gl);
         measure("curl_dx", curl.dx);
         measure("curl_correlation", curl.correlation);
@@ -171,26 +206,27 @@ private:
 
     // Detects an offset of half a step, equal in red and green.
     void check_offset() {
-        const OffsetMeasures offset = measured_.offset();
-        measure("offset_red", offset.red);
-        measure("offset_green", offset.green);
+        const auto tilted = static_cast<double>(offset_.tilted), count = std::max(tilted, 1.0);
+        const double red = offset_.red / count, green = offset_.green / count;
+        measure("offset_red", red);
+        measure("offset_green", green);
         const auto is_half = [](double steps) {
             return std::abs(steps) > 0.3 && std::abs(steps) < 0.8;
         };
-        if (offset.tilted < 0.01 || !is_half(offset.red) || !is_half(offset.green) ||
-            std::abs(offset.red - offset.green) > 0.2)
+        if (tilted / texels() < 0.01 || !is_half(red) || !is_half(green) ||
+            std::abs(red - green) > 0.2)
             return;
         find(MapDefect::offset,
              text("red and green lie %+.2f and %+.2f steps of 255 beside 127.5: %d was "
                   "taken for the middle",
-                  offset.red, offset.green, offset.red > 0 ? 128 : 127));
+                  red, green, red > 0 ? 128 : 127));
     }
 
     void check_steps() {
         if (!is_integer(info_.source)) return;
         const uint32_t last = verdict_.map_class == MapClass::height ? 1 : 2;
         for (uint32_t channel = 0; channel < last; ++channel) {
-            const StepMeasures steps = measured_.steps(channel);
+            const StepMeasures steps = steps_[channel].measures();
             const std::string name = last == 1 ? "" : channel == 0 ? "red_" : "green_";
             measure((name + "levels").c_str(), static_cast<double>(steps.levels));
             measure((name + "still").c_str(), steps.still);
@@ -213,15 +249,39 @@ private:
     bool is_atlas(const IslandMeasures& islands) const {
         const bool cut =
             islands.background > min_background && islands.shore > shore_factor * islands.inside;
-        return is_layout_ || cut || (is_normal(verdict_.map_class) && islands.plain > min_plain);
+        return cut || (is_normal(verdict_.map_class) && islands.plain > min_plain);
     }
 
-    void check_seams() {
-        const IslandMeasures islands = measured_.islands(is_normal(verdict_.map_class));
-        const bool atlas = is_atlas(islands);
+    IslandMeasures islands() const {
+        if (is_normal(verdict_.map_class)) return islands_.back().measures(texels());
+        const IslandMeasures zero = islands_[0].measures(texels());
+        const IslandMeasures middle = islands_[1].measures(texels());
+        return zero.background > middle.background ? zero : middle;
+    }
+
+    SeamMeasures seam(uint32_t channels, bool across_u) const {
+        const uint32_t length = across_u ? info_.height : info_.width;
+        std::vector<double> sums(across_u ? info_.width : info_.height);
+        for (uint32_t channel = 0; channel < channels; ++channel) {
+            const std::vector<double> one =
+                across_u ? seams_[channel].across_u() : seams_[channel].across_v();
+            for (size_t line = 0; line < sums.size(); ++line)
+                sums[line] += one[line] / (static_cast<double>(length) * channels);
+        }
+        const double border = sums.back();
+        sums.pop_back();
+        if (sums.empty()) return {};
+        const auto percentile = sums.begin() + static_cast<ptrdiff_t>((sums.size() - 1) * 99 / 100);
+        std::nth_element(sums.begin(), percentile, sums.end());
+        return {border, *percentile};
+    }
+
+    void check_seams(bool is_layout) {
+        const IslandMeasures islands = this->islands();
+        const bool atlas = is_layout || is_atlas(islands);
         const uint32_t channels = verdict_.map_class == MapClass::height ? 1 : 2;
         for (const bool across_u : {true, false}) {
-            const SeamMeasures seam = measured_.seam(channels, across_u);
+            const SeamMeasures seam = this->seam(channels, across_u);
             const MapDefect defect = across_u ? MapDefect::seam_u : MapDefect::seam_v;
             measure(name_of(defect).data(), seam.inside > 0 ? seam.border / seam.inside : 0);
             const double least = is_integer(info_.source) ? u8_step : 0;
@@ -240,11 +300,17 @@ private:
         }
     }
 
-    const ImageInfo& info_;
-    const Measuring& measured_;
+    ImageInfo info_;
     Wrap wrap_;
-    bool is_layout_;  // the file is marked as a mesh layout
-    uint32_t channels_;
+    uint32_t channels_;  // without alpha
+    size_t not_finite_ = 0;
+    VectorSums vector_sums_;
+    CurlSums curl_, made_curl_;    // with z from blue, and reconstructed from red and green
+    OffsetSums offset_;            // 8-bit images only
+    std::vector<StepSums> steps_;  // red and green, as seams_
+    std::vector<SeamSums> seams_;
+    std::vector<IslandSums> islands_;                // two for heights, one for normals
+    float lowest_ = INFINITY, highest_ = -INFINITY;  // in the first channel
     Verdict verdict_;
     VectorMeasures vectors_;
 };
@@ -279,28 +345,27 @@ std::optional<double> Verdict::measure(std::string_view name) const {
 }
 
 Verdict examine(const Image& image, Wrap wrap) {
-    const ImageInfo info = {"",          image.width, image.height, image.channels, image.has_alpha,
-                            image.source};
-    Measuring measuring(info, wrap);
+    Examination examination(
+        {"", image.width, image.height, image.channels, image.has_alpha, image.source}, wrap);
     for (uint32_t y = image.height; y-- > 0;)
-        measuring.add(image.texel(0, y));
-    return Examination(info, measuring, wrap).run();
+        examination.add(image.texel(0, y));
+    return examination.run(false);
 }
 
 std::optional<ExaminedFile> examine(const std::filesystem::path& file, Wrap wrap,
                                     Diagnostics& diagnostics,
                                     const std::function<bool()>& stopped) {
-    std::optional<Measuring> measuring;
+    std::optional<Examination> examination;
     const auto take = [&](const ImageInfo& info, const float* row) {
         if (stopped && stopped()) return false;
-        if (!measuring) measuring.emplace(info, wrap);
-        measuring->add(row);
+        if (!examination) examination.emplace(info, wrap);
+        examination->add(row);
         return true;
     };
     const auto info = read_image_rows(file, take, diagnostics);
     if (!info) return {};
     const bool is_layout = read_image_number(file, layout_mark).has_value();
-    return ExaminedFile{*info, Examination(*info, *measuring, wrap, is_layout).run()};
+    return ExaminedFile{*info, examination->run(is_layout)};
 }
 
 }  // namespace wrinkle::maps

@@ -137,17 +137,12 @@ CurlMeasures CurlSums::measures() const {
 
 void OffsetSums::add(const float* t, uint32_t width, uint32_t channels) {
     for (uint32_t x = 0; x < width; ++x, t += channels) {
-        const double red = t[0] * 255.0 - 127.5, green = t[1] * 255.0 - 127.5;
-        if (std::abs(red) < 1 && std::abs(green) < 1) continue;
-        red_ += red;
-        green_ += green;
-        ++tilted_;
+        const double steps_red = t[0] * 255.0 - 127.5, steps_green = t[1] * 255.0 - 127.5;
+        if (std::abs(steps_red) < 1 && std::abs(steps_green) < 1) continue;
+        red += steps_red;
+        green += steps_green;
+        ++tilted;
     }
-}
-
-OffsetMeasures OffsetSums::measures(double texels) const {
-    const double count = std::max<double>(static_cast<double>(tilted_), 1);
-    return {red_ / count, green_ / count, static_cast<double>(tilted_) / texels};
 }
 
 void StepSums::add(const float* row, uint32_t width, uint32_t channels, uint32_t channel) {
@@ -223,69 +218,6 @@ std::vector<double> SeamSums::across_v() const {
     std::vector<double> sums = across_v_;
     sums.push_back(steps_between(here_, first_));
     return sums;
-}
-
-Measuring::Measuring(const ImageInfo& info, Wrap wrap)
-    : info_(info),
-      colors_(info.channels - (info.has_alpha ? 1 : 0)),
-      curl_(info.width, info.height, wrap),
-      made_curl_(info.width, info.height, wrap) {
-    const uint32_t count = std::min(colors_, 2u);
-    if (is_integer(info.source)) steps_.assign(count, StepSums(info.source));
-    seams_.assign(count, SeamSums(info.width));
-    islands_ = {IslandSums(IslandSums::Background::zero),
-                IslandSums(IslandSums::Background::middle)};
-    if (colors_ >= 3) islands_.emplace_back(IslandSums::Background::normals);
-}
-
-void Measuring::add(const float* row) {
-    const uint32_t width = info_.width, channels = info_.channels;
-    not_finite_ += static_cast<size_t>(std::count_if(row, row + size_t{width} * channels,
-                                                     [](float t) { return !std::isfinite(t); }));
-    if (not_finite_ > 0) return;  // statistics of NaN are undefined
-    if (colors_ >= 3) {
-        vectors_.add(row, width, channels);
-        curl_.add(row, channels, colors_);
-    }
-    if (colors_ >= 2) {
-        made_curl_.add(row, channels, 2);
-        if (info_.source == PixelType::u8) offset_.add(row, width, channels);
-    }
-    for (uint32_t channel = 0; channel < seams_.size(); ++channel)
-        seams_[channel].add(row, channels, channel);
-    for (IslandSums& islands : islands_)
-        islands.add(row, width, channels);
-    for (size_t i = 0; i < size_t{width} * channels; i += channels) {
-        lowest_ = std::min(lowest_, row[i]);
-        highest_ = std::max(highest_, row[i]);
-    }
-    for (uint32_t channel = 0; channel < steps_.size(); ++channel)
-        steps_[channel].add(row, width, channels, channel);
-}
-
-IslandMeasures Measuring::islands(bool of_normals) const {
-    if (of_normals) return islands_.back().measures(texels());
-    const IslandMeasures zero = islands_[0].measures(texels());
-    const IslandMeasures middle = islands_[1].measures(texels());
-    return zero.background > middle.background ? zero : middle;
-}
-
-SeamMeasures Measuring::seam(uint32_t channels, bool across_u) const {
-    const uint32_t length = across_u ? info_.height : info_.width;
-    std::vector<double> sums(across_u ? info_.width : info_.height);
-    for (uint32_t channel = 0; channel < channels; ++channel) {
-        const std::vector<double> one =
-            across_u ? seams_[channel].across_u() : seams_[channel].across_v();
-        for (size_t line = 0; line < sums.size(); ++line)
-            sums[line] += one[line] / (static_cast<double>(length) * channels);
-    }
-    const double border = sums.back();
-    sums.pop_back();
-    std::vector<double>& inside = sums;
-    if (inside.empty()) return {};
-    const auto percentile = inside.begin() + static_cast<ptrdiff_t>((inside.size() - 1) * 99 / 100);
-    std::nth_element(inside.begin(), percentile, inside.end());
-    return {border, *percentile};
 }
 
 }  // namespace wrinkle::maps

@@ -4,11 +4,10 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include "image/load.h"
+#include "image/image.h"
 #include "maps/map.h"
 
 namespace wrinkle::maps {
@@ -39,13 +38,6 @@ struct CurlMeasures {
     // weighted by the size of their derivatives. 0 for images of less than 4096 texels, where
     // regions are too small.
     double regions_gl = 0, regions_dx = 0;
-};
-
-// Mean offset from 127.5, in steps of 1/255, of the texels that are not flat. A flat texel has 127
-// or 128 in both red and green.
-struct OffsetMeasures {
-    double red = 0, green = 0;
-    double tilted = 0;  // share of these texels
 };
 
 // Differences between neighbours in one integer channel.
@@ -111,14 +103,13 @@ private:
     RegionSums sums_;
 };
 
-class OffsetSums {
-public:
-    void add(const float* row, uint32_t width, uint32_t channels);
-    OffsetMeasures measures(double texels) const;
+// Sum of the offsets from 127.5, in steps of 1/255, of the texels that are not flat. A flat texel
+// has 127 or 128 in both red and green.
+struct OffsetSums {
+    double red = 0, green = 0;
+    size_t tilted = 0;  // number of these texels
 
-private:
-    double red_ = 0, green_ = 0;
-    size_t tilted_ = 0;
+    void add(const float* row, uint32_t width, uint32_t channels);
 };
 
 class StepSums {
@@ -169,41 +160,6 @@ private:
     size_t rows_ = 0, plain_count_ = 0;
     size_t background_count_ = 0, shore_pairs_ = 0, inside_pairs_ = 0;
     double shore_ = 0, inside_ = 0;
-};
-
-// All statistics of an image. add() takes its rows from the top; the results require all rows.
-class Measuring {
-public:
-    Measuring(const ImageInfo& info, Wrap wrap);
-    void add(const float* row);
-
-    size_t not_finite() const { return not_finite_; }
-    VectorMeasures vectors() const { return vectors_.measures(texels()); }
-    // `made_z`: use the z reconstructed from red and green instead of blue.
-    CurlMeasures curl(bool made_z) const { return (made_z ? made_curl_ : curl_).measures(); }
-    OffsetMeasures offset() const {  // 8-bit images only
-        return offset_.measures(texels());
-    }
-    StepMeasures steps(uint32_t channel) const { return steps_.at(channel).measures(); }
-    SeamMeasures seam(uint32_t channels, bool across_u) const;
-    IslandMeasures islands(bool of_normals) const;
-    bool is_one_value() const {  // in the first channel
-        return lowest_ == highest_;
-    }
-
-private:
-    double texels() const { return static_cast<double>(info_.width) * info_.height; }
-
-    ImageInfo info_;
-    uint32_t colors_;  // channels without alpha
-    size_t not_finite_ = 0;
-    VectorSums vectors_;
-    CurlSums curl_, made_curl_;
-    OffsetSums offset_;
-    std::vector<StepSums> steps_;  // red and green
-    std::vector<SeamSums> seams_;
-    std::vector<IslandSums> islands_;  // two for heights, one for normals
-    float lowest_ = INFINITY, highest_ = -INFINITY;
 };
 
 }  // namespace wrinkle::maps
