@@ -120,8 +120,8 @@ private:
         const Coverage& coverage = scratch.coverage;
         if (coverage.overlapped == 0) return;
         found.overlapped = coverage.overlapped;
-        found.overlap_x = rect.x + coverage.overlap_texel % rect.width;
-        found.overlap_y = rect.y + coverage.overlap_texel / rect.width;
+        found.overlap_uv = layout_.uv(rect.x + coverage.overlap_texel % rect.width + 0.5,
+                                      rect.y + coverage.overlap_texel / rect.width + 0.5);
         found.overlap_triangle = coverage.overlap_triangle;
     }
 
@@ -235,8 +235,7 @@ void BakeStatistics::add(const BakeStatistics& below) {
     covered += below.covered;
     not_finite += below.not_finite;
     if (overlapped == 0 && below.overlapped > 0) {
-        overlap_x = below.overlap_x;
-        overlap_y = below.overlap_y;
+        overlap_uv = below.overlap_uv;
         overlap_triangle = below.overlap_triangle;
     }
     overlapped += below.overlapped;

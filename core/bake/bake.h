@@ -33,12 +33,11 @@ struct BakeInput {
 };
 
 struct BakeStatistics {
-    uint64_t covered = 0;     // texels with a surface
-    uint64_t not_finite = 0;  // covered texels with a non-finite number
-    uint64_t overlapped = 0;  // texels with several triangles at their centre
-    // Position of one of these in texels, and a triangle hidden there.
-    uint32_t overlap_x = 0, overlap_y = 0;
-    uint32_t overlap_triangle = Coverage::none;
+    uint64_t covered = 0;      // texels with a surface
+    uint64_t not_finite = 0;   // covered texels with a non-finite number
+    uint64_t overlapped = 0;   // texels with several triangles at their centre
+    glm::dvec2 overlap_uv{0};  // centre of one of these, and a triangle hidden there
+    uint32_t overlap_triangle = 0;
 
     void add(const BakeStatistics& below);
 };

@@ -6,65 +6,43 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <optional>
 
 namespace wrinkle {
 namespace {
 
 constexpr int16_t nothing_near = INT16_MAX;
 
-// For each texel of the rows: the signed distance to the nearest covered texel in its column;
-// negative is up. First pass of a separable Euclidean distance transform.
-class ColumnDistances {
-public:
-    ColumnDistances(const RowWindow& window, uint32_t first, uint32_t last, uint32_t low,
-                    uint32_t high, uint32_t reach)
-        : window_(window),
-          first_(first),
-          last_(last),
-          low_(low),
-          high_(high),
-          reach_(reach),
-          distances_(size_t{window.width} * (last - first), nothing_near) {
-        tbb::parallel_for(tbb::blocked_range<uint32_t>(0, window.width, 256),
-                          [&](const auto& columns) { measure(columns.begin(), columns.end()); });
-    }
-
-    const int16_t* row(uint32_t row) const {
-        return distances_.data() + size_t{row - first_} * window_.width;
-    }
-
-private:
-    void measure(uint32_t begin, uint32_t end) {
-        constexpr int32_t far = 1 << 24;
-        std::vector<int32_t> nearest(end - begin, -far);
-        const uint32_t top = std::max(low_, first_ - std::min(first_, reach_));
-        for (uint32_t r = top; r < last_; ++r)
-            visit_row(r, begin, end, nearest);
-        std::fill(nearest.begin(), nearest.end(), far);
-        for (uint32_t r = std::min(high_, last_ + reach_); r-- > first_;)
-            visit_row(r, begin, end, nearest);
-    }
-
-    void visit_row(uint32_t r, uint32_t begin, uint32_t end, std::vector<int32_t>& nearest) {
-        const uint8_t* covered = window_.covered.data() + window_.covered_at(r) + begin;
-        const auto row = static_cast<int32_t>(r), reach = static_cast<int32_t>(reach_);
+// Returns for each texel of the rows [first, last) the signed distance to the nearest covered texel
+// in its column; negative is up. First pass of a separable Euclidean distance transform.
+std::vector<int16_t> column_distances(const RowWindow& window, uint32_t first, uint32_t last,
+                                      uint32_t low, uint32_t high, uint32_t reach) {
+    std::vector<int16_t> result(size_t{window.width} * (last - first), nothing_near);
+    const auto visit_row = [&](uint32_t r, uint32_t begin, std::vector<int32_t>& nearest) {
+        const uint8_t* covered = window.covered.data() + window.covered_at(r) + begin;
+        const auto row = static_cast<int32_t>(r), limit = static_cast<int32_t>(reach);
         int32_t* at = nearest.data();
-        for (uint32_t x = 0; x < end - begin; ++x)
+        for (size_t x = 0; x < nearest.size(); ++x)
             at[x] = covered[x] ? row : at[x];
-        if (r < first_ || r >= last_) return;
-        int16_t* distances = distances_.data() + size_t{r - first_} * window_.width + begin;
-        for (uint32_t x = 0; x < end - begin; ++x) {
+        if (r < first || r >= last) return;
+        int16_t* distances = result.data() + size_t{r - first} * window.width + begin;
+        for (size_t x = 0; x < nearest.size(); ++x) {
             const int32_t found = at[x] - row, old = distances[x];
-            const int32_t max_found = std::min(reach, std::abs(old) - 1);
+            const int32_t max_found = std::min(limit, std::abs(old) - 1);
             distances[x] = static_cast<int16_t>(std::abs(found) <= max_found ? found : old);
         }
-    }
-
-    const RowWindow& window_;
-    uint32_t first_, last_, low_, high_, reach_;
-    std::vector<int16_t> distances_;
-};
+    };
+    const auto measure = [&](const tbb::blocked_range<uint32_t>& columns) {
+        constexpr int32_t far = 1 << 24;
+        std::vector<int32_t> nearest(columns.size(), -far);
+        for (uint32_t r = std::max(low, first - std::min(first, reach)); r < last; ++r)
+            visit_row(r, columns.begin(), nearest);
+        std::fill(nearest.begin(), nearest.end(), far);
+        for (uint32_t r = std::min(high, last + reach); r-- > first;)
+            visit_row(r, columns.begin(), nearest);
+    };
+    tbb::parallel_for(tbb::blocked_range<uint32_t>(0, window.width, 256), measure);
+    return result;
+}
 
 struct Nearest {
     int64_t x = -1;
@@ -133,14 +111,14 @@ bool are_covered(const RowWindow& window, uint32_t first, uint32_t last) {
 
 void dilate(const RowWindow& window, uint32_t first, uint32_t last, uint32_t low, uint32_t high,
             uint32_t reach, float* values, uint8_t* covered) {
-    std::optional<ColumnDistances> distances;
+    std::vector<int16_t> distances;
     if (reach > 0 && !are_covered(window, first, last))
-        distances.emplace(window, first, last, low, high, reach);
+        distances = column_distances(window, first, last, low, high, reach);
     tbb::parallel_for(first, last, [&](uint32_t r) {
         const size_t texels = size_t{r - first} * window.width;
         const RowOutput to = {values + texels * window.lanes, covered + texels};
         copy_row(window, r, to);
-        if (distances) fill_gaps(window, r, distances->row(r), reach, to);
+        if (!distances.empty()) fill_gaps(window, r, distances.data() + texels, reach, to);
     });
 }
 

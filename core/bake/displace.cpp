@@ -1,8 +1,10 @@
 #include "bake/displace.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "bake/mesh_check.h"
 #include "mesh/weld.h"
@@ -12,24 +14,22 @@
 namespace wrinkle {
 namespace {
 
-// Returns, for each vertex, the index of one triangle corner that uses it, or -1.
-std::vector<int64_t> first_corners(const Mesh& mesh) {
-    std::vector<int64_t> corners(mesh.vertex_count(), -1);
-    for (size_t i = 0; i < mesh.indices.size(); ++i)
-        if (corners[mesh.indices[i]] < 0) corners[mesh.indices[i]] = static_cast<int64_t>(i);
-    return corners;
+// neighbours[step][vertex] is the vertex `step` corners (0, 1 or 2) after `vertex` in the first of
+// its triangles, or `vertex` if no triangle uses it. The difference of their values is the
+// differential.
+using Neighbours = std::array<std::vector<uint32_t>, 3>;
+
+Neighbours neighbours_of(const Mesh& mesh) {
+    std::vector<uint32_t> self(mesh.vertex_count());
+    std::iota(self.begin(), self.end(), 0U);
+    Neighbours result{self, self, self};
+    for (size_t i = mesh.indices.size(); i-- > 0;)
+        for (const size_t step : {1, 2})
+            result[step][mesh.indices[i]] = mesh.indices[i - i % 3 + (i + step) % 3];
+    return result;
 }
 
-// Returns the vertex `step` corners after `vertex` in one of its triangles, or `vertex` if no
-// triangle uses it. The difference of their values is the differential.
-uint32_t neighbour(const Mesh& mesh, const std::vector<int64_t>& corners, uint32_t vertex,
-                   size_t step) {
-    if (corners[vertex] < 0) return vertex;
-    const auto corner = static_cast<size_t>(corners[vertex]);
-    return mesh.indices[corner - corner % 3 + (corner + step) % 3];
-}
-
-void fill(PointSet& set, const Mesh& mesh, const std::vector<int64_t>& corners, InputNeed need) {
+void fill(PointSet& set, const Mesh& mesh, const Neighbours& neighbours, InputNeed need) {
     std::vector<double>& target = set.at(need.input, need.variant);
     const auto step = static_cast<size_t>(need.variant);
     if (need.input == SurfaceInput::facing_) {
@@ -39,7 +39,7 @@ void fill(PointSet& set, const Mesh& mesh, const std::vector<int64_t>& corners, 
     const auto [values, stride] = attribute_of(mesh, need.input);
     for (uint32_t vertex = 0; values && vertex < mesh.vertex_count(); ++vertex) {
         const float* here = values + size_t{vertex} * stride;
-        const float* other = values + size_t{neighbour(mesh, corners, vertex, step)} * stride;
+        const float* other = values + size_t{neighbours[step][vertex]} * stride;
         for (uint32_t lane = 0; lane < stride; ++lane)
             target.push_back(step > 0 ? other[lane] - double{here[lane]} : here[lane]);
     }
@@ -62,9 +62,9 @@ void join_seams(Mesh& mesh) {
 PointSet vertex_points(const Mesh& mesh, const Program& program) {
     PointSet set;
     set.count = mesh.vertex_count();
-    const std::vector<int64_t> corners = first_corners(mesh);
+    const Neighbours neighbours = neighbours_of(mesh);
     for (const InputNeed& need : needed_inputs(program))
-        fill(set, mesh, corners, need);
+        fill(set, mesh, neighbours, need);
     return set;
 }
 

@@ -72,28 +72,24 @@ WriterOptions writer_options(const BakedMap& map, PixelType type, uint32_t width
     return options;
 }
 
-std::optional<MapFiles> MapFiles::open(const std::vector<MapFile>& files,
-                                       Diagnostics& diagnostics) {
-    MapFiles result;
+std::optional<std::vector<ImageWriter>> open_maps(const std::vector<MapFile>& files,
+                                                  Diagnostics& diagnostics) {
+    std::vector<ImageWriter> writers;
     for (const MapFile& file : files) {
         std::error_code error;
         const std::filesystem::path folder = file.path.parent_path();
         if (!folder.empty()) std::filesystem::create_directories(folder, error);
         auto writer = ImageWriter::open(file.path, file.options, diagnostics);
         if (!writer) return {};
-        result.writers_.push_back(std::move(*writer));
+        writers.push_back(std::move(*writer));
     }
-    return result;
+    return writers;
 }
 
-bool MapFiles::write(size_t file, std::span<const std::byte> rows, Diagnostics& diagnostics) {
-    return writers_[file].write_stored(rows, diagnostics);
-}
-
-bool MapFiles::finish(Diagnostics& diagnostics) {
-    return std::all_of(writers_.begin(), writers_.end(),
+bool finish_maps(std::vector<ImageWriter>& writers, Diagnostics& diagnostics) {
+    return std::all_of(writers.begin(), writers.end(),
                        [&](ImageWriter& writer) { return writer.close(diagnostics); }) &&
-           std::all_of(writers_.begin(), writers_.end(),
+           std::all_of(writers.begin(), writers.end(),
                        [&](ImageWriter& writer) { return writer.finish(diagnostics); });
 }
 

@@ -43,19 +43,11 @@ struct MapFile {
     WriterOptions options;
 };
 
-// The files of one texture set. Files get their final names after all of them are written.
-class MapFiles {
-public:
-    // Creates missing folders. Returns std::nullopt and appends diagnostics on failure.
-    static std::optional<MapFiles> open(const std::vector<MapFile>& files,
-                                        Diagnostics& diagnostics);
-
-    // Writes the next rows of one file, by its index in open()'s `files`.
-    bool write(size_t file, std::span<const std::byte> rows, Diagnostics& diagnostics);
-    bool finish(Diagnostics& diagnostics);
-
-private:
-    std::vector<ImageWriter> writers_;
-};
+// Opens the files of one texture set. Creates missing folders. Returns std::nullopt and appends
+// diagnostics on failure.
+std::optional<std::vector<ImageWriter>> open_maps(const std::vector<MapFile>& files,
+                                                  Diagnostics& diagnostics);
+// Gives the files their final names after all of them are written.
+bool finish_maps(std::vector<ImageWriter>& writers, Diagnostics& diagnostics);
 
 }  // namespace wrinkle

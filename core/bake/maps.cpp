@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 
 #include "bake/map_values.h"
 #include "base/text.h"
 #include "base/transcendental.h"
+#include "image/writer.h"
 #include "ir/covariance.h"
 
 namespace wrinkle {
@@ -14,21 +16,12 @@ namespace {
 
 constexpr std::array<const char*, 4> color_channels = {"R", "G", "B", "A"};
 constexpr const char* slopes_name = "slopes";
-constexpr std::array<const char*, 6> slope_channels = {"b0_h",     "b1_dhds",  "b2_dhdt",
-                                                       "b3_dhds2", "b4_dhdt2", "b5_dh2dsdt"};
 
 const ModuleOutput* output_named(const Module& module, const std::string& name) {
     const auto found =
         std::find_if(module.outputs.begin(), module.outputs.end(),
                      [&](const ModuleOutput& output) { return output.name == name; });
     return found == module.outputs.end() ? nullptr : &*found;
-}
-
-std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (const std::string& name : names)
-        text += (text.empty() ? "" : ", ") + name;
-    return text;
 }
 
 class MapPlanner {
@@ -92,8 +85,9 @@ private:
         for (const ModuleOutput& output : source_.outputs)
             outputs.push_back(output.name);
         const std::vector<std::string> names = map_names(std::move(outputs));
-        diagnostics_.error("the graph makes no map '" + name + "'",
-                           did_you_mean(name, names, "it makes " + listed(names)));
+        diagnostics_.error(
+            "the graph makes no map '" + name + "'",
+            did_you_mean(name, names, "it makes " + joined(names, ", ", std::identity())));
     }
 
     void add_normal(BakedMap& map, Value normal) {
@@ -139,8 +133,8 @@ private:
             double gain = i >= 3 ? 1 / (options_.scale * options_.scale) : 1 / options_.scale;
             if (i == 0 && !height) gain = 1;
             const float empty = i == 0 && !height ? -1.0F : 0.0F;
-            map.channels.push_back(
-                {slope_channels[i], lane_of(values[i]), static_cast<float>(gain), 0, false, empty});
+            map.channels.push_back({bumpslopes_channels[i], lane_of(values[i]),
+                                    static_cast<float>(gain), 0, false, empty});
         }
     }
 

@@ -17,11 +17,6 @@ std::string share(size_t count, size_t all) {
     return std::to_string(count) + " of " + std::to_string(all) + " triangles";
 }
 
-void warn(const std::string& mesh, std::string message, std::string expected,
-          Diagnostics& diagnostics) {
-    diagnostics.add(file_problem(Severity::warning, mesh, std::move(message), std::move(expected)));
-}
-
 constexpr const char* beyond_first = "UDIM tiles (--udim) have the other squares";
 const std::string numbered_range = "with u from 0 to 10 and v on one side of 0";
 
@@ -76,21 +71,23 @@ bool check_uvs(const UvSurvey& uvs, bool udim, const std::string& name, Diagnost
         diagnostics.add(file_problem(Severity::error, name, nothing, expected));
         return false;
     }
+    const auto warn = [&](std::string message, std::string expected) {
+        diagnostics.add(
+            file_problem(Severity::warning, name, std::move(message), std::move(expected)));
+    };
     const size_t area = uvs.triangles - uvs.without_area;
     if (uvs.without_area > 0)
-        warn(name, share(uvs.without_area, uvs.triangles) + " have no area in uv and no texel", "",
-             diagnostics);
+        warn(share(uvs.without_area, uvs.triangles) + " have no area in uv and no texel", "");
     if (!udim && uvs.in_square < area)
-        warn(name, share(area - uvs.in_square, uvs.triangles) + " lie outside of the uv square",
-             uvs.udim_tiles.size() > 1 ? beyond_first : "uvs " + numbered_range, diagnostics);
+        warn(share(area - uvs.in_square, uvs.triangles) + " lie outside of the uv square",
+             uvs.udim_tiles.size() > 1 ? beyond_first : "uvs " + numbered_range);
     if (udim && uvs.beyond_udim > 0)
-        warn(name,
-             share(uvs.beyond_udim, uvs.triangles) +
+        warn(share(uvs.beyond_udim, uvs.triangles) +
                  " reach into squares of uv that UDIM has no number for and are cut off there",
-             "uvs " + numbered_range, diagnostics);
+             "uvs " + numbered_range);
     if (uvs.mirrored > 0)
-        warn(name, share(uvs.mirrored, uvs.triangles) + " are mirrored in uv",
-             "their tangents' w is -1; engines must read it", diagnostics);
+        warn(share(uvs.mirrored, uvs.triangles) + " are mirrored in uv",
+             "their tangents' w is -1; engines must read it");
     return true;
 }
 

@@ -43,11 +43,10 @@ std::optional<MapRequest> parse_pack(const std::string& text, Diagnostics& diagn
     for (const std::string_view word : split(rest, ' ')) {
         if (word.empty()) continue;
         const auto channel = parse_channel(word);
-        ok = ok && channel;
+        ok = ok && channel &&
+             std::none_of(request.pack.begin(), request.pack.end(),
+                          [&](const PackedChannel& c) { return c.to == channel->to; });
         if (!ok) break;
-        const bool twice = std::any_of(request.pack.begin(), request.pack.end(),
-                                       [&](const PackedChannel& c) { return c.to == channel->to; });
-        ok = !twice;
         request.pack.push_back(*channel);
     }
     if (ok && !request.pack.empty()) return request;

@@ -4,45 +4,30 @@
 #include "base/text.h"
 
 namespace wrinkle {
-namespace {
-
-void make_warning(const std::string& file, std::string message, std::string expected,
-                  Diagnostics& diagnostics) {
-    diagnostics.add(file_problem(Severity::warning, file, std::move(message), std::move(expected)));
-}
-
-}  // namespace
-
-void BakeReport::add(const BakeStatistics& found, const UvLayout& layout) {
-    if (overlapped == 0 && found.overlapped > 0) {
-        overlap_uv = layout.uv(found.overlap_x + 0.5, found.overlap_y + 0.5);
-        overlap_triangle = found.overlap_triangle;
-    }
-    overlapped += found.overlapped;
-    not_finite += found.not_finite;
-}
-
 void BakeReport::append_warnings(const std::string& graph, const std::string& mesh,
                                  std::span<const BakedMap> maps, Diagnostics& warnings) const {
+    const auto warn = [&](const std::string& file, std::string message, std::string expected) {
+        warnings.add(
+            file_problem(Severity::warning, file, std::move(message), std::move(expected)));
+    };
     if (overlapped > 0)
-        make_warning(mesh,
-                     std::to_string(overlapped) +
-                         " texels are covered by more than one triangle; at uv " +
-                         shortest(static_cast<float>(overlap_uv.x)) + "," +
-                         shortest(static_cast<float>(overlap_uv.y)) + " triangle " +
-                         std::to_string(overlap_triangle) + " is hidden by one before it",
-                     "a uv layout without overlaps", warnings);
+        warn(mesh,
+             std::to_string(overlapped) + " texels are covered by more than one triangle; at uv " +
+                 shortest(static_cast<float>(overlap_uv.x)) + "," +
+                 shortest(static_cast<float>(overlap_uv.y)) + " triangle " +
+                 std::to_string(overlap_triangle) + " is hidden by one before it",
+             "a uv layout without overlaps");
     if (not_finite > 0)
-        make_warning(graph, std::to_string(not_finite) + " texels hold a number that is not finite",
-                     "integer files hold 0 there", warnings);
+        warn(graph, std::to_string(not_finite) + " texels hold a number that is not finite",
+             "integer files hold 0 there");
     for (size_t map = 0; map < clamped.size(); ++map) {
         const Clamped& lost = clamped[map];
         if (lost.numbers == 0) continue;
-        make_warning(graph,
-                     "the map '" + maps[map].name + "' holds " + std::to_string(lost.numbers) +
-                         " numbers that integers do not, from " + shortest(lost.least) + " to " +
-                         shortest(lost.greatest),
-                     "the type half or float, or another scale", warnings);
+        warn(graph,
+             "the map '" + maps[map].name + "' holds " + std::to_string(lost.numbers) +
+                 " numbers that integers do not, from " + shortest(lost.least) + " to " +
+                 shortest(lost.greatest),
+             "the type half or float, or another scale");
     }
 }
 
@@ -58,7 +43,7 @@ bool bake_texture_set(const TextureSetInput& input, uint32_t first, uint32_t las
     rows.unit = plan.unit;
     rows.dilate = input.dilate;
     const auto keep = [&](const BakedRows& baked) {
-        report.add(baked.found, input.layout);
+        report.add(baked.found);
         for (size_t map = 0; map < plan.maps.size(); ++map)
             if (!take.rows(map, stored_rows(plan.maps[map], input.types[map], baked,
                                             input.layout.width, plan.lanes, report.clamped[map])))

@@ -26,13 +26,9 @@ struct TextureSetInput {
 };
 
 // Findings over the texture sets of a bake.
-struct BakeReport {
-    uint64_t overlapped = 0, not_finite = 0;  // texels
-    glm::dvec2 overlap_uv{0};                 // at one overlapped texel
-    uint32_t overlap_triangle = 0;            // a triangle hidden there
-    std::vector<Clamped> clamped;             // values beyond the range of integers, by map
+struct BakeReport : BakeStatistics {
+    std::vector<Clamped> clamped;  // values beyond the range of integers, by map
 
-    void add(const BakeStatistics& found, const UvLayout& layout);
     // Appends the findings as warnings; `graph` and `mesh` are the file names as given by the user.
     void append_warnings(const std::string& graph, const std::string& mesh,
                          std::span<const BakedMap> maps, Diagnostics& warnings) const;

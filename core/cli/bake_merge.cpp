@@ -80,7 +80,7 @@ bool join_set(const std::vector<fs::path>& folders, const std::vector<PartHeader
               size_t set, const std::vector<MapFile>& files, Progress& progress,
               Diagnostics& diagnostics) {
     const PartHeader& header = headers[0];
-    auto writers = MapFiles::open(files, diagnostics);
+    auto writers = open_maps(files, diagnostics);
     if (!writers) return false;
     std::vector<JoinedRows> rows;
     for (size_t map = 0; map < files.size(); ++map)
@@ -91,12 +91,12 @@ bool join_set(const std::vector<fs::path>& folders, const std::vector<PartHeader
             std::string why;
             const std::vector<std::byte> bytes = rows[map].next(band, why);
             if (bytes.empty()) diagnostics.error(why);
-            if (bytes.empty() || !writers->write(map, bytes, diagnostics)) return false;
+            if (bytes.empty() || !(*writers)[map].write_stored(bytes, diagnostics)) return false;
         }
         progress.add(uint64_t{header.rows_of(band)} * header.width());
         if (Interruption::requested()) return false;
     }
-    return writers->finish(diagnostics);
+    return finish_maps(*writers, diagnostics);
 }
 
 }  // namespace

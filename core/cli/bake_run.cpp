@@ -58,13 +58,13 @@ BakeOutcome bake_files(const BakeJob& job, const PartHeader& header, Progress& p
     SetBaker baker(job, progress);
     const auto bake_set = [&](size_t number) {
         const auto files = header.files(job.options.output, number, job.options.threads);
-        auto writers = MapFiles::open(files, outcome.environment);
+        auto writers = open_maps(files, outcome.environment);
         if (!writers) return false;
         const auto keep = [&](size_t map, std::span<const std::byte> bytes) {
-            return writers->write(map, bytes, outcome.environment);
+            return (*writers)[map].write_stored(bytes, outcome.environment);
         };
         if (!baker.bake(number, 0, job.request.height, {keep, {}}) ||
-            !writers->finish(outcome.environment))
+            !finish_maps(*writers, outcome.environment))
             return false;
         for (const MapFile& file : files)
             outcome.files.push_back(file.path.string());

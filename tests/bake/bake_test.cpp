@@ -285,7 +285,9 @@ TEST(BakeRows, FindsWhatOverlapsAndWhatIsNoNumber) {
     const LanePicture picture = bake_lanes(mesh, uv_program());
     EXPECT_EQ(picture.findings.overlapped, picture.findings.covered);
     EXPECT_EQ(picture.findings.overlap_triangle, 1U);
-    EXPECT_TRUE(picture.covered_at(picture.findings.overlap_x, picture.findings.overlap_y));
+    const glm::dvec2 texel = picture.findings.overlap_uv *
+                             glm::dvec2(picture.width, picture.covered.size() / picture.width);
+    EXPECT_TRUE(picture.covered_at(static_cast<uint32_t>(texel.x), static_cast<uint32_t>(texel.y)));
     EXPECT_EQ(picture.findings.not_finite, 0U);
     Module module;
     const Id u = module.component(module.input(SurfaceInput::uv0_), 0);

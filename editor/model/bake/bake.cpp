@@ -176,7 +176,7 @@ private:
             options.tile = choices_.tile_in(stored);
             files.push_back({path, std::move(options)});
         }
-        auto writers = MapFiles::open(files, disk_);
+        auto writers = open_maps(files, disk_);
         if (!writers) return false;
         written_.push_back(std::move(*writers));
         const std::vector<Texture> textures = textures_.textures_of(plan_->resources);
@@ -189,7 +189,7 @@ private:
         input.dilate = choices_.tuning.dilate;
         BakeSinks take;
         take.rows = [&](size_t map, std::span<const std::byte> rows) {
-            return written_.back().write(map, rows, disk_);
+            return written_.back()[map].write_stored(rows, disk_);
         };
         take.band = [&](uint32_t, uint64_t texels) {
             progress_.done += texels;
@@ -201,7 +201,7 @@ private:
     bool finish() {
         if (progress_.cancelled) return false;
         return std::all_of(written_.begin(), written_.end(),
-                           [&](MapFiles& files) { return files.finish(disk_); });
+                           [&](auto& files) { return finish_maps(files, disk_); });
     }
 
     Diagnostics warnings() const {
@@ -233,8 +233,9 @@ private:
     UvSurvey uvs_;
     std::optional<BakePlan> plan_;
     std::vector<AskedMap> asked_;
-    std::vector<PixelType> types_;   // by map
-    std::vector<MapFiles> written_;  // by UDIM tile; temporary files until all are complete
+    std::vector<PixelType> types_;  // by map
+    // By UDIM tile and map; temporary files until all are complete.
+    std::vector<std::vector<ImageWriter>> written_;
     BakeReport report_;
     std::vector<std::string> read_;  // the files that the maps must not replace
 };
