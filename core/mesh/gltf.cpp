@@ -6,6 +6,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/matrix.hpp>
+#include <numeric>
 
 #include "base/diagnostics.h"
 #include "mesh/gltf_parts.h"
@@ -63,13 +64,20 @@ public:
         : model_(model), file_(std::move(file)), limits_(limits), diagnostics_(diagnostics) {}
 
     std::optional<Mesh> read() {
-        for (const std::string& extension : model_.extensionsRequired)
-            if (!is_harmless(extension))
-                error(
-                    "needs the extension '" + extension + "'",
-                    "export it without; KHR_texture_transform and KHR_mesh_quantization are known");
-        if (!failed_) read_scene();
-        if (failed_) return {};
+        bool known = true;
+        for (const std::string& extension : model_.extensionsRequired) {
+            if (is_harmless(extension)) continue;
+            add(Severity::error, "needs the extension '" + extension + "'",
+                "export it without; KHR_texture_transform and KHR_mesh_quantization are known");
+            known = false;
+        }
+        if (!known) return {};
+        try {
+            read_scene();
+        } catch (const InvalidGltf& fault) {
+            add(Severity::error, fault.message, fault.expected);
+            return {};
+        }
         return std::move(mesh_);
     }
     bool is_double_sided() const { return double_sided_; }
@@ -88,14 +96,15 @@ private:
             for (size_t i = 0; i < model_.meshes.size(); ++i)
                 add_mesh(static_cast<int>(i), glm::dmat4(1));
         std::vector<bool> seen(model_.nodes.size());
-        while (!open.empty() && !failed_) {
+        while (!open.empty()) {
             const SceneNode next = open.back();
             open.pop_back();
             const auto index = static_cast<size_t>(next.node);
             if (next.node < 0 || index >= model_.nodes.size())
-                return error("there is no node " + std::to_string(next.node));
+                throw InvalidGltf("there is no node " + std::to_string(next.node));
             if (seen[index])
-                return error("node " + std::to_string(index) + " has two parents or is its own");
+                throw InvalidGltf("node " + std::to_string(index) +
+                                  " has two parents or is its own");
             seen[index] = true;
             const tinygltf::Node& node = model_.nodes[index];
             const glm::dmat4 m = next.parent * matrix_of(node);
@@ -123,16 +132,17 @@ private:
 
     void add_mesh(int index, const glm::dmat4& to_scene) {
         if (static_cast<size_t>(index) >= model_.meshes.size())
-            return error("there is no mesh " + std::to_string(index));
+            throw InvalidGltf("there is no mesh " + std::to_string(index));
         const auto& primitives = model_.meshes[static_cast<size_t>(index)].primitives;
-        for (size_t i = 0; i < primitives.size() && !failed_; ++i) {
+        for (size_t i = 0; i < primitives.size(); ++i) {
             where_ = "mesh " + std::to_string(index) + ", primitive " + std::to_string(i) + ": ";
             Mesh part;
             if (!read_primitive(primitives[i], part)) continue;
             if (mesh_.indices.size() + part.indices.size() > limits_.max_corners ||
                 mesh_.vertex_count() + part.vertex_count() > limits_.max_corners)
-                return error("more than " + std::to_string(limits_.max_corners / 3) + " triangles",
-                             "split the file or simplify the mesh");
+                throw InvalidGltf(
+                    "more than " + std::to_string(limits_.max_corners / 3) + " triangles",
+                    "split the file or simplify the mesh");
             const auto material = static_cast<size_t>(primitives[i].material);
             double_sided_ |=
                 material < model_.materials.size() && model_.materials[material].doubleSided;
@@ -143,55 +153,60 @@ private:
         where_.clear();
     }
 
+    // Returns false if the primitive has no triangles.
     bool read_primitive(const tinygltf::Primitive& primitive, Mesh& part) {
         if (!has_triangles(primitive.mode)) return false;
-        const bool ok = read_vector(primitive, "POSITION", part.positions, 3) &&
-                        read_vector(primitive, "NORMAL", part.normals, 3) &&
-                        read_vector(primitive, "TANGENT", part.tangents, 4) &&
-                        read_vector(primitive, "COLOR_0", part.colors, 3) &&
-                        read_uvs(primitive, part);
-        if (!ok) return false;
-        if (part.positions.empty()) return error("has no positions"), false;
-        std::vector<uint32_t> order;
-        if (!read_order(primitive, part.vertex_count(), order)) return false;
-        list_triangles(primitive.mode, order, part.indices);
+        read_vector(primitive, "POSITION", part.positions, 3);
+        read_vector(primitive, "NORMAL", part.normals, 3);
+        read_vector(primitive, "TANGENT", part.tangents, 4);
+        read_vector(primitive, "COLOR_0", part.colors, 3);
+        read_uvs(primitive, part);
+        if (part.positions.empty()) throw InvalidGltf("has no positions");
+        list_triangles(primitive.mode, read_order(primitive, part.vertex_count()), part.indices);
         return !part.indices.empty();
+    }
+
+    // Adds `part` to the context of messages while `read` runs.
+    template <typename Read>
+    auto within(const std::string& part, Read read) {
+        const size_t before = where_.size();
+        where_ += part + ": ";
+        auto result = read();
+        where_.resize(before);
+        return result;
     }
 
     // Leaves `out` empty if the attribute is absent. Colours may have three components.
     template <typename Vector>
-    bool read_vector(const tinygltf::Primitive& primitive, const std::string& name,
+    void read_vector(const tinygltf::Primitive& primitive, const std::string& name,
                      std::vector<Vector>& out, int least) {
         const auto found = primitive.attributes.find(name);
-        if (found == primitive.attributes.end()) return true;
-        std::string why;
-        const auto floats = read_floats(model_, found->second, limits_.max_corners, why);
-        if (!floats) return error(name + ": " + why), false;
+        if (found == primitive.attributes.end()) return;
+        const AccessorFloats floats =
+            within(name, [&] { return read_floats(model_, found->second, limits_.max_corners); });
         // Several nodes may reference one mesh, and each reads it again: limit the total.
-        elements_read_ += floats->count;
+        elements_read_ += floats.count;
         if (elements_read_ > 16 * limits_.max_corners)
-            return error("more than " + std::to_string(limits_.max_corners) + " vertices",
-                         "split the file or simplify the mesh"),
-                   false;
-        const int width = floats->components;
+            throw InvalidGltf("more than " + std::to_string(limits_.max_corners) + " vertices",
+                              "split the file or simplify the mesh");
+        const int width = floats.components;
         const auto position = primitive.attributes.find("POSITION");
         if (width < least || width > Vector::length())
-            return error(name + " has " + std::to_string(width) + " components"), false;
+            throw InvalidGltf(name + " has " + std::to_string(width) + " components");
         if (position != primitive.attributes.end() && name != "POSITION" &&
-            floats->count != model_.accessors[static_cast<size_t>(position->second)].count)
-            return error(name + " and POSITION differ in length"), false;
-        out.assign(floats->count, Vector(1));
-        for (size_t i = 0; i < floats->count; ++i)
+            floats.count != model_.accessors[static_cast<size_t>(position->second)].count)
+            throw InvalidGltf(name + " and POSITION differ in length");
+        out.assign(floats.count, Vector(1));
+        for (size_t i = 0; i < floats.count; ++i)
             for (int k = 0; k < width; ++k)
-                out[i][k] = floats->values[i * static_cast<size_t>(width) + static_cast<size_t>(k)];
-        return true;
+                out[i][k] = floats.values[i * static_cast<size_t>(width) + static_cast<size_t>(k)];
     }
 
-    bool read_uvs(const tinygltf::Primitive& primitive, Mesh& part) {
+    void read_uvs(const tinygltf::Primitive& primitive, Mesh& part) {
         const UvTransforms transforms = uv_transforms(model_, primitive.material);
         for (size_t set = 0; set < max_uv_sets; ++set) {
             auto& uvs = part.uvs[set];
-            if (!read_vector(primitive, "TEXCOORD_" + std::to_string(set), uvs, 2)) return false;
+            read_vector(primitive, "TEXCOORD_" + std::to_string(set), uvs, 2);
             const UvTransform move = transforms.sets[set].value_or(UvTransform());
             for (glm::vec2& uv : uvs) {
                 if (move != UvTransform()) uv = move.apply(uv);
@@ -201,26 +216,22 @@ private:
         }
         if (transforms.differ)
             warn("its textures move one uv set in different ways; the first one's way is taken");
-        return true;
     }
 
-    bool read_order(const tinygltf::Primitive& primitive, size_t vertices,
-                    std::vector<uint32_t>& order) {
+    std::vector<uint32_t> read_order(const tinygltf::Primitive& primitive, size_t vertices) {
         if (primitive.indices < 0) {
-            for (uint32_t v = 0; v < vertices; ++v)
-                order.push_back(v);
-            return true;
+            std::vector<uint32_t> order(vertices);
+            std::iota(order.begin(), order.end(), 0U);
+            return order;
         }
-        std::string why;
-        auto indices = read_indices(model_, primitive.indices, limits_.max_corners, why);
-        if (!indices) return error("indices: " + why), false;
-        for (const uint32_t index : *indices)
+        std::vector<uint32_t> indices = within("indices", [&] {
+            return read_indices(model_, primitive.indices, limits_.max_corners);
+        });
+        for (const uint32_t index : indices)
             if (index >= vertices)
-                return error("index " + std::to_string(index) + " of " + std::to_string(vertices) +
-                             " vertices"),
-                       false;
-        order = std::move(*indices);
-        return true;
+                throw InvalidGltf("index " + std::to_string(index) + " of " +
+                                  std::to_string(vertices) + " vertices");
+        return indices;
     }
 
     // glTF: tangents without normals are ignored.
@@ -244,12 +255,6 @@ private:
         return true;
     }
 
-    void error(const std::string& message,
-               const std::string& expected = "a valid glTF 2.0 file; export it again") {
-        add(Severity::error, message, expected);
-        failed_ = true;
-    }
-
     void warn(const std::string& message) { add(Severity::warning, message, ""); }
 
     void add(Severity severity, const std::string& message, const std::string& expected) {
@@ -261,7 +266,7 @@ private:
     const MeshLimits& limits_;
     Diagnostics& diagnostics_;
     std::string where_;
-    bool failed_ = false, double_sided_ = false;
+    bool double_sided_ = false;
     uint64_t elements_read_ = 0;
     Mesh mesh_;
 };
@@ -270,12 +275,17 @@ private:
 
 std::optional<Mesh> read_gltf(std::string_view bytes, const std::filesystem::path& path,
                               const MeshFileOptions& options, Diagnostics& diagnostics) {
-    tinygltf::Model model;
-    if (!read_gltf_file(bytes, path, options, model, diagnostics)) return {};
-    GltfReader reader(model, path.string(), options.limits, diagnostics);
-    auto mesh = reader.read();
-    if (options.double_sided) *options.double_sided = mesh && reader.is_double_sided();
-    return mesh;
+    try {
+        const tinygltf::Model model = read_gltf_file(bytes, path, options);
+        GltfReader reader(model, path.string(), options.limits, diagnostics);
+        auto mesh = reader.read();
+        if (options.double_sided) *options.double_sided = mesh && reader.is_double_sided();
+        return mesh;
+    } catch (const InvalidGltf& fault) {
+        diagnostics.add(
+            file_problem(Severity::error, path.string(), fault.message, fault.expected));
+        return {};
+    }
 }
 
 }  // namespace wrinkle

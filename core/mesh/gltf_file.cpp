@@ -1,6 +1,5 @@
 #include "mesh/gltf_parts.h"
 
-#include "base/diagnostics.h"
 #include "base/file.h"
 
 namespace wrinkle {
@@ -35,29 +34,22 @@ uint32_t number_at(std::string_view bytes, size_t at) {
     return value;
 }
 
-// Returns the JSON text of a .gltf or .glb; "" and sets `why` if the lengths in a .glb do not fit
-// its size.
-std::string_view json_of(std::string_view bytes, std::string& why) {
+[[noreturn]] void fail(const std::string& message) {
+    throw InvalidGltf(message, "a whole glTF 2.0 file; export it again");
+}
+
+// Returns the JSON text of a .gltf or .glb. Checks that the lengths in a .glb fit its size.
+std::string_view json_of(std::string_view bytes) {
     if (!bytes.starts_with("glTF")) return bytes;
-    if (bytes.size() < glb_header + chunk_header) {
-        why = "is truncated within its header";
-        return {};
-    }
-    if (number_at(bytes, 4) != 2) {
-        why = "is glTF of version " + std::to_string(number_at(bytes, 4));
-        return {};
-    }
+    if (bytes.size() < glb_header + chunk_header) fail("is truncated within its header");
+    if (number_at(bytes, 4) != 2) fail("is glTF of version " + std::to_string(number_at(bytes, 4)));
     const uint64_t length = number_at(bytes, 8);
     const uint64_t json = number_at(bytes, glb_header);
-    if (length > bytes.size()) {
-        why = "is truncated: " + std::to_string(bytes.size()) + " of " + std::to_string(length) +
-              " bytes";
-        return {};
-    }
-    if (json > length - std::min<uint64_t>(length, glb_header + chunk_header)) {
-        why = "says that its JSON is longer than the file";
-        return {};
-    }
+    if (length > bytes.size())
+        fail("is truncated: " + std::to_string(bytes.size()) + " of " + std::to_string(length) +
+             " bytes");
+    if (json > length - std::min<uint64_t>(length, glb_header + chunk_header))
+        fail("says that its JSON is longer than the file");
     return bytes.substr(glb_header + chunk_header, json);
 }
 
@@ -106,29 +98,6 @@ struct FileGate {
     }
 };
 
-bool file_exists(const std::string& name, void* gate) {
-    std::error_code ignored;
-    return static_cast<FileGate*>(gate)->allows(name) && fs::is_regular_file(name, ignored);
-}
-
-std::string same_path(const std::string& name, void*) {
-    return name;
-}
-
-bool read_whole(std::vector<unsigned char>* out, std::string*, const std::string& name,
-                void* gate) {
-    return static_cast<FileGate*>(gate)->read(name, *out);
-}
-
-bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
-    return false;
-}
-
-bool skip_image(tinygltf::Image*, const int, std::string*, std::string*, int, int,
-                const unsigned char*, int, void*) {
-    return true;
-}
-
 // Replaces control characters by spaces and truncates to 300 characters.
 std::string one_line(std::string text) {
     while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
@@ -138,10 +107,21 @@ std::string one_line(std::string text) {
     return text.size() > 300 ? text.substr(0, 300) + "..." : text;
 }
 
-bool parse(std::string_view bytes, FileGate& gate, tinygltf::Model& model, std::string& why) {
+tinygltf::Model parse(std::string_view bytes, FileGate& gate) {
     tinygltf::TinyGLTF library;
-    library.SetImageLoader(skip_image, nullptr);
-    library.SetFsCallbacks({file_exists, same_path, read_whole, write_nothing, &gate});
+    tinygltf::Model model;
+    library.SetImageLoader([](auto...) { return true; }, nullptr);  // skips images
+    const auto exists = [](const std::string& name, void* gate) {
+        std::error_code ignored;
+        return static_cast<FileGate*>(gate)->allows(name) && fs::is_regular_file(name, ignored);
+    };
+    const auto same_path = [](const std::string& name, void*) { return name; };
+    const auto read_whole = [](std::vector<unsigned char>* out, std::string*,
+                               const std::string& name, void* gate) {
+        return static_cast<FileGate*>(gate)->read(name, *out);
+    };
+    const auto write_nothing = [](auto...) { return false; };
+    library.SetFsCallbacks({exists, same_path, read_whole, write_nothing, &gate});
     std::string error, ignored;
     const auto size = static_cast<unsigned int>(bytes.size());
     const std::string base = gate.folder.string();
@@ -155,28 +135,22 @@ bool parse(std::string_view bytes, FileGate& gate, tinygltf::Model& model, std::
     } catch (const std::exception& problem) {
         error = problem.what();
     }
-    if (ok) return true;
-    why = !gate.refused.empty() ? gate.refused : "is no valid glTF: " + one_line(error);
-    return false;
+    if (ok) return model;
+    if (gate.refused.empty()) fail("is no valid glTF: " + one_line(error));
+    throw InvalidGltf(gate.refused,
+                      "external files stand below the mesh's folder, or --root names a folder that "
+                      "holds them");
 }
 
 }  // namespace
 
-bool read_gltf_file(std::string_view bytes, const fs::path& path, const MeshFileOptions& options,
-                    tinygltf::Model& model, Diagnostics& diagnostics) {
-    std::string why;
-    const std::string_view json = json_of(bytes, why);
-    if (why.empty() && is_nested_too_deep(json))
-        why = "nests objects and arrays deeper than " + std::to_string(max_depth) + " levels";
+tinygltf::Model read_gltf_file(std::string_view bytes, const fs::path& path,
+                               const MeshFileOptions& options) {
+    if (is_nested_too_deep(json_of(bytes)))
+        fail("nests objects and arrays deeper than " + std::to_string(max_depth) + " levels");
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     FileGate gate{folder, options.root, options.limits.max_bytes, options.read, ""};
-    if (why.empty() && parse(bytes, gate, model, why)) return true;
-    const char* expected = gate.refused.empty()
-                               ? "a whole glTF 2.0 file; export it again"
-                               : "external files stand below the mesh's folder, or --root names a "
-                                 "folder that holds them";
-    diagnostics.add(file_problem(Severity::error, path.string(), why, expected));
-    return false;
+    return parse(bytes, gate);
 }
 
 }  // namespace wrinkle

@@ -14,12 +14,18 @@
 
 namespace wrinkle {
 
+// Thrown by the functions below; read_gltf() reports it.
+struct InvalidGltf {
+    explicit InvalidGltf(std::string message,
+                         std::string expected = "a valid glTF 2.0 file; export it again")
+        : message(std::move(message)), expected(std::move(expected)) {}
+    std::string message, expected;
+};
+
 // Parses a file with tinygltf: nesting, lengths and external files are checked before and during
-// parsing; images are not read. Does not throw. Returns false and appends one error that names the
-// file on failure.
-bool read_gltf_file(std::string_view bytes, const std::filesystem::path& path,
-                    const MeshFileOptions& options, tinygltf::Model& model,
-                    Diagnostics& diagnostics);
+// parsing; images are not read.
+tinygltf::Model read_gltf_file(std::string_view bytes, const std::filesystem::path& path,
+                               const MeshFileOptions& options);
 
 // Values of an accessor. Normalised integers are converted to floats as in glTF 2.0, section
 // 3.6.2.2 (c / 255, max(c / 127, -1), and so on); sparse accessors are resolved.
@@ -29,12 +35,9 @@ struct AccessorFloats {
     std::vector<float> values;  // count * components
 };
 
-// Both check every range. On failure they return std::nullopt and store one sentence in `why`.
-// read_indices() reads scalar unsigned integers of 1, 2 or 4 bytes.
-std::optional<AccessorFloats> read_floats(const tinygltf::Model& model, int accessor,
-                                          uint64_t max_count, std::string& why);
-std::optional<std::vector<uint32_t>> read_indices(const tinygltf::Model& model, int accessor,
-                                                  uint64_t max_count, std::string& why);
+// Both check every range. read_indices() reads scalar unsigned integers of 1, 2 or 4 bytes.
+AccessorFloats read_floats(const tinygltf::Model& model, int accessor, uint64_t max_count);
+std::vector<uint32_t> read_indices(const tinygltf::Model& model, int accessor, uint64_t max_count);
 
 // KHR_texture_transform: uv' = offset + R(rotation) (scale uv) in glTF's coordinates, v downwards.
 // R rotates by (cos, sin; -sin, cos), which is counter-clockwise on screen.
