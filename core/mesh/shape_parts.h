@@ -32,6 +32,22 @@ void add_grid(Mesh& mesh, int columns, int rows, F vertex) {
         }
 }
 
+// Adds a surface of revolution; calls `vertex(column, row)` for rows 0 to `rows`. A first or last
+// row of radius 0 has one triangle per column; its vertex is at the middle of the column.
+template <typename F>
+void add_revolution(Mesh& mesh, int columns, int rows, bool from_pole, bool to_pole, F vertex) {
+    const int first = from_pole ? 1 : 0, last = to_pole ? rows - 1 : rows;
+    const auto start = static_cast<uint32_t>(mesh.vertex_count());
+    add_grid(mesh, columns, last - first, [&](int i, int j) { return vertex(i, first + j); });
+    const uint32_t top = start + static_cast<uint32_t>((last - first) * (columns + 1));
+    for (uint32_t i = 0; i < static_cast<uint32_t>(columns); ++i) {
+        if (from_pole)
+            add_triangle(mesh, add_vertex(mesh, vertex(i + 0.5, 0)), start + i + 1, start + i);
+        if (to_pole)
+            add_triangle(mesh, add_vertex(mesh, vertex(i + 0.5, rows)), top + i, top + i + 1);
+    }
+}
+
 Mesh make_teapot();
 
 }  // namespace wrinkle

@@ -32,32 +32,17 @@ Turn longitude(double step) {
     return {-t.sin, -t.cos};
 }
 
-ShapeVertex sphere_vertex(double column, int row, int rows) {
-    const Turn l = longitude(column);
-    const Turn latitude = turn(row, 2 * rows);  // from the south pole
-    const double radius = row == 0 || row == rows ? 0 : latitude.sin;
-    const vec3 normal(radius * l.sin, -latitude.cos, radius * l.cos);
-    return {normal, normal, vec3(l.cos, 0, -l.sin),
-            vec2(column / around, static_cast<double>(row) / rows)};
-}
-
-// Adds one triangle per column at each pole; its pole vertex is at the middle of the column.
-void add_sphere_caps(Mesh& mesh, int rows) {
-    constexpr auto width = static_cast<uint32_t>(around) + 1;
-    const auto top = static_cast<uint32_t>(rows - 2) * width;
-    for (uint32_t i = 0; i < around; ++i) {
-        const uint32_t south = add_vertex(mesh, sphere_vertex(i + 0.5, 0, rows));
-        add_triangle(mesh, south, i + 1, i);
-        const uint32_t north = add_vertex(mesh, sphere_vertex(i + 0.5, rows, rows));
-        add_triangle(mesh, north, top + i, top + i + 1);
-    }
-}
-
 Mesh make_sphere() {
     Mesh mesh;
     constexpr int rows = around / 2;
-    add_grid(mesh, around, rows - 2, [](int i, int j) { return sphere_vertex(i, j + 1, rows); });
-    add_sphere_caps(mesh, rows);
+    add_revolution(mesh, around, rows, true, true, [](double column, int row) {
+        const Turn l = longitude(column);
+        const Turn latitude = turn(row, 2 * rows);  // from the south pole
+        const double radius = row == 0 || row == rows ? 0 : latitude.sin;
+        const vec3 normal(radius * l.sin, -latitude.cos, radius * l.cos);
+        return ShapeVertex{normal, normal, vec3(l.cos, 0, -l.sin),
+                           vec2(column / around, static_cast<double>(row) / rows)};
+    });
     return mesh;
 }
 

@@ -97,23 +97,10 @@ ShapeVertex band_vertex(const Band& band, double column, int row) {
                      {column / columns, band.v0 + (band.v1 - band.v0) * t});
 }
 
-// A row of radius 0 has one triangle per column; its vertex is at the middle of the column.
 void add_band(Mesh& mesh, const Band& band) {
-    constexpr int columns = 4 * quarter_columns;
-    const bool from_pole = band.profile[0].x == 0, to_pole = band.profile[3].x == 0;
-    const int first = from_pole ? 1 : 0, last = to_pole ? band.rows - 1 : band.rows;
-    const auto start = static_cast<uint32_t>(mesh.vertex_count());
-    add_grid(mesh, columns, last - first,
-             [&](int i, int j) { return band_vertex(band, i, first + j); });
-    const uint32_t top = start + static_cast<uint32_t>((last - first) * (columns + 1));
-    for (uint32_t i = 0; i < columns; ++i) {
-        if (from_pole)
-            add_triangle(mesh, add_vertex(mesh, band_vertex(band, i + 0.5, 0)), start + i + 1,
-                         start + i);
-        if (to_pole)
-            add_triangle(mesh, add_vertex(mesh, band_vertex(band, i + 0.5, band.rows)), top + i,
-                         top + i + 1);
-    }
+    add_revolution(mesh, 4 * quarter_columns, band.rows, band.profile[0].x == 0,
+                   band.profile[3].x == 0,
+                   [&](double column, int row) { return band_vertex(band, column, row); });
 }
 
 // A control point of half a cross-section, from the inner to the outer point; side +1 bulges to +z.
@@ -123,12 +110,12 @@ dvec3 section_point(const Section& section, size_t k, double side) {
 }
 
 // u runs along the tube. v runs around it: from the inner line over one side to the outer line, and
-// back over the other side. `sense` is the first side; it makes the outside front-facing.
-ShapeVertex tube_vertex(const Tube& tube, double along, double round, double sense, dvec2 corner,
-                        dvec2 size) {
+// back over the other side. The first side is -z, which makes the outside front-facing.
+ShapeVertex tube_vertex(const Tube& tube, double along, double round, dvec2 corner) {
+    constexpr dvec2 size(0.49, 0.16);
     const size_t patch = along < 1 ? 0 : 1;
     const bool back = round > 1;
-    const double side = back ? -sense : sense;
+    const double side = back ? 1 : -1;
     const double t = back ? 2 - round : round;
     std::array<dvec3, 4> sections, slopes;
     for (size_t row = 0; row < 4; ++row) {
@@ -145,10 +132,10 @@ ShapeVertex tube_vertex(const Tube& tube, double along, double round, double sen
                      corner + size * dvec2(along, round) / 2.0);
 }
 
-void add_tube(Mesh& mesh, const Tube& tube, double sense, dvec2 corner, dvec2 size) {
+void add_tube(Mesh& mesh, const Tube& tube, dvec2 corner) {
     constexpr int columns = 36, rows = 24;
     add_grid(mesh, columns, rows, [&](int i, int j) {
-        return tube_vertex(tube, 2.0 * i / columns, 2.0 * j / rows, sense, corner, size);
+        return tube_vertex(tube, 2.0 * i / columns, 2.0 * j / rows, corner);
     });
 }
 
@@ -158,8 +145,8 @@ Mesh make_teapot() {
     Mesh mesh;
     for (const Band& band : bands)
         add_band(mesh, band);
-    add_tube(mesh, handle, -1, {0, 0.84}, {0.49, 0.16});
-    add_tube(mesh, spout, -1, {0.51, 0.84}, {0.49, 0.16});
+    add_tube(mesh, handle, {0, 0.84});
+    add_tube(mesh, spout, {0.51, 0.84});
     const glm::vec3 center = bounds_of(mesh).center();
     for (glm::vec3& position : mesh.positions)
         position -= center;
