@@ -20,7 +20,7 @@ public:
         std::iota(next_.begin(), next_.end(), 0U);
     }
     // Returns the first open texel at or after `texel`; the texel count if there is none.
-    size_t from(size_t texel) {
+    size_t first_open(size_t texel) {
         auto at = static_cast<uint32_t>(texel);
         while (next_[at] != at)
             at = next_[at] = next_[next_[at]];

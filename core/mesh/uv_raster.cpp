@@ -25,13 +25,18 @@ int64_t edge_texel(const RasterEdge& edge, int64_t row) {
 // Returns the rows of [first, first + count) with centres between the lowest and the highest corner
 // of the triangle, excluding centres on a horizontal top edge.
 template <class Triangle>
-Interval centres_within(const Triangle& t, uint32_t first, uint32_t count) {
+TexelRange centres_within(const Triangle& t, uint32_t first, uint32_t count) {
     const auto [low, high] = std::minmax({t.y[0], t.y[1], t.y[2]});
     int64_t below = int64_t{high} - units / 2;
     for (size_t k = 0; k < 3; ++k)
         if (t.y[k] == high && t.y[(k + 1) % 3] == high) --below;
     return {std::max<int64_t>(texel_at(int64_t{low} + units / 2 - 1), first),
             std::min<int64_t>(texel_at(below), int64_t{first} + count - 1)};
+}
+
+TexelRange texels_of(const int32_t (&corners)[3]) {
+    const auto [low, high] = std::minmax({corners[0], corners[1], corners[2]});
+    return {texel_at(low), texel_at(high)};
 }
 
 // An edge by its ends, the lower one first, so that both of its sides have the same key.
@@ -66,11 +71,6 @@ UvRaster::UvRaster(const Mesh& mesh, const UvLayout& layout)
     if (across_ > 1) find_borders();
 }
 
-UvRaster::Texels UvRaster::texels_of(const int32_t (&corners)[3]) {
-    const auto [low, high] = std::minmax({corners[0], corners[1], corners[2]});
-    return {static_cast<int32_t>(texel_at(low)), static_cast<int32_t>(texel_at(high))};
-}
-
 void UvRaster::add(const Mesh& mesh, size_t index) {
     Triangle t;
     if (!has_uv_area(mesh, index)) return;
@@ -100,8 +100,8 @@ void UvRaster::drop_repeats() {
     const int64_t all = int64_t{layout_.width} * layout_.height;
     int64_t held = 0;
     for (size_t i = 0; i < triangles_.size() && held <= many * all; ++i) {
-        const Interval columns = covered_range(triangles_[i].columns, 0, layout_.width);
-        const Interval rows = covered_range(rows_[i], 0, layout_.height);
+        const TexelRange columns = triangles_[i].columns.within(0, layout_.width);
+        const TexelRange rows = rows_[i].within(0, layout_.height);
         if (!columns.empty() && !rows.empty())
             held += (columns.high - columns.low + 1) * (rows.high - rows.low + 1);
     }
@@ -133,27 +133,20 @@ void UvRaster::find_borders() {
 std::vector<RowCandidate> UvRaster::in_rows(uint32_t y, uint32_t height) const {
     std::vector<RowCandidate> found;
     for (uint32_t i = 0; i < triangles_.size(); ++i) {
-        const Texels& columns = triangles_[i].columns;
-        if (!covered_range(rows_[i], y, height).empty() &&
-            !covered_range(columns, 0, layout_.width).empty())
-            found.push_back({i, columns.low, columns.high});
+        const TexelRange& columns = triangles_[i].columns;
+        if (!rows_[i].within(y, height).empty() && !columns.within(0, layout_.width).empty())
+            found.push_back({i, columns});
     }
     return found;
-}
-
-void UvRaster::find_overlapping(const TexelRect& rect, std::span<const RowCandidate> candidates,
-                                Coverage& out) {
-    out.candidates.clear();
-    for (const RowCandidate& each : candidates)
-        if (!covered_range(each, rect.x, rect.width).empty())
-            out.candidates.push_back(each.triangle);
 }
 
 void UvRaster::cover(const TexelRect& rect, std::span<const RowCandidate> candidates,
                      Coverage& out) const {
     out.edges.clear();
     out.samples.clear();
-    find_overlapping(rect, candidates, out);
+    out.candidates.clear();
+    for (const auto& [triangle, columns] : candidates)
+        if (!columns.within(rect.x, rect.width).empty()) out.candidates.push_back(triangle);
     own_centres(rect, out);
     if (across_ == 1) return;
     out.slots.assign(out.owners.size(), Coverage::none);
@@ -172,11 +165,11 @@ void UvRaster::cover(const TexelRect& rect, std::span<const RowCandidate> candid
 template <class Take>
 void UvRaster::each_span(const TexelRect& rect, uint32_t index, Take take) const {
     const Triangle& t = triangles_[index];
-    const Interval columns = covered_range(t.columns, rect.x, rect.width);
-    const Interval rows = centres_within(t, rect.y, rect.height);
+    const TexelRange columns = t.columns.within(rect.x, rect.width);
+    const TexelRange rows = centres_within(t, rect.y, rect.height);
     const RasterEdge edges[] = {edge_of(t, 0), edge_of(t, 1), edge_of(t, 2)};
     for (int64_t y = rows.low; y <= rows.high; ++y) {
-        Interval span = columns;
+        TexelRange span = columns;
         for (const RasterEdge& edge : edges) {
             if (edge.dy < 0) span.low = std::max(span.low, -edge_texel(edge, y));
             if (edge.dy > 0) span.high = std::min(span.high, edge_texel(edge, y));
@@ -209,8 +202,8 @@ void UvRaster::own_centres(const TexelRect& rect, Coverage& out) const {
     };
     for (const uint32_t index : out.candidates)
         each_span(rect, index, [&](size_t first, size_t last) {
-            for (size_t texel = out.open.from(first); texel <= last;
-                 texel = out.open.from(texel + 1))
+            for (size_t texel = out.open.first_open(first); texel <= last;
+                 texel = out.open.first_open(texel + 1))
                 take(index, texel);
         });
 }

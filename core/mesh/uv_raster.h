@@ -15,6 +15,7 @@
 // Triangles without uv area, or more than 2^21 texels away, own nothing.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <span>
@@ -67,10 +68,21 @@ struct Coverage {
     OpenTexels open;
 };
 
-// A triangle that may cover texels of the given rows, and its range of columns, both inclusive.
+// A range of rows or columns, inclusive.
+struct TexelRange {
+    int64_t low = 0, high = -1;
+
+    bool empty() const { return low > high; }
+    // Returns the part within [first, first + count).
+    TexelRange within(uint32_t first, uint32_t count) const {
+        return {std::max<int64_t>(low, first), std::min<int64_t>(high, int64_t{first} + count - 1)};
+    }
+};
+
+// A triangle that may cover texels of the given rows, and its columns.
 struct RowCandidate {
     uint32_t triangle;
-    int32_t low, high;
+    TexelRange columns;
 };
 
 class UvRaster {
@@ -88,19 +100,13 @@ public:
                Coverage& out) const;
 
 private:
-    struct Texels {
-        int32_t low = 0, high = -1;  // inclusive
-    };
     // Counter-clockwise, in 1/256 texel.
     struct Triangle {
         int32_t x[3] = {}, y[3] = {};
-        Texels columns;       // columns it touches; empty without area, as rows_
+        TexelRange columns;   // columns it touches; empty without area, as rows_
         uint8_t borders = 0;  // bit k: the edge from corner k is an island border
     };
 
-    static Texels texels_of(const int32_t (&corners)[3]);
-    static void find_overlapping(const TexelRect& rect, std::span<const RowCandidate> candidates,
-                                 Coverage& out);
     void add(const Mesh& mesh, size_t index);
     void drop_repeats();
     void find_borders();
@@ -115,7 +121,7 @@ private:
     UvLayout layout_;
     uint32_t across_ = 1;  // samples per axis of a texel
     std::vector<Triangle> triangles_;
-    std::vector<Texels> rows_;  // rows that each triangle touches
+    std::vector<TexelRange> rows_;  // rows that each triangle touches
 };
 
 }  // namespace wrinkle

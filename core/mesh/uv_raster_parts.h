@@ -1,7 +1,6 @@
 // Fixed-point arithmetic for texel ownership; v is upwards. Part of mesh/uv_raster.h.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 namespace wrinkle {
@@ -31,22 +30,10 @@ struct RasterEdge {
     }
 };
 
-struct Interval {
-    int64_t low, high;  // inclusive
-    bool empty() const { return low > high; }
-};
-
 template <class Triangle>
 RasterEdge edge_of(const Triangle& t, size_t k) {
     const size_t next = (k + 1) % 3;
     return {t.x[k], t.y[k], int64_t{t.x[next]} - t.x[k], int64_t{t.y[next]} - t.y[k]};
-}
-
-// Returns the part of the texel range `box` (low to high, inclusive) within [first, first + count).
-template <class Box>
-Interval covered_range(const Box& box, uint32_t first, uint32_t count) {
-    return {std::max<int64_t>(box.low, first),
-            std::min<int64_t>(box.high, int64_t{first} + count - 1)};
 }
 
 }  // namespace wrinkle

@@ -34,8 +34,8 @@ void UvRaster::mark_borders(const TexelRect& rect, uint32_t index, Coverage& out
 void UvRaster::own_samples(const TexelRect& rect, uint32_t index, Coverage& out) const {
     const Triangle& t = triangles_[index];
     const RasterEdge edges[] = {edge_of(t, 0), edge_of(t, 1), edge_of(t, 2)};
-    const Interval rows = covered_range(rows_[index], rect.y, rect.height);
-    const Interval columns = covered_range(t.columns, rect.x, rect.width);
+    const TexelRange rows = rows_[index].within(rect.y, rect.height);
+    const TexelRange columns = t.columns.within(rect.x, rect.width);
     const int64_t step = units / across_;
     const auto covers = [&](int64_t x, int64_t y) {
         return edges[0].has_inside(x, y) && edges[1].has_inside(x, y) && edges[2].has_inside(x, y);
