@@ -35,13 +35,6 @@ Bounds bounds_of(const Mesh& mesh) {
     return bounds;
 }
 
-uint32_t copy_vertex(Mesh& mesh, uint32_t index) {
-    each_vertex_array(mesh, [index](auto& values) {
-        if (!values.empty()) values.push_back(values[index]);
-    });
-    return static_cast<uint32_t>(mesh.vertex_count() - 1);
-}
-
 void transform(Mesh& mesh, const glm::dmat4& m) {
     if (m == glm::dmat4(1)) return;
     const glm::dmat3 linear(m);

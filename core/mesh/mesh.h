@@ -65,9 +65,6 @@ struct Bounds {
 
 Bounds bounds_of(const Mesh& mesh);  // box of the drawn positions of all triangles; zero if empty
 
-// Appends a copy of vertex `index` with all attributes of the mesh; returns its index.
-uint32_t copy_vertex(Mesh& mesh, uint32_t index);
-
 // Transforms positions by M, normals by cof(M) times the sign of det(M), tangents by M. If M
 // mirrors, the corner order of triangles and tangent.w are reversed, so that the outside stays
 // outside. Normals and tangents that M maps to zero are unchanged.

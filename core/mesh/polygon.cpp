@@ -1,8 +1,10 @@
 #include "mesh/readers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <numeric>
 
 namespace wrinkle {
 namespace {
@@ -49,47 +51,32 @@ bool is_convex(const std::vector<dvec2>& p) {
     return true;
 }
 
-class EarClipper {
-public:
-    explicit EarClipper(const std::vector<dvec2>& points) : points_(points) {
-        for (size_t i = 0; i < points.size(); ++i)
-            left_.push_back(i);
-    }
-
-    template <typename Emit>
-    void run(Emit emit) {
-        while (left_.size() > 3) {
-            const size_t ear = find_ear();
-            emit(before(ear), left_[ear], after(ear));
-            left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
-        }
-        emit(left_[0], left_[1], left_[2]);
-    }
-
-private:
-    size_t before(size_t i) const { return left_[(i + left_.size() - 1) % left_.size()]; }
-    size_t after(size_t i) const { return left_[(i + 1) % left_.size()]; }
-
-    bool is_ear(size_t i) const {
-        const dvec2 a = points_[before(i)], b = points_[left_[i]], c = points_[after(i)];
+template <typename Emit>
+void clip_ears(const std::vector<dvec2>& points, Emit emit) {
+    std::vector<size_t> left(points.size());
+    std::iota(left.begin(), left.end(), size_t{0});
+    const auto before = [&](size_t i) { return left[(i + left.size() - 1) % left.size()]; };
+    const auto after = [&](size_t i) { return left[(i + 1) % left.size()]; };
+    const auto is_ear = [&](size_t i) {
+        const dvec2 a = points[before(i)], b = points[left[i]], c = points[after(i)];
         if (!(turn(a, b, c) > 0)) return false;
-        for (const size_t other : left_) {
-            const dvec2 p = points_[other];
-            if (p == a || p == b || p == c) continue;
-            if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
-        }
-        return true;
+        return std::none_of(left.begin(), left.end(), [&](size_t other) {
+            const dvec2 p = points[other];
+            return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 &&
+                   turn(c, a, p) >= 0;
+        });
+    };
+    while (left.size() > 3) {
+        size_t i = 1;
+        while (i <= left.size() && !is_ear(i % left.size()))
+            ++i;
+        // No ear: the polygon crosses itself.
+        const size_t ear = i <= left.size() ? i % left.size() : 1;
+        emit(before(ear), left[ear], after(ear));
+        left.erase(left.begin() + static_cast<std::ptrdiff_t>(ear));
     }
-
-    size_t find_ear() const {
-        for (size_t i = 1; i <= left_.size(); ++i)
-            if (is_ear(i % left_.size())) return i % left_.size();
-        return 1;  // no ear: the polygon crosses itself
-    }
-
-    const std::vector<dvec2>& points_;
-    std::vector<size_t> left_;
-};
+    emit(left[0], left[1], left[2]);
+}
 
 }  // namespace
 
@@ -100,7 +87,7 @@ void append_triangles(std::span<const glm::vec3> positions, std::span<const uint
     };
     if (corners.size() > 3 && corners.size() <= max_ears) {
         const std::vector<dvec2> flat = flattened(positions);
-        if (!is_convex(flat)) return EarClipper(flat).run(emit);
+        if (!is_convex(flat)) return clip_ears(flat, emit);
     }
     for (size_t i = 1; i + 1 < corners.size(); ++i)
         emit(0, i, i + 1);

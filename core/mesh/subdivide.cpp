@@ -35,14 +35,10 @@ private:
             middle[k] = cut(c[k], c[(k + 1) % 3]);
             cuts += middle[k] != none ? 1 : 0;
         }
-        size_t k = 0;  // start of the only split edge, or end of the only unsplit one
         if (cuts == 0) return add(c[0], c[1], c[2]);
-        if (cuts == 1)
-            while (middle[k] == none)
-                ++k;
-        if (cuts == 2)
-            while (middle[(k + 2) % 3] != none)
-                ++k;
+        size_t k = 0;  // start of the only split edge, or end of the only unsplit one
+        while (cuts == 1 ? middle[k] == none : cuts == 2 && middle[(k + 2) % 3] != none)
+            ++k;
         const uint32_t a = c[k], b = c[(k + 1) % 3], d = c[(k + 2) % 3];
         const uint32_t ab = middle[k], bd = middle[(k + 1) % 3], da = middle[(k + 2) % 3];
         if (cuts == 1) {

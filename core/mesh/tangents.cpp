@@ -227,8 +227,10 @@ private:
             if (tangents[v] == glm::vec4(0))
                 tangents[v] = glm::vec4(any_perpendicular(mesh_.normals[v]), 1);
         mesh_.tangents.clear();
-        for (const uint32_t source : sources)
-            copy_vertex(mesh_, source);
+        each_vertex_array(mesh_, [&](auto& values) {
+            for (size_t i = 0; i < sources.size() && !values.empty(); ++i)
+                values.push_back(values[sources[i]]);
+        });
         mesh_.tangents = std::move(tangents);
     }
 
