@@ -9,6 +9,7 @@
 #include "cli/meshes.h"
 #include "ir/op.h"
 #include "mesh/sample.h"
+#include "mesh/uv_grid.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -135,7 +136,8 @@ struct MeshPoints {
         const std::vector<double>& uv = uvs.at(SurfaceInput::uv0_);
         bool fine = true;
         for (size_t k = 0; k < set.count; ++k) {
-            const auto point = sample_mesh(mesh, grid, {uv[2 * k], uv[2 * k + 1]}, size);
+            const glm::dvec2 place(uv[2 * k], uv[2 * k + 1]);
+            const auto point = sample_mesh(mesh, grid.near(place), place, size);
             if (point) {
                 put(*point, needs, k, set);
                 continue;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/text.h"
+#include "mesh/uv_grid.h"
 #include "mesh/uv_triangle.h"
 
 namespace wrinkle {
@@ -16,7 +16,7 @@ double min_of(dvec3 v) {
 }
 
 struct Cover {
-    size_t triangle = 0;
+    uint32_t triangle = 0;
     UvTriangle map;
 };
 
@@ -24,14 +24,12 @@ struct Cover {
 // counts as covering. Smaller than the margin of uv_box().
 constexpr double slack = 1e-6;
 
-// Returns the first of the triangles nth(0) to nth(count - 1) that covers uv; else the nearest one
-// within `slack`; else std::nullopt.
-template <class Nth>
-std::optional<Cover> find_cover(const Mesh& mesh, size_t count, Nth nth, dvec2 uv) {
+// Returns the first of the triangles that covers uv; else the nearest one within `slack`; else
+// std::nullopt.
+std::optional<Cover> find_cover(const Mesh& mesh, std::span<const uint32_t> triangles, dvec2 uv) {
     std::optional<Cover> near;
     double best = -slack;
-    for (size_t i = 0; i < count; ++i) {
-        const size_t t = nth(i);
+    for (const uint32_t t : triangles) {
         if (!uv_box(mesh, t).contains(uv)) continue;
         const std::optional<UvTriangle> map = uv_triangle(mesh, t);
         if (!map) continue;
@@ -62,18 +60,8 @@ SurfaceAttributes blend_all(const Mesh& mesh, const uint32_t* corners, dvec3 wei
     return result;
 }
 
-AttributePresence presence_of(const Mesh& mesh) {
-    AttributePresence has;
-    has.normal = !mesh.normals.empty();
-    has.tangent = !mesh.tangents.empty();
-    for (size_t set = 0; set < max_uv_sets; ++set)
-        has.uv[set] = mesh.has_uv(set);
-    has.color = !mesh.colors.empty();
-    return has;
-}
-
 SurfacePoint point_of(const Mesh& mesh, const Cover& cover, dvec2 uv, uint32_t size) {
-    const uint32_t* corners = mesh.indices.data() + 3 * cover.triangle;
+    const uint32_t* corners = mesh.indices.data() + 3 * size_t{cover.triangle};
     SurfacePoint point;
     point.value = blend_all(mesh, corners, cover.map.weights(uv));
     point.dx = blend_all(mesh, corners, cover.map.du() / static_cast<double>(size));
@@ -82,39 +70,15 @@ SurfacePoint point_of(const Mesh& mesh, const Cover& cover, dvec2 uv, uint32_t s
     point.value.uv[0] = uv;
     point.dx.uv[0] = {texel, 0};
     point.dy.uv[0] = {0, texel};
-    point.has = presence_of(mesh);
-    point.triangle = static_cast<uint32_t>(cover.triangle);
+    point.triangle = cover.triangle;
     return point;
 }
 
 }  // namespace
 
-std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, dvec2 uv, uint32_t size,
-                                        Diagnostics& diagnostics) {
-    if (!mesh.has_uv(0)) {
-        diagnostics.error("the mesh has no uvs (set 0)", "a mesh with a uv layout");
-        return std::nullopt;
-    }
-    if (size == 0) {
-        diagnostics.error("the size of the uv layout is 0", "at least 1 texel");
-        return std::nullopt;
-    }
-    const std::optional<Cover> cover = find_cover(
-        mesh, mesh.triangle_count(), [](size_t i) { return i; }, uv);
-    if (!cover) {
-        diagnostics.error("no triangle of the mesh covers the uv (" + shortest(uv.x) + ", " +
-                              shortest(uv.y) + ")",
-                          "a place inside its uv layout");
-        return std::nullopt;
-    }
-    return point_of(mesh, *cover, uv, size);
-}
-
-std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, const UvGrid& grid, dvec2 uv,
-                                        uint32_t size) {
-    const std::span<const uint32_t> near = grid.near(uv);
-    const std::optional<Cover> cover = find_cover(
-        mesh, near.size(), [&](size_t i) { return near[i]; }, uv);
+std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, std::span<const uint32_t> triangles,
+                                        dvec2 uv, uint32_t size) {
+    const std::optional<Cover> cover = find_cover(mesh, triangles, uv);
     if (!cover) return {};
     return point_of(mesh, *cover, uv, size);
 }

@@ -4,7 +4,7 @@
 // normalisation. dx and dy are differentials of each attribute over one texel of a size * size
 // layout of uv0 (du = 1 / size for dx, dv = 1 / size for dy) in the plane of that triangle. uv0 is
 // the given uv, with dx exactly (1 / size, 0) and dy (0, 1 / size). Attributes that the mesh lacks
-// are false in `has` and zero.
+// are zero.
 #pragma once
 
 #include <array>
@@ -13,10 +13,9 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
+#include <span>
 
-#include "base/diagnostics.h"
 #include "mesh/mesh.h"
-#include "mesh/uv_grid.h"
 
 namespace wrinkle {
 
@@ -28,30 +27,17 @@ struct SurfaceAttributes {
     glm::dvec4 color{0};
 };
 
-struct AttributePresence {
-    bool normal = false;
-    bool tangent = false;
-    std::array<bool, max_uv_sets> uv{};
-    bool color = false;
-};
-
 struct SurfacePoint {
     SurfaceAttributes value;
     SurfaceAttributes dx;
     SurfaceAttributes dy;
-    AttributePresence has;
     uint32_t triangle = 0;
 };
 
-// Returns the point of the first triangle that covers the uv, if several do (overlap, shared edge).
-// The uv is not wrapped. Returns std::nullopt and appends an error if the mesh has no uv0, size is
-// 0 or no triangle with uv area covers the uv.
-std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, glm::dvec2 uv, uint32_t size,
-                                        Diagnostics& diagnostics);
-
-// The same for many lookups, accelerated by a grid. Returns std::nullopt if no triangle covers the
-// uv. Preconditions: the mesh has uv0, size >= 1.
-std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, const UvGrid& grid, glm::dvec2 uv,
-                                        uint32_t size);
+// Returns the point of the first of the triangles that covers the uv, if several do (overlap,
+// shared edge). The uv is not wrapped. Returns std::nullopt if no triangle with uv area covers the
+// uv. `triangles` are those of UvGrid::near(). Preconditions: the mesh has uv0, size >= 1.
+std::optional<SurfacePoint> sample_mesh(const Mesh& mesh, std::span<const uint32_t> triangles,
+                                        glm::dvec2 uv, uint32_t size);
 
 }  // namespace wrinkle

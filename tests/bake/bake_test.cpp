@@ -10,9 +10,9 @@
 
 #include "bake/mesh_check.h"
 #include "bake/support.h"
-#include "mesh/sample.h"
 #include "mesh/shapes.h"
 #include "support/files.h"
+#include "support/surface.h"
 
 namespace wrinkle::test {
 namespace {
@@ -49,10 +49,9 @@ constexpr BakeHow oblong = {.width = 96, .height = 40};
 
 // Values of all_inputs() at `uv`; the differential of `view` is a finite difference.
 std::vector<float> sampled(const Mesh& mesh, glm::dvec2 uv, uint32_t& triangle) {
-    Diagnostics diagnostics;
-    const auto point = sample_mesh(mesh, uv, oblong.width, diagnostics);
-    const auto upward = sample_mesh(mesh, uv, oblong.height, diagnostics);
-    EXPECT_TRUE(point && upward) << to_text(diagnostics);
+    const auto point = sample_surface(mesh, uv, oblong.width);
+    const auto upward = sample_surface(mesh, uv, oblong.height);
+    EXPECT_TRUE(point && upward);
     std::vector<float> values;
     triangle = point->triangle;
     const SurfaceAttributes* all[] = {&point->value, &point->dx, &upward->dy};

@@ -5,7 +5,7 @@
 
 #include "fuzz/fuzz.h"
 #include "mesh/load.h"
-#include "mesh/sample.h"
+#include "support/surface.h"
 
 namespace wrinkle::fuzz {
 namespace {
@@ -51,8 +51,7 @@ std::string mesh(std::string_view bytes) {
         if (diagnostic.where.file != "nowhere/fuzz.mesh" || diagnostic.message.empty())
             return "a problem without its file or its words";
     if (!mesh) return "";
-    Diagnostics ignored;
-    sample_mesh(*mesh, {0.5, 0.5}, 1024, ignored);
+    if (mesh->has_uv(0)) test::sample_surface(*mesh, {0.5, 0.5}, 1024);
     return wrong_with(*mesh);
 }
 

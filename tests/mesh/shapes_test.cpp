@@ -1,4 +1,5 @@
 #include "mesh/shapes.h"
+#include "support/surface.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +11,6 @@
 #include <random>
 #include <string>
 #include <tuple>
-
-#include "mesh/sample.h"
 
 namespace wrinkle {
 namespace {
@@ -148,9 +147,8 @@ TEST_P(EveryShape, LaysItsUvsOutOnceWithinTheSquare) {
     int covered = 0;
     constexpr int side = 20;
     for (int i = 0; i < side * side; ++i) {
-        Diagnostics ignored;
         const dvec2 uv((i % side + 0.5) / side, (i / side + 0.5) / side);
-        covered += sample_mesh(mesh, uv, 1, ignored) ? 1 : 0;
+        covered += test::sample_surface(mesh, uv, 1) ? 1 : 0;
     }
     EXPECT_NEAR(covered / static_cast<double>(side * side), total, 0.03);
 }
@@ -162,9 +160,8 @@ TEST_P(EveryShape, HasTangentsAlongItsUvs) {
     for (int draws = 0; tried < 40; ++draws) {
         ASSERT_LT(draws, 4000) << "hardly a place of the uv square is on the mesh";
         const dvec2 uv(anywhere(random), anywhere(random));
-        Diagnostics none;
         constexpr double h = 0.004;
-        const auto at = [&](dvec2 offset) { return sample_mesh(mesh, uv + offset, 1, none); };
+        const auto at = [&](dvec2 offset) { return test::sample_surface(mesh, uv + offset, 1); };
         const auto middle = at({0, 0});
         const auto left = at({-h, 0});
         const auto right = at({h, 0});
@@ -227,9 +224,8 @@ TEST(Shapes, PutUvsWhereTheHeaderSays) {
                                     {"torus", {0.5, 0.75}, {0, 0.3, 0.7}},
                                     {"torus", {0.75, 0}, {0.4, 0, 0}}};
     for (const Place& place : places) {
-        Diagnostics none;
-        const auto point = sample_mesh(*make_shape(place.shape), place.uv, 1, none);
-        ASSERT_TRUE(point) << place.shape << to_text(none);
+        const auto point = test::sample_surface(*make_shape(place.shape), place.uv, 1);
+        ASSERT_TRUE(point) << place.shape;
         EXPECT_LT(glm::length(point->value.position - place.position), 1e-5)
             << place.shape << " at " << place.uv.x << " " << place.uv.y;
     }

@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "mesh/sample.h"
 #include "mesh/shapes.h"
 #include "mesh/vertex_frames.h"
+#include "support/surface.h"
 
 namespace wrinkle {
 namespace {
@@ -20,9 +20,8 @@ using glm::dvec3;
 class Teapot : public testing::Test {
 protected:
     dvec3 at(dvec2 uv, dvec3* normal = nullptr) const {
-        Diagnostics diagnostics;
-        const auto point = sample_mesh(mesh, uv, 1024, diagnostics);
-        EXPECT_TRUE(point) << to_text(diagnostics);
+        const auto point = test::sample_surface(mesh, uv, 1024);
+        EXPECT_TRUE(point);
         if (normal && point) *normal = glm::normalize(point->value.normal);
         return point ? point->value.position : dvec3(0);
     }
@@ -140,9 +139,8 @@ TEST_F(Teapot, LaysItsUvsOutOnce) {
     int covered = 0;
     constexpr int side = 25;
     for (int i = 0; i < side * side; ++i) {
-        Diagnostics ignored;
         const dvec2 uv((i % side + 0.5) / side, (i / side + 0.5) / side);
-        covered += sample_mesh(mesh, uv, 1, ignored) ? 1 : 0;
+        covered += test::sample_surface(mesh, uv, 1) ? 1 : 0;
     }
     EXPECT_NEAR(covered / static_cast<double>(side * side), total, 0.04);
 }

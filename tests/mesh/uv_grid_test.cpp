@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "mesh/sample.h"
 #include "mesh/shapes.h"
+#include "support/surface.h"
 
 namespace wrinkle {
 namespace {
@@ -20,9 +20,8 @@ void expect_same(const Mesh& mesh, glm::dvec2 low, glm::dvec2 high) {
         glm::dvec2 uv(low.x + part(random) * (high.x - low.x),
                       low.y + part(random) * (high.y - low.y));
         if (i % 3 == 0) uv = mesh.uvs[0][random() % mesh.uvs[0].size()];  // a random mesh vertex
-        Diagnostics ignored;
-        const auto searched = sample_mesh(mesh, uv, 512, ignored);
-        const auto found = sample_mesh(mesh, grid, uv, 512);
+        const auto searched = test::sample_surface(mesh, uv, 512);
+        const auto found = sample_mesh(mesh, grid.near(uv), uv, 512);
         ASSERT_EQ(searched.has_value(), found.has_value()) << uv.x << " " << uv.y;
         if (!found) continue;
         EXPECT_EQ(searched->triangle, found->triangle);
@@ -57,7 +56,7 @@ TEST(UvGrid, FindsWhatTheSearchFindsInLayoutsThatOverlap) {
     Mesh none = mesh;
     none.indices.resize(3);
     none.uvs[0][0] = none.uvs[0][1] = none.uvs[0][2];
-    EXPECT_FALSE(sample_mesh(none, UvGrid(none), {0, 0}, 8));
+    EXPECT_FALSE(sample_mesh(none, UvGrid(none).near({0, 0}), {0, 0}, 8));
 }
 
 }  // namespace
