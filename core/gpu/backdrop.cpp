@@ -53,8 +53,11 @@ Backdrop::Backdrop(const MipChain& radiance)
                              outputs, log);
 }
 
-void Backdrop::draw(const OrbitCamera& camera, float aspect, float factor, float exposure) const {
+void Backdrop::draw(const Scene& scene, float aspect) const {
     if (!program_) return;
+    // The scene's view of the rotated environment is this camera's view of the unrotated one.
+    OrbitCamera camera = scene.camera;
+    camera.yaw -= scene.environment_turn;
     // Rows of the view matrix: the camera's axes in the world.
     const glm::dmat4 view = view_matrix(camera);
     const auto axis = [&](int row) { return glm::vec3(view[0][row], view[1][row], view[2][row]); };
@@ -63,8 +66,8 @@ void Backdrop::draw(const OrbitCamera& camera, float aspect, float factor, float
     program_->set("WrView_forward", -axis(2));
     program_->set("WrView_right", axis(0) * half * std::fmax(aspect, 1.0F));
     program_->set("WrView_up", axis(1) * half / std::fmin(aspect, 1.0F));
-    program_->set("WrView_factor", factor);
-    program_->set("WrView_exposure", exposure);
+    program_->set("WrView_factor", scene.environment);
+    program_->set("WrView_exposure", scene.exposure);
     program_->set("WrView_image", 0);
     texture_.bind(0);
     sampler_.bind(0);

@@ -4,20 +4,21 @@
 
 #include <optional>
 
-#include "gpu/camera.h"
 #include "gpu/program.h"
 #include "gpu/texture.h"
 
 namespace wrinkle::gpu {
+
+struct Scene;
 
 class Backdrop {
 public:
     // `radiance` is the result of radiance_of().
     explicit Backdrop(const MipChain& radiance);
 
-    // Fills the bound target and leaves its depth unchanged. The radiance is multiplied by `factor`
-    // and passed through the display curve of the shaded view.
-    void draw(const OrbitCamera& camera, float aspect, float factor, float exposure) const;
+    // Fills the bound target and leaves its depth unchanged. The radiance is multiplied by the
+    // scene's `environment` and passed through the display curve of the shaded view.
+    void draw(const Scene& scene, float aspect) const;
 
 private:
     Texture texture_;

@@ -11,29 +11,20 @@
 namespace wrinkle::gpu {
 namespace {
 
-EGLDisplay surfaceless_display() {
-    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless"))
-        return EGL_NO_DISPLAY;
-    return eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-}
-
-void add_device_displays(std::vector<EGLDisplay>& displays) {
-    const bool can_list = epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") ||
-                          epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_base");
-    if (!can_list || !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_device")) return;
+std::vector<EGLDisplay> candidate_displays() {
+    const auto has = [](const char* name) { return epoxy_has_egl_extension(EGL_NO_DISPLAY, name); };
+    std::vector<EGLDisplay> displays;
+    if (!has("EGL_EXT_platform_base")) return displays;
+    if (has("EGL_MESA_platform_surfaceless"))
+        displays.push_back(
+            eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+    const bool can_list = has("EGL_EXT_device_enumeration") || has("EGL_EXT_device_base");
+    if (!can_list || !has("EGL_EXT_platform_device")) return displays;
     std::array<EGLDeviceEXT, 32> devices{};
     EGLint count = 0;
-    if (!eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) return;
+    eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count);
     for (size_t i = 0; i < static_cast<size_t>(count); ++i)
         displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr));
-}
-
-std::vector<EGLDisplay> candidate_displays() {
-    std::vector<EGLDisplay> displays;
-    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base")) return displays;
-    if (const EGLDisplay display = surfaceless_display(); display != EGL_NO_DISPLAY)
-        displays.push_back(display);
-    add_device_displays(displays);
     return displays;
 }
 

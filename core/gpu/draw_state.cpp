@@ -45,12 +45,6 @@ void set_raster_state(bool mirrored) {
     glFrontFace(mirrored ? GL_CW : GL_CCW);
 }
 
-OrbitCamera turned(const Scene& scene) {
-    OrbitCamera camera = scene.camera;
-    camera.yaw -= scene.environment_turn;
-    return camera;
-}
-
 void draw_covering_triangle() {
     const auto array = VertexArrayHandle::make();
     glBindVertexArray(array.id());

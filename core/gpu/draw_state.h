@@ -16,10 +16,6 @@ void clear(const Target& target, const Scene& scene, bool raw);
 // Opaque, no culling, depth test on; front faces are clockwise if the object is mirrored.
 void set_raster_state(bool mirrored);
 
-// Returns the scene's camera with its yaw reduced by environment_turn: its view of the unrotated
-// environment equals the scene camera's view of the rotated environment.
-OrbitCamera turned(const Scene& scene);
-
 // Draws three vertices without attributes, for programs that cover the target by gl_VertexID.
 void draw_covering_triangle();
 

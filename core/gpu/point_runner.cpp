@@ -110,33 +110,6 @@ std::optional<Program> compile(const PointJob& job, Diagnostics& diagnostics) {
     return program;
 }
 
-// Owns the images of the samplers and binds them; the destructor unbinds the sampler objects.
-class BoundImages {
-public:
-    BoundImages(const PointJob& job, const Program& program) {
-        for (size_t i = 0; i < job.samplers.size(); ++i) {
-            const SamplerInfo& sampler = job.samplers[i];
-            textures_.push_back(Texture::upload(*find_image(job, sampler.file)));
-            samplers_.emplace_back(sampler.options.wrap, sampler.options.filter);
-            program.set(sampler.name.c_str(), static_cast<int>(i) + 1);
-        }
-        for (size_t i = 0; i < textures_.size(); ++i) {
-            textures_[i].bind(static_cast<int>(i) + 1);
-            samplers_[i].bind(static_cast<int>(i) + 1);
-        }
-    }
-    BoundImages(const BoundImages&) = delete;
-    BoundImages& operator=(const BoundImages&) = delete;
-    ~BoundImages() {
-        for (size_t i = 0; i < textures_.size(); ++i)
-            glBindSampler(static_cast<GLuint>(i) + 1, 0);
-    }
-
-private:
-    std::vector<Texture> textures_;
-    std::vector<Sampler> samplers_;
-};
-
 void draw_all_pixels() {
     glDisable(GL_BLEND);
     glDisable(GL_CULL_FACE);
@@ -192,7 +165,16 @@ std::optional<PointResults> run_points(const PointJob& job, Diagnostics& diagnos
     if (!program) return std::nullopt;
     const Texture table = upload_table(job);
     program->use();
-    const BoundImages images(job, *program);
+    std::vector<Texture> textures;
+    std::vector<Sampler> samplers;  // their destruction unbinds them
+    for (const SamplerInfo& sampler : job.samplers) {
+        textures.push_back(Texture::upload(*find_image(job, sampler.file)));
+        samplers.emplace_back(sampler.options.wrap, sampler.options.filter);
+        const auto unit = static_cast<int>(textures.size());
+        textures.back().bind(unit);
+        samplers.back().bind(unit);
+        program->set(sampler.name.c_str(), unit);
+    }
     table.bind(0);
     program->set("WrPoint_table", 0);
     for (const UniformInfo& uniform : job.uniforms)

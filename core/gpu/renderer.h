@@ -35,22 +35,24 @@
 #include <cstdint>
 #include <functional>
 #include <glm/mat4x4.hpp>
-#include <memory>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "base/diagnostics.h"
+#include "glsl/emit.h"
+#include "gpu/backdrop.h"
 #include "gpu/camera.h"
+#include "gpu/environment.h"
+#include "gpu/mesh_buffers.h"
+#include "gpu/program.h"
 #include "gpu/target.h"
+#include "gpu/texture.h"
 #include "image/image.h"
 #include "image/mips.h"
 #include "mesh/mesh.h"
-
-namespace wrinkle {
-struct Shader;
-}
 
 namespace wrinkle::gpu {
 
@@ -63,6 +65,13 @@ std::optional<View> view_named(std::string_view name);
 enum class Lighting : uint8_t { ggx, phong };
 
 std::span<const std::string_view> lighting_names();  // in the order of the enumerators
+
+struct Shading {
+    Lighting lighting = Lighting::ggx;
+    bool environment = false;  // an environment map, else sky and ground
+
+    friend bool operator==(const Shading&, const Shading&) = default;
+};
 
 // Phong lighting (Phong 1975), per pixel:
 //     color * (ambient + diffuse * n.l) + specular * (r.v)^shininess
@@ -110,15 +119,10 @@ struct AngleStatistics {
 
 class Renderer {
 public:
-    Renderer();
-    Renderer(Renderer&& other) noexcept;
-    Renderer& operator=(Renderer&& other) noexcept;
-    ~Renderer();
-
-    void set_mesh(const Mesh& mesh);
+    void set_mesh(const Mesh& mesh) { mesh_.emplace(mesh); }
 
     // Lighting of the shaded view; takes effect at the next set_material(). Compiles nothing.
-    void set_lighting(Lighting lighting);
+    void set_lighting(Lighting lighting) { wanted_.lighting = lighting; }
     void set_environment(const Image& image);
     void forget_environment();  // back to sky and ground
 
@@ -130,7 +134,7 @@ public:
     bool set_material(const Shader& material, Diagnostics& diagnostics);
     // Sets a uniform of the current material; returns false if it has no such uniform of this size.
     bool set_uniform(std::string_view name, std::span<const float> value);
-    uint64_t programs_linked() const;  // total number, by this renderer
+    uint64_t programs_linked() const { return linked_; }  // total number, by this renderer
 
     // Uploads an image under a name that samplers may use as their file; other files are read when
     // a material first uses them. forget_images() makes the next set_material() read those files
@@ -143,7 +147,7 @@ public:
               Diagnostics& diagnostics);
 
     // Returns the milliseconds of the last drawing in strips, without compiling its program.
-    double strips_took() const;
+    double strips_took() const { return strips_took_; }
 
     // Returns statistics of the difference view, drawn at the given size; std::nullopt and an error
     // on failure.
@@ -151,8 +155,37 @@ public:
                                            int width, int height, Diagnostics& diagnostics);
 
 private:
-    struct State;
-    std::unique_ptr<State> state_;
+    struct ProgramKey {
+        View view = View::shaded;
+        std::string normal = "normal", against = {};
+        friend auto operator<=>(const ProgramKey&, const ProgramKey&) = default;
+    };
+    struct CachedTexture {
+        Texture texture;
+        uint64_t bytes;
+        bool is_file;        // read by this renderer, which can read it again
+        bool stale = false;  // drawn until the next set_material() reads it again
+    };
+
+    bool upload_stale_images(const std::vector<SamplerInfo>& needed, Diagnostics& diagnostics);
+    bool upload(const std::string& file, const MipChain& chain, bool is_file,
+                Diagnostics& diagnostics);
+    const Program* program_for(const ViewOptions& options, Diagnostics& diagnostics);
+    bool can_draw(Diagnostics& diagnostics) const;
+    void draw_mesh(const Program& program) const;
+    void draw_strips(const Program& program, const Target& target, const ViewOptions& options);
+    glm::vec2 seen_range(const Scene& scene, const Target& target, Diagnostics& diagnostics);
+
+    std::optional<MeshBuffers> mesh_;
+    std::optional<Shader> material_;
+    std::vector<Sampler> samplers_;  // one per sampler of the material
+    std::map<ProgramKey, Program> programs_;
+    std::map<std::string, CachedTexture> images_;
+    std::optional<EnvironmentTexture> environment_;
+    std::optional<Backdrop> backdrop_;
+    Shading wanted_, shading_;  // for the next material; of the current one
+    uint64_t linked_ = 0;
+    double strips_took_ = 0;
 };
 
 }  // namespace wrinkle::gpu

@@ -20,13 +20,6 @@ struct ShaderText {
     std::string fragment;
 };
 
-struct Shading {
-    Lighting lighting = Lighting::ggx;
-    bool environment = false;  // cube map `WrView_surroundings`, else sky and ground
-
-    friend bool operator==(const Shading&, const Shading&) = default;
-};
-
 // `against` may be null: the un-bumped surface. Precondition of the height view: the material has
 // the output `height`.
 ShaderText wrap_material(const Shader& material, View view, const FunctionInfo* against,
