@@ -4,9 +4,12 @@
 
 #include <algorithm>
 
+#include "image/load.h"
+#include "maps/convert.h"
 #include "maps/map.h"
 #include "maps/poisson.h"
 #include "maps/support.h"
+#include "support/files.h"
 
 namespace wrinkle::maps {
 namespace {
@@ -158,6 +161,28 @@ TEST(Height, ComesBackFromItsSlopes) {
                 value -= static_cast<float>(mean);
             EXPECT_LT(farthest(found, image.data), 0.004) << width << " x " << height;
         }
+}
+
+// A derivative map of texels with a size holds slopes per unit of length.
+TEST(Height, ComesBackFromAMapOfTexelsWithASize) {
+    const TemporaryFolder folder;
+    Diagnostics diagnostics;
+    const Image image = height_image({64, 48, 1});
+    Source source = height_source(image, Wrap::repeat);
+    source.texel_width = 2;
+    source.texel_height = 0.5f;
+    Target target;
+    target.type = PixelType::float32;
+    EXPECT_TRUE(convert(source, target, folder.path() / "slopes.exr", diagnostics));
+    const auto slopes = load_image(folder.path() / "slopes.exr", diagnostics);
+    ASSERT_TRUE(slopes) << to_text(diagnostics);
+    source.image = &*slopes;
+    source.kind = Kind::derivative;
+    target.kind = Kind::height;
+    EXPECT_TRUE(convert(source, target, folder.path() / "height.exr", diagnostics));
+    const auto found = load_image(folder.path() / "height.exr", diagnostics);
+    ASSERT_TRUE(found) << to_text(diagnostics);
+    EXPECT_LT(farthest(found->data, image.data), 0.004);
 }
 
 // Slopes that are a pure curl have no height: the least-squares result is flat. NaN gives flat too.
