@@ -67,21 +67,19 @@ bool write_timings(const State& state, const std::string& file) {
 // Worker threads. Destroyed before the state, which they refer to.
 struct Workers {
     Preview preview{wake_window};
-    Compiler compiler;
+    Compiler compiler{build, wake_window};
     CostCounter counter{count, wake_window};
-    CodeMaker code;
-    NodePreviewMaker pictures{wake_window};
+    CodeMaker code{make_code, wake_window};
+    NodePreviewMaker pictures{NodePainter(), wake_window};
     std::atomic<bool> closing = false;
     ImageExaminer examiner{[this](std::filesystem::path&& file) {
                                const auto stopped = [this] { return closing.load(); };
                                return ImageAnswer{file, examine_file(file, stopped)};
                            },
                            wake_window};
-    FileLooker looker{[](FileQuestion&& question) { return look_at_files(question); },
-                      {}};  // no wake callback, which would draw a frame: results are polled
+    FileLooker looker{look_at_files};  // no wake callback, which would draw a frame
 
-    explicit Workers(State& state)
-        : compiler(*state.registry, wake_window), code(*state.registry, wake_window) {
+    explicit Workers(State& state) {
         state.preview = &preview;
         state.follow.compiler = &compiler;
         state.follow.counter = &counter;

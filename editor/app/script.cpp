@@ -1,6 +1,5 @@
 #include "editor/app/script.h"
 
-#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
@@ -52,10 +51,8 @@ Link link_of(const std::string& text) {
 }
 
 bool has_wire(const State& state, const std::string& from, const std::string& to) {
-    const Link end = link_of(to);
-    for (const Wire& wire : state.layout.wires)
-        if (wire.from.text() == from && wire.node == end.node && wire.port == end.port) return true;
-    return false;
+    const Wire* wire = state.layout.wire_to(link_of(to));
+    return wire && wire->from.text() == from;
 }
 
 bool has_value(const State& state, const std::string& place, const std::string& wanted) {

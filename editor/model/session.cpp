@@ -17,13 +17,9 @@ std::string file_name_of(const fs::path& path) {
 }
 
 const Costs* Session::costs() const {
-    if (follow.finished_version < follow.first || !built.uniform) return nullptr;
-    if (follow.is_counted()) return &follow.counted->costs;
+    if (built.version < follow.first || !built.uniform) return nullptr;
+    if (follow.is_counted()) return &*follow.counted;
     return built.costs ? &*built.costs : nullptr;
-}
-
-const Document& Session::costs_of() const {
-    return follow.is_counted() ? follow.counted->document : follow.built_snapshot;
 }
 
 fs::path Session::folder() const {

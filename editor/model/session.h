@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "editor/model/code/code.h"
-#include "editor/model/document/compile_state.h"
+#include "editor/model/document/compiler.h"
 #include "editor/model/document/history.h"
 #include "editor/model/document/intent.h"
 #include "editor/model/document/model.h"
@@ -89,10 +89,10 @@ struct Session : OpenGraph {
     // Called after another graph became the current one; the view shows it.
     std::function<void(GraphSwitch)> on_switch;
 
+    bool building() const { return built.version < follow.requested_version; }
     // Returns the last counted costs of this file, else those of the newest build; nullptr if it
-    // has no costs, no generated source or no build yet. Costs::nodes refers to costs_of().
+    // has no costs, no generated source or no build yet.
     const Costs* costs() const;
-    const Document& costs_of() const;
     // Folder that file names in the document are relative to: absolute, links resolved, as in
     // load_project(). For a graph without a file it is `unsaved_folder`.
     std::filesystem::path folder() const;

@@ -10,6 +10,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <thread>
 #include <utility>
 
@@ -21,22 +22,12 @@ void yield_to_interface();
 template <class Job, class Result>
 class Worker {
 public:
-    Worker(std::function<Result(Job&&)> work, std::function<void()> wake,
-           std::function<void()> finish = {})
+    explicit Worker(std::function<Result(Job&&)> work, std::function<void()> wake = {},
+                    std::function<void()> finish = {})
         : work_(std::move(work)),
           wake_(std::move(wake)),
           finish_(std::move(finish)),
-          thread_([this] { run(); }) {}
-    Worker(const Worker&) = delete;
-    Worker& operator=(const Worker&) = delete;
-    ~Worker() {
-        {
-            const std::lock_guard lock(mutex_);
-            stopping_ = true;
-        }
-        changed_.notify_all();
-        thread_.join();
-    }
+          thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
     void post(Job job) {
         {
@@ -50,26 +41,21 @@ public:
         const std::lock_guard lock(mutex_);
         return std::exchange(result_, std::nullopt);
     }
-    bool busy() const {  // a job is pending or running
-        const std::lock_guard lock(mutex_);
-        return working_ || job_;
-    }
-    bool idle() const {  // not busy, and no result to take
+    bool idle() const {  // no job is pending or running, and there is no result to take
         const std::lock_guard lock(mutex_);
         return !working_ && !job_ && !result_;
     }
-    void wait_idle() {  // waits until busy() is false
+    void wait_idle() {  // waits until no job is pending or running
         std::unique_lock lock(mutex_);
         changed_.wait(lock, [this] { return !working_ && !job_; });
     }
 
 private:
-    void run() {
+    void run(const std::stop_token& stop) {
         yield_to_interface();
         std::unique_lock lock(mutex_);
-        while (true) {
-            changed_.wait(lock, [this] { return stopping_ || job_; });
-            if (stopping_) break;
+        while (changed_.wait(lock, stop, [this] { return job_.has_value(); }) &&
+               !stop.stop_requested()) {
             Job job = *std::exchange(job_, std::nullopt);
             working_ = true;
             lock.unlock();
@@ -87,11 +73,11 @@ private:
     std::function<Result(Job&&)> work_;
     std::function<void()> wake_, finish_;
     mutable std::mutex mutex_;
-    std::condition_variable changed_;
+    std::condition_variable_any changed_;
     std::optional<Job> job_;
     std::optional<Result> result_;
-    bool working_ = false, stopping_ = false;
-    std::thread thread_;  // declared last: the thread uses all other members
+    bool working_ = false;
+    std::jthread thread_;  // declared last: the thread uses all other members
 };
 
 }  // namespace wrinkle::editor

@@ -45,11 +45,8 @@ bool follow_all_files(State& state) {
     const std::vector<UsedFile> changed = follow_files(state, window_files(state));
     for (const UsedFile& file : changed) {
         if (file.use == Use::plugin) state.offer = {};
-        if (file.use == Use::mesh && state.preview) state.preview->forget_mesh();
-        if (file.use == Use::light && state.preview) state.preview->forget_light();
-        if (file.use != Use::image) continue;
-        state.thumbnails.forget(file.path);
-        forget_images(state);
+        if (file.use == Use::image) state.thumbnails.forget(file.path);
+        forget_files(state, file.use);
     }
     return !changed.empty();
 }

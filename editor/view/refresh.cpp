@@ -16,8 +16,8 @@ void request_costs(State& state) {
     const std::string& text = state.built.uniform->source;
     if (follow.counting_of >= follow.first && follow.counting == text) return;
     follow.counting = text;
-    follow.counting_of = follow.finished_version;
-    follow.counter->post({follow.finished_version, state.built.module, follow.built_snapshot});
+    follow.counting_of = state.built.version;
+    follow.counter->post({state.built.version, state.built.module, state.built.document});
 }
 
 void poll_costs(CompileState& follow) {
@@ -25,14 +25,10 @@ void poll_costs(CompileState& follow) {
     if (auto counted = follow.counter->take()) follow.counted = std::move(*counted);
 }
 
-void take(State& state, Compilation compilation) {
-    CompileState& follow = state.follow;
-    if (compilation.version < follow.first || compilation.version <= follow.finished_version)
-        return;
-    follow.finished_version = compilation.version;
+void take(State& state, Build newest) {
+    if (newest.version < state.follow.first || newest.version <= state.built.version) return;
     ++state.counters.builds;
-    state.built = std::move(compilation.build);
-    follow.built_snapshot = std::move(compilation.document);
+    state.built = std::move(newest);
     request_costs(state);
     apply_latest_build(state);
 }
@@ -41,12 +37,12 @@ void request_build(State& state) {
     CompileState& follow = state.follow;
     follow.requested_snapshot = state.document();
     follow.requested = wanted_request(state);
-    CompileJob job{++follow.requested_version, state.model, state.document(),
-                   material_name(state.path), follow.requested};
+    CompileJob job{++follow.requested_version, state.registry,  state.model, state.document(),
+                   material_name(state.path),  follow.requested};
     if (follow.compiler)
-        follow.compiler->submit(std::move(job));
+        follow.compiler->post(std::move(job));
     else
-        take(state, compile(std::move(job), *state.registry));
+        take(state, build(job));
 }
 
 void rebuild_model(State& state) {
@@ -57,7 +53,7 @@ void begin(State& state) {
     state.is_synced = true;
     state.layout_stale = true;
     state.follow.first = state.follow.requested_version + 1;
-    state.follow.running.reset();
+    state.follow.drawn.uniform = state.follow.drawn.shown = std::nullopt;
     rebuild_model(state);
     request_build(state);
 }
@@ -128,7 +124,7 @@ void refresh(State& state) {
 
 bool is_settled(const State& state) {
     const bool held = state.gesture.kind == Gesture::Kind::value;
-    return state.is_synced && state.dropped.waiting.empty() && !state.follow.building() &&
+    return state.is_synced && state.dropped.waiting.empty() && !state.building() &&
            (!state.preview || state.preview->idle()) &&
            (held || same_document(state.follow.requested_snapshot, state.document()));
 }

@@ -5,7 +5,6 @@
 // and not undoable.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "editor/model/session.h"

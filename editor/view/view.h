@@ -15,22 +15,22 @@
 
 namespace wrinkle::editor {
 
-struct View {
+// Positions of the border cards in canvas units; std::nullopt: not placed yet.
+struct Borders {
+    std::optional<ImVec2> surface_at, outputs_at;
+};
+
+struct View : Borders {
     ImVec2 pan{0, 0};  // from the canvas's corner to the canvas origin, screen pixels
     float zoom = 1;
     bool fitted = false;
     ImVec2 corner{0, 0}, extent{0, 0};  // canvas rectangle, screen pixels
     std::set<std::string> selected;
-    std::set<BoxId> boxes;           // selected frames and notes
-    std::vector<std::string> order;  // raised cards, topmost last
-    // Positions of the border cards in canvas units; std::nullopt: not placed yet.
-    std::optional<ImVec2> surface_at, outputs_at;
+    std::set<BoxId> boxes;              // selected frames and notes
+    std::vector<std::string> order;     // raised cards, topmost last
     std::optional<Link> selected_wire;  // by its input end; node "": an output of the graph
     std::set<std::string> reveal;       // new nodes; the next frame scrolls to them
     // Positions of the border cards before and after a history step that moved them.
-    struct Borders {
-        std::optional<ImVec2> surface, outputs;
-    };
     struct Push {
         uint64_t serial = 0;  // serial of the state after the step
         Borders from, to;

@@ -104,7 +104,7 @@ void measure_all(const Registry& registry, const Fonts& fonts, int count, int ti
     State state;
     state.registry = &registry;
     state.fonts = fonts;
-    Compiler compiler(registry);
+    Compiler compiler(build);
     state.follow.compiler = &compiler;
     const auto folder =
         std::filesystem::temp_directory_path() / ("wrinkle-bench-" + std::to_string(getpid()));

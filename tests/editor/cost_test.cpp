@@ -85,7 +85,8 @@ TEST_F(Headless, EstimatesAreThoseOfTheText) {
         Diagnostics problems;
         const Model model = make_model(read_document(text, name, problems),
                                        entry.path().parent_path(), built_in_registry());
-        const Build built = build(model, model.project->top(), built_in_registry(), "material");
+        const Build built =
+            build({0, &built_in_registry(), model, model.project->top(), "material"});
         if (!built.uniform) continue;
         ASSERT_TRUE(built.costs) << name;
         Cost sum;
@@ -214,7 +215,7 @@ protected:
         frame();
     }
     Price price_of(std::string_view node) const {
-        return state.costs()->nodes.at(state.costs_of().nodes.index_of(node));
+        return state.costs()->nodes.at(state.costs()->document.nodes.index_of(node));
     }
     static bool has_tooltip() {
         for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)

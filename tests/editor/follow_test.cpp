@@ -29,7 +29,7 @@ TEST_F(Follows, MovingFramingAndRenamingMakeNoTextAndNoProgram) {
     open(small_graph);
     refresh(state);
     const uint64_t before = builds();
-    const std::string running = state.follow.running->source;
+    const std::string running = state.follow.drawn.running()->source;
     edit(move_node(state.document(), "noise", 50, 60));
     edit(set_frame(state.document(), {"frame", "Detail", {0, 0, 400, 300}, {}, {}}));
     edit(set_note(state.document(), {"note", "Look here", {0, 0, 200, 100}, {}, {}}));
@@ -38,7 +38,7 @@ TEST_F(Follows, MovingFramingAndRenamingMakeNoTextAndNoProgram) {
     EXPECT_EQ(builds(), before);
     EXPECT_TRUE(is_settled(state));
     EXPECT_NE(state.type_of("weaker"), nullptr);
-    EXPECT_EQ(state.follow.running->source, running) << "another program runs";
+    EXPECT_EQ(state.follow.drawn.running()->source, running) << "another program runs";
 }
 
 TEST_F(Follows, ProblemsSpeakOfRenamedNodesByTheirNewNames) {
@@ -64,7 +64,7 @@ TEST_F(Follows, ARenamedNodesValueStillReachesTheRunningProgram) {
 }
 
 TEST_F(Follows, ACompilerThreadHandsOverTheNewestText) {
-    Compiler compiler(built_in_registry());
+    Compiler compiler(build);
     state.follow.compiler = &compiler;
     open(small_graph);
     compiler.wait_idle();
@@ -76,7 +76,7 @@ TEST_F(Follows, ACompilerThreadHandsOverTheNewestText) {
         state.commit("back", remove_output(state.document(), i % 2 ? "roughness" : "metalness"));
     }
     edit(set_output(state.document(), "occlusion", {"noise", "value"}));
-    EXPECT_TRUE(state.follow.building() || text_has("_occlusion("));
+    EXPECT_TRUE(state.building() || text_has("_occlusion("));
     compiler.wait_idle();
     refresh(state);
     EXPECT_TRUE(is_settled(state));
@@ -86,7 +86,7 @@ TEST_F(Follows, ACompilerThreadHandsOverTheNewestText) {
 }
 
 TEST_F(Follows, TheFormerTextStaysWhileAnotherIsMade) {
-    Compiler compiler(built_in_registry());
+    Compiler compiler(build);
     state.follow.compiler = &compiler;
     open(small_graph);
     play("assert code wrinkle_graph_normal");
@@ -98,7 +98,7 @@ TEST_F(Follows, TheFormerTextStaysWhileAnotherIsMade) {
 }
 
 TEST_F(Follows, AResultOfAnotherFileIsDropped) {
-    Compiler compiler(built_in_registry());
+    Compiler compiler(build);
     state.follow.compiler = &compiler;
     open(small_graph);  // its source may not be generated yet
     const auto other = folder.write("other.json", R"({"wrinkle": 1, "nodes": {}})");
@@ -112,7 +112,7 @@ TEST_F(Follows, AResultOfAnotherFileIsDropped) {
 }
 
 TEST_F(Follows, ValuesThatChangeWhileTextsAreMadeArrive) {
-    Compiler compiler(built_in_registry());
+    Compiler compiler(build);
     state.follow.compiler = &compiler;
     open(small_graph);
     play("assert code softer_amount");

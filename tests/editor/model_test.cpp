@@ -89,8 +89,8 @@ TEST(Model, WiresGoWhereTheTypesSay) {
     EXPECT_NE(why({"normal", "normal"}, "number", "a"), "");
     EXPECT_NE(why({"noise", "value"}, "noise", "octaves"), "") << "a count takes no wire";
     EXPECT_NE(why({"nobody", "x"}, "number", "a"), "");
-    EXPECT_EQ(output_problem(model, {"softer", "gradient"}, "normal", registry), "");
-    EXPECT_NE(output_problem(model, {"normal", "normal"}, "roughness", registry), "");
+    EXPECT_EQ(why({"softer", "gradient"}, "", "normal"), "");
+    EXPECT_NE(why({"normal", "normal"}, "", "roughness"), "");
 }
 
 TEST(InputQueue, EveryTapIsSeenInOrder) {

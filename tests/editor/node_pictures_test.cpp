@@ -22,7 +22,7 @@ NodePreviews pictures_of(const std::string& nodes, const std::filesystem::path& 
     for (const NodePtr& node : job.document.nodes)
         job.nodes.insert(node->id);
     job.model = make_model(job.document, folder, built_in_registry());
-    return NodePainter().draw(job);
+    return NodePainter()(job);
 }
 
 struct Texel {
@@ -110,7 +110,7 @@ TEST(NodePreviews, ANodeThatDependsOnNothingBrokenHasAThumbnail) {
 }
 
 TEST_F(Headless, ThumbnailsAreMadeBeforeThereIsAnOutput) {
-    NodePreviewMaker maker;
+    NodePreviewMaker maker{NodePainter()};
     state.node_feed.maker = &maker;
     open(R"({ "wrinkle": 1, "nodes": { "noise": { "type": "gradient_noise" } } })");
     frame();
@@ -121,7 +121,7 @@ TEST_F(Headless, ThumbnailsAreMadeBeforeThereIsAnOutput) {
 }
 
 TEST_F(Headless, ThumbnailsOfTheFormerGraphAreForgotten) {
-    NodePreviewMaker maker;
+    NodePreviewMaker maker{NodePainter()};
     state.node_feed.maker = &maker;
     open(small_graph);
     frame();
@@ -174,7 +174,7 @@ TEST_F(Headless, ACardShowsWhatItMakesWhereThatIsAnotherKindOfThing) {
 
 TEST_F(Headless, PicturesFollowWhatChangesThemAndNothingElse) {
     open(small_graph);
-    NodePreviewMaker maker;
+    NodePreviewMaker maker{NodePainter()};
     state.node_feed.maker = &maker;
     const auto newest = [&] {
         frame();

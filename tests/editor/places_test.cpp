@@ -95,8 +95,8 @@ protected:
         const Tidied tidy = tidied(state);
         state.history = History(tidy.document);
         state.view = {};
-        state.view.surface_at = tidy.borders.surface;
-        state.view.outputs_at = tidy.borders.outputs;
+        state.view.surface_at = tidy.borders.surface_at;
+        state.view.outputs_at = tidy.borders.outputs_at;
         state.layout_stale = true;
         update_layout(state);
     }

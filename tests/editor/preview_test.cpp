@@ -296,7 +296,7 @@ TEST_F(WithPreview, ANodeIsPreviewedWithoutTouchingTheDocument) {
     EXPECT_FALSE(state.preview_problems.has_errors()) << to_text(state.preview_problems);
     edit(remove_node(state.document(), "across"));
     see();
-    EXPECT_EQ(state.follow.running_for.node, "") << "a node that is gone is not previewed";
+    EXPECT_EQ(state.follow.drawn.request.node, "") << "a node that is gone is not previewed";
 }
 
 TEST(Request, SaysWhenThereIsNoSumToReplace) {

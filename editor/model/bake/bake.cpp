@@ -23,27 +23,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-// Records the missing folders of a path and removes those made later, unless keep() is called.
-class NewFolders {
-public:
-    explicit NewFolders(fs::path folder) {
-        std::error_code error;
-        for (; !folder.empty() && !fs::exists(folder, error); folder = folder.parent_path())
-            missing_.push_back(folder);
-    }
-    NewFolders(const NewFolders&) = delete;
-    NewFolders& operator=(const NewFolders&) = delete;
-    ~NewFolders() {
-        std::error_code error;
-        for (const fs::path& folder : missing_)
-            if (!kept_) fs::remove(folder, error);  // only removes empty folders
-    }
-    void keep() { kept_ = true; }
-
-private:
-    std::vector<fs::path> missing_;  // the innermost first
-    bool kept_ = false;
-};
 
 // "weave: the image is not there", "scan.obj: the mesh has no uvs (set 0)"
 std::string blamed(const Diagnostic& problem) {
@@ -77,7 +56,8 @@ public:
         asked_ = asked_maps(choices_, why);
         if (!why.empty()) return {false, "No map can be baked. " + why};
         if (!compile() || !read_mesh()) return refused();
-        NewFolders folders(choices_.one_file() ? choices_.into.parent_path() : choices_.into);
+        NewPaths folders;
+        folders.add_missing(choices_.one_file() ? choices_.into.parent_path() : choices_.into);
         if (!bake_squares() || !finish()) {
             written_.clear();  // closes the files before their folder is removed
             return refused();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/text.h"
 #include "editor/model/document/wiring.h"
 #include "editor/model/session.h"
 #include "editor/model/words.h"
@@ -31,12 +32,12 @@ const Target& target_of(const CodeOptions& options) {
     return target ? *target : targets().front();
 }
 
-Shader shader_of(const CodeJob& job, const Registry& registry, Diagnostics& problems) {
+Shader shader_of(const CodeJob& job, Diagnostics& problems) {
     const Project project = project_to_compile(job.model, job.document, problems);
     if (problems.has_errors()) return {};
     MaterialOptions options;
     options.uniform_parameters = job.options.uniforms;
-    const Compiled compiled = compile_material(project, registry, options, problems);
+    const Compiled compiled = compile_material(project, *job.registry, options, problems);
     if (!compiled.ok) return {};
     EmitOptions emit_options;
     emit_options.name = job.name;
@@ -90,11 +91,16 @@ CodeText lines_of(std::string text) {
     return result;
 }
 
-CodeText make_code(const CodeJob& job, const Registry& registry) {
+CodeJob job_of(const Session& session) {
+    return {session.registry, session.model, session.document(),
+            identifier(session.path.stem().string()), session.code.options};
+}
+
+CodeText make_code(const CodeJob& job) {
     CodeText text;
     text.options = job.options;
     Diagnostics problems;
-    Shader shader = shader_of(job, registry, problems);
+    Shader shader = shader_of(job, problems);
     if (problems.has_errors()) {
         text.problem = first_error(problems);
         return text;

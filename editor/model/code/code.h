@@ -3,8 +3,6 @@
 // a worker thread.
 #pragma once
 
-#include <atomic>
-#include <functional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -40,13 +38,15 @@ struct CodeText {
 };
 
 struct CodeJob {
+    const Registry* registry = nullptr;
     Model model;
     Document document;
     std::string name;  // name of the material
     CodeOptions options;
 };
 
-CodeText make_code(const CodeJob& job, const Registry& registry);
+CodeJob job_of(const Session& session);  // for the current document
+CodeText make_code(const CodeJob& job);
 
 // Returns Form::shader if the target has only that form, else options.form.
 Form form_of(const CodeOptions& options);
@@ -58,20 +58,7 @@ std::string why_no_line(const Session& session, const std::set<std::string>& sel
 // Splits any text into lines, without nodes.
 CodeText lines_of(std::string text);
 
-class CodeMaker {
-public:
-    // The registry must not change while the maker exists. `wake` is called on the worker thread.
-    explicit CodeMaker(const Registry& registry, std::function<void()> wake = {})
-        : registry_(&registry),
-          worker_([this](CodeJob&& job) { return make_code(job, *registry_); }, std::move(wake)) {}
-    void use(const Registry& registry) { registry_ = &registry; }  // see Compiler::use()
-    void submit(CodeJob job) { worker_.post(std::move(job)); }
-    std::optional<CodeText> take() { return worker_.take(); }
-
-private:
-    std::atomic<const Registry*> registry_;
-    Worker<CodeJob, CodeText> worker_;
-};
+using CodeMaker = Worker<CodeJob, CodeText>;
 
 // State of the code panel.
 struct Code {

@@ -1,18 +1,12 @@
 #include "editor/model/code/export.h"
 
 #include "base/file.h"
-#include "base/text.h"
 #include "compile/inputs.h"
 #include "editor/model/words.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
-
-CodeJob job_of(const Session& session) {
-    return {session.model, session.document(), identifier(session.path.stem().string()),
-            session.code.options};
-}
 
 bool has_stages(const CodeOptions& options) {
     return form_of(options) == Form::shader;
@@ -24,10 +18,8 @@ std::string end_of(const char* stage, const CodeOptions& options) {
     return stage + std::string(target ? target->suffix : "");
 }
 
-}  // namespace
-
-TaskOutcome export_code(const CodeJob& job, const Registry& registry, const fs::path& file) {
-    const CodeText text = make_code(job, registry);
+TaskOutcome export_code(const CodeJob& job, const fs::path& file) {
+    const CodeText text = make_code(job);
     const std::string name = file.filename().string();
     if (!text.problem.empty())
         return {false,
@@ -40,7 +32,7 @@ TaskOutcome export_code(const CodeJob& job, const Registry& registry, const fs::
     std::vector<std::string> read, made;
     Diagnostics ignored;
     const Project project = project_to_compile(job.model, job.document, ignored);
-    for (const InputFile& input : inputs_of(project, Types(project, registry)))
+    for (const InputFile& input : inputs_of(project, Types(project, *job.registry)))
         read.push_back(input.path);
     for (const FileBytes& each : files)
         made.push_back(each.path.string());
@@ -52,9 +44,11 @@ TaskOutcome export_code(const CodeJob& job, const Registry& registry, const fs::
     return {true, "Wrote " + name + (has_stages(job.options) ? stages : "") + "."};
 }
 
+}  // namespace
+
 void start_code_export(Session& session, const fs::path& file) {
-    const auto work = [job = job_of(session), registry = session.registry, file](TaskProgress&) {
-        return export_code(job, *registry, file);
+    const auto work = [job = job_of(session), file](TaskProgress&) {
+        return export_code(job, file);
     };
     start_task(session, {"Exporting " + file.filename().string(), work,
                          [&session, file] { start_code_export(session, file); }});

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "compile/shader.h"
-#include "editor/model/document/compiler.h"
 #include "editor/model/words.h"
 #include "graph/order.h"
 #include "lower/check.h"
@@ -83,11 +82,16 @@ bool holds_nothing(const Document& document) {
     return document.nodes.empty() && document.outputs.empty();
 }
 
-Build build(const Model& model, const Document& document, const Registry& registry,
-            const std::string& name, const PreviewRequest& request) {
+Build build(const CompileJob& job) {
     const auto start = std::chrono::steady_clock::now();
+    const Model& model = job.model;
+    const Document& document = job.document;
+    const Registry& registry = *job.registry;
+    const std::string& double_sided = job.request.double_sided;
     Build result;
-    result.request = request;
+    result.version = job.version;
+    result.document = document;
+    result.request = job.request;
     const Project project = project_with(model, document);
     Diagnostics links;
     check_links(document, links);
@@ -97,28 +101,20 @@ Build build(const Model& model, const Document& document, const Registry& regist
     result.problems.append(model.project_problems);
     if (!holds_nothing(document)) check(project, registry, result.problems);
     Document drawn = document;
-    if (!request.double_sided.empty() && !holds_nothing(document))
-        follow_double_sided(drawn, request.double_sided, result.problems);
+    if (!double_sided.empty() && !holds_nothing(document))
+        follow_double_sided(drawn, double_sided, result.problems);
     const Project needed = project_to_compile(model, drawn, result.live);
     if (!result.live.has_errors()) {
         // Without outputs check() has reported that nothing is made.
         if (!document.outputs.empty())
-            result.uniform = emit_text(needed, registry, name, result.live, &result.module);
+            result.uniform = emit_text(needed, registry, job.name, result.live, &result.module);
         if (result.uniform) result.costs = estimate_costs(*result.module, document);
         append_new(result.problems, result.live);
         build_displacement(needed, registry, result);
     }
-    build_shown(model, drawn, registry, name, result);
+    build_shown(model, drawn, registry, job.name, result);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     result.milliseconds = time.count();
-    return result;
-}
-
-Compilation compile(CompileJob job, const Registry& registry) {
-    Compilation result;
-    result.build = build(job.model, job.document, registry, job.name, job.request);
-    result.version = job.version;
-    result.document = std::move(job.document);
     return result;
 }
 

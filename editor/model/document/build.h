@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "editor/model/document/cost.h"
 #include "editor/model/document/displacement.h"
@@ -15,8 +14,19 @@
 
 namespace wrinkle::editor {
 
+struct CompileJob {
+    uint64_t version = 0;  // increases with every job
+    const Registry* registry = nullptr;
+    Model model;
+    Document document;
+    std::string name;  // material name
+    PreviewRequest request = {};
+};
+
 // Result of one compilation. editor/model/code generates the sources that `wrinkle compile` writes.
 struct Build {
+    uint64_t version = 0;  // version of the job
+    Document document;
     Diagnostics problems;  // all of the document, including parts that no output needs
     Diagnostics live;      // why `uniform` is empty: problems of the parts that the outputs need
     std::optional<Shader> uniform;
@@ -39,7 +49,6 @@ struct Build {
 // report.
 bool holds_nothing(const Document& document);
 
-Build build(const Model& model, const Document& document, const Registry& registry,
-            const std::string& name, const PreviewRequest& request = {});
+Build build(const CompileJob& job);
 
 }  // namespace wrinkle::editor

@@ -1,5 +1,7 @@
 #include "editor/model/document/change.h"
 
+#include <algorithm>
+
 namespace wrinkle::editor {
 namespace {
 
@@ -66,15 +68,11 @@ private:
     }
 
     bool same_outputs() const {
-        if (a_.outputs.same(b_.outputs)) return true;
-        if (a_.outputs.size() != b_.outputs.size()) return false;
-        for (size_t i = 0; i < a_.outputs.size(); ++i) {
-            const Output &x = a_.outputs[i], &y = b_.outputs[i];
-            if (x.name != y.name || x.from.kind != y.from.kind ||
-                !same_link(x.from.link, y.from.link))
-                return false;
-        }
-        return true;
+        return std::equal(a_.outputs.begin(), a_.outputs.end(), b_.outputs.begin(),
+                          b_.outputs.end(), [this](const Output& x, const Output& y) {
+                              return x.name == y.name && x.from.kind == y.from.kind &&
+                                     same_link(x.from.link, y.from.link);
+                          });
     }
 
     const Document &a_, &b_;
@@ -86,6 +84,12 @@ private:
 
 Change change(const Document& before, const Document& after) {
     return Comparison(before, after).run();
+}
+
+bool same_document(const Document& a, const Document& b) {
+    return a.nodes.same(b.nodes) && a.inputs.same(b.inputs) && a.outputs.same(b.outputs) &&
+           a.positions.same(b.positions) && a.frames.same(b.frames) && a.notes.same(b.notes) &&
+           a.name == b.name && a.back_faces == b.back_faces;
 }
 
 }  // namespace wrinkle::editor

@@ -31,4 +31,7 @@ struct Change {
 
 Change change(const Document& before, const Document& after);
 
+// Returns true if two snapshots share everything that an edit can change.
+bool same_document(const Document& a, const Document& b);
+
 }  // namespace wrinkle::editor

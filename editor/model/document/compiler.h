@@ -2,9 +2,6 @@
 // one, and results are returned in the order of their versions.
 #pragma once
 
-#include <atomic>
-#include <functional>
-#include <optional>
 #include <string>
 
 #include "editor/model/document/build.h"
@@ -12,43 +9,31 @@
 
 namespace wrinkle::editor {
 
-struct CompileJob {
-    uint64_t version = 0;  // increases with every job
-    Model model;
-    Document document;
-    std::string name;  // material name
-    PreviewRequest request;
-};
+using Compiler = Worker<CompileJob, Build>;
 
-struct Compilation {
-    uint64_t version = 0;
-    Document document;
-    Build build;
-};
+// Progress of the data derived from the document: the snapshot given to the compiler, the snapshot
+// of the newest build, and the values that the preview shows.
+struct CompileState {
+    Compiler* compiler = nullptr;    // nullptr: refresh() compiles by itself, at once
+    uint64_t requested_version = 0;  // version of the newest job
+    uint64_t first = 0;              // first of the open file; older results are discarded
+    Document requested_snapshot;
+    PreviewRequest requested;
 
-Compilation compile(CompileJob job, const Registry& registry);
+    // The newest build with a shader, which the preview runs. Its nodes may have been renamed
+    // since; that does not change the program.
+    Build drawn;
+    Document sent_snapshot;  // snapshot with the uniform values that the preview has
 
-class Compiler {
-public:
-    // Precondition: the registry does not change while the compiler is busy. `wake` is called on
-    // the worker thread.
-    explicit Compiler(const Registry& registry, std::function<void()> wake = {})
-        : registry_(&registry),
-          worker_([this](CompileJob&& job) { return compile(std::move(job), *registry_); },
-                  std::move(wake)) {}
+    // Costs of the newest source that was counted. nullptr: costs are only estimated.
+    CostCounter* counter = nullptr;
+    std::string counting;      // source of the last count request
+    uint64_t counting_of = 0;  // version of that source
+    std::optional<Costs> counted;
+    bool is_counting() const { return counter && !counter->idle(); }
+    bool is_counted() const { return counted && counted->version >= first; }
 
-    // Takes effect with the next job; the previous registry must not change until the running job
-    // ends.
-    void use(const Registry& registry) { registry_ = &registry; }
-
-    void submit(CompileJob job) { worker_.post(std::move(job)); }
-    std::optional<Compilation> take() { return worker_.take(); }
-    bool idle() const { return worker_.idle(); }
-    void wait_idle() { worker_.wait_idle(); }
-
-private:
-    std::atomic<const Registry*> registry_;
-    Worker<CompileJob, Compilation> worker_;
+    uint64_t diagnosed_version = 0;  // version of the newest preview with known problems
 };
 
 }  // namespace wrinkle::editor

@@ -2,23 +2,12 @@
 
 #include "cost/limits.h"
 #include "cost/report.h"
+#include "editor/model/words.h"
 #include "ir/cost.h"
 #include "ir/module.h"
 
 namespace wrinkle::editor {
 namespace {
-
-// "1,024"
-std::string in_thousands(size_t count) {
-    std::string digits = std::to_string(count);
-    for (size_t at = digits.size(); at > 3; at -= 3)
-        digits.insert(at - 3, ",");
-    return digits;
-}
-
-std::string counted_as(size_t count, const std::string& what) {
-    return in_thousands(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 // Returns the index of the node with which a path starts; npos for an empty or unknown path.
 size_t node_at(const Document& document, std::string_view path) {
@@ -30,6 +19,7 @@ size_t node_at(const Document& document, std::string_view path) {
 
 Costs estimate_costs(const Module& module, const Document& document) {
     Costs costs;
+    costs.document = document;
     costs.estimated = true;
     costs.nodes.resize(document.nodes.size());
     const std::vector<Cost> instances = cost_by_node(module);
@@ -57,9 +47,9 @@ Costs count_costs(const Module& module, const Document& document) {
         costs.why = "It cannot be counted: " + why + ".";
         return costs;
     }
-    costs = {};
+    costs.estimated = false;
     costs.total = {report->total, report->texture_units};
-    costs.nodes.resize(document.nodes.size());
+    costs.nodes.assign(document.nodes.size(), {});
     for (const NodeCost& each : report->nodes) {
         const size_t node = node_at(document, each.node);
         if (node == Table<NodePtr>::npos) continue;
@@ -69,35 +59,35 @@ Costs count_costs(const Module& module, const Document& document) {
     return costs;
 }
 
-CountedCosts count(CostJob job) {
+Costs count(const CostJob& job) {
     Costs costs = count_costs(*job.module, job.document);
-    return {job.version, std::move(job.document), std::move(costs)};
+    costs.version = job.version;
+    return costs;
 }
 
 std::string in_words(const Price& price, bool estimated) {
     const std::string about = estimated ? "~" : "";
-    const std::string ops = about + counted_as(price.cost.alu, "op");
-    return price.cost.reads == 0 ? ops : about + counted_as(price.cost.reads, "read") + " · " + ops;
+    const std::string ops = about + counted(price.cost.alu, "op");
+    return price.cost.reads == 0 ? ops : about + counted(price.cost.reads, "read") + " · " + ops;
 }
 
 std::string in_full(const Price& price, const Costs& of) {
     const ShaderCost& cost = price.cost;
     if (of.estimated)
-        return "About " + counted_as(cost.alu, "number") + " computed and " +
-               counted_as(cost.reads, "texture read") + ", an estimate. " +
+        return "About " + counted(cost.alu, "number") + " computed and " +
+               counted(cost.reads, "texture read") + ", an estimate. " +
                (of.why.empty() ? "The count follows." : of.why);
-    std::string text = counted_as(cost.alu, "number") + " computed, of these " +
-                       counted_as(cost.divisions, "division") + " and " +
-                       in_thousands(cost.transcendental) + " transcendental\n" +
-                       counted_as(cost.reads, "texture read") + " of " +
-                       counted_as(price.texture_units, "texture unit");
+    std::string text =
+        counted(cost.alu, "number") + " computed, of these " + counted(cost.divisions, "division") +
+        " and " + grouped(cost.transcendental) + " transcendental\n" +
+        counted(cost.reads, "texture read") + " of " + counted(price.texture_units, "texture unit");
     if (&price == &of.total)
         text += " (every machine has " + std::to_string(guaranteed_texture_units) + ")";
-    if (cost.queries > 0) text += ", " + in_thousands(cost.queries) + " asked for a size";
+    if (cost.queries > 0) text += ", " + grouped(cost.queries) + " asked for a size";
     if (cost.derivative_lanes > 0)
-        text += "\n" + counted_as(cost.derivative_lanes, "number") + " of screen derivatives";
+        text += "\n" + counted(cost.derivative_lanes, "number") + " of screen derivatives";
     if (cost.branches + cost.loops > 0)
-        text += "\n" + in_thousands(cost.branches) + " branches, " + counted_as(cost.loops, "loop");
+        text += "\n" + grouped(cost.branches) + " branches, " + counted(cost.loops, "loop");
     return text;
 }
 

@@ -24,10 +24,12 @@ struct Price {
 };
 
 struct Costs {
+    uint64_t version = 0;  // version of the compilation
+    Document document;
     bool estimated = false;
     std::string why;           // one sentence: why only an estimate is available
     Price total;               // includes code that only the outputs need
-    std::vector<Price> nodes;  // by index in the document
+    std::vector<Price> nodes;  // by index in `document`
 };
 
 // Modules with a larger estimate of ALU operations are not counted: the compilers would take many
@@ -42,13 +44,8 @@ struct CostJob {
     std::shared_ptr<const Module> module;
     Document document;
 };
-struct CountedCosts {
-    uint64_t version = 0;
-    Document document;
-    Costs costs;
-};
-CountedCosts count(CostJob job);
-using CostCounter = Worker<CostJob, CountedCosts>;
+Costs count(const CostJob& job);
+using CostCounter = Worker<CostJob, Costs>;
 
 // "1 read · 14 ops"; of an estimate "~1 read · ~14 ops"; "14 ops" if nothing is read.
 std::string in_words(const Price& price, bool estimated);

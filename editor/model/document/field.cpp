@@ -90,6 +90,14 @@ std::array<double, 4> numbers_at(const Node& node, const Port& port) {
     return numbers;
 }
 
+json::Value literal_of(const std::array<double, 4>& numbers, int lanes) {
+    if (lanes == 1) return json::Value::number(numbers[0]);
+    std::vector<json::Value> items;
+    for (size_t i = 0; i < static_cast<size_t>(lanes); ++i)
+        items.push_back(json::Value::number(numbers[i]));
+    return json::Value::array(items);
+}
+
 std::string shown_number(double value, const Port& port, const Fits& fits) {
     const std::string unit = shown_unit(port);
     const auto value_as_float = static_cast<float>(value + 0.0);  // never -0
@@ -127,16 +135,11 @@ Document with_number(const Document& document, std::string_view node, const Port
     if (!target || !std::isfinite(value)) return document;
     std::array<double, 4> numbers = numbers_at(*target, port);
     numbers[static_cast<size_t>(lane)] = clamped(is_count(port) ? std::round(value) : value, port);
-    const auto lanes = static_cast<size_t>(lanes_of_field(port));
+    const int lanes = lanes_of_field(port);
     const bool is_default =
         port.default_kind == Port::Default::constant &&
         std::equal(numbers.begin(), numbers.begin() + lanes, port.default_value.begin());
-    if (lanes == 1)
-        return write_or_reset(document, node, port, is_default, json::Value::number(numbers[0]));
-    std::vector<json::Value> items;
-    for (size_t i = 0; i < lanes; ++i)
-        items.push_back(json::Value::number(numbers[i]));
-    return write_or_reset(document, node, port, is_default, json::Value::array(items));
+    return write_or_reset(document, node, port, is_default, literal_of(numbers, lanes));
 }
 
 Document with_choice(const Document& document, std::string_view node, const Port& port,
@@ -151,18 +154,21 @@ Document with_flag(const Document& document, std::string_view node, const Port& 
                           json::Value::boolean(value));
 }
 
+json::Value with_file(const json::Value& image, std::string_view file) {
+    const json::Value name = json::Value::string(file);
+    if (!image.is(json::Kind::object)) return name;
+    std::vector<std::pair<std::string, json::Value>> members;
+    for (const json::Member& member : image.children())
+        members.emplace_back(member.key, member.key == "file" ? name : member.value);
+    return json::Value::object(members);
+}
+
 Document with_file(const Document& document, std::string_view node, const Port& port,
                    std::string_view file) {
     const Node* target = document.find(node);
     if (!target) return document;
     const Input* old = literal_at(*target, port);
-    if (!old || !old->value.is(json::Kind::object))
-        return set_value(document, node, port.name, json::Value::string(file));
-    std::vector<std::pair<std::string, json::Value>> members;
-    for (const json::Member& member : old->value.children())
-        members.emplace_back(member.key,
-                             member.key == "file" ? json::Value::string(file) : member.value);
-    return set_value(document, node, port.name, json::Value::object(members));
+    return set_value(document, node, port.name, with_file(old ? old->value : json::Value(), file));
 }
 
 Document with_image_word(const Document& document, std::string_view node, const Port& port,

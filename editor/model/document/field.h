@@ -17,6 +17,9 @@ int lanes_of_field(const Port& port);
 // or a flag uses only the first.
 std::array<double, 4> numbers_at(const Node& node, const Port& port);
 
+// Returns the literal of a value with that many components.
+json::Value literal_of(const std::array<double, 4>& numbers, int lanes);
+
 // Formats a number with its unit, "0.015 m", as the shortest text that reads back as the value. If
 // `fits` rejects it, drops the leading zero (".015"); if `fits` rejects that too, rounds to the
 // most decimals (7 to 0) that fit.
@@ -31,6 +34,8 @@ Document with_number(const Document& document, std::string_view node, const Port
 Document with_choice(const Document& document, std::string_view node, const Port& port,
                      uint32_t choice);
 Document with_flag(const Document& document, std::string_view node, const Port& port, bool value);
+// Returns the literal of an image with another file.
+json::Value with_file(const json::Value& image, std::string_view file);
 Document with_file(const Document& document, std::string_view node, const Port& port,
                    std::string_view file);
 // Sets an image's "encoding" or "wrap" (`key`) by its name; a default value is not stored.

@@ -151,13 +151,13 @@ std::vector<std::string> files_outside(const Session& session, const fs::path& p
 bool save_file_as(Session& session, const fs::path& path, OutsideFiles files) {
     MovedPaths moved = moved_to(session, path, files);
     std::string why;
-    NewCopies copies;
-    if (!copies.make(moved.copies, why)) {
+    NewPaths made;
+    if (!copy_files(moved.copies, made, why)) {
         session.status = name_of(path) + " was not saved: " + why + ".";
         return false;
     }
     if (!write_to(session, path, moved.document)) return false;
-    copies.keep();
+    made.keep();
     const std::string saved =
         session.status + (moved.copies.empty() ? words_on_outside(moved.outside)
                                                : " and copied " + listed(moved.outside));

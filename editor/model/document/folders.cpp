@@ -23,6 +23,19 @@ fs::path with_home(const fs::path& typed) {
     return text.size() < 3 ? fs::path(home) : fs::path(home) / text.substr(2);
 }
 
+NewPaths::~NewPaths() {
+    std::error_code ignored;
+    for (auto path = paths_.rbegin(); path != paths_.rend(); ++path)
+        fs::remove(*path, ignored);  // a folder only if it is empty
+}
+
+void NewPaths::add_missing(fs::path folder) {
+    std::error_code ignored;
+    const auto known = static_cast<std::ptrdiff_t>(paths_.size());
+    for (; !folder.empty() && !fs::exists(folder, ignored); folder = folder.parent_path())
+        paths_.insert(paths_.begin() + known, folder);
+}
+
 std::string disk_words(const std::error_code& error) {
     using std::errc;
     if (error == errc::no_space_on_device || error.value() == EDQUOT) return "the disk is full";

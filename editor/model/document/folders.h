@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace wrinkle::editor {
 
@@ -20,6 +21,21 @@ Folders folders_below(const std::filesystem::path& folder);
 
 // Expands "~" and "~/x" to the home folder; returns other paths unchanged.
 std::filesystem::path with_home(const std::filesystem::path& typed);
+
+// Paths that are made for a result; the destructor removes them unless keep() is called.
+class NewPaths {
+public:
+    NewPaths() = default;
+    NewPaths(const NewPaths&) = delete;
+    NewPaths& operator=(const NewPaths&) = delete;
+    ~NewPaths();
+    void add(const std::filesystem::path& path) { paths_.push_back(path); }
+    void add_missing(std::filesystem::path folder);  // this folder and those above it
+    void keep() { paths_.clear(); }
+
+private:
+    std::vector<std::filesystem::path> paths_;  // a folder before its contents
+};
 
 // Returns the reason why a file could not be written, as the end of a sentence: "the disk is full".
 std::string disk_words(const std::error_code& error);

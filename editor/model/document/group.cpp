@@ -13,17 +13,12 @@ public:
         : model_(model), document_(document), ids_(ids) {}
 
     bool run(const std::string& file, std::string& why) {
+        why.clear();
         take_nodes();
-        for (const NodePtr& node : document_.nodes)
-            for (const Input& input : node->inputs)
-                if (input.kind == Input::Kind::link &&
-                    !note({input.link, node->id, input.port}, why))
-                    return false;
-        for (const Output& output : document_.outputs)
-            if (output.from.kind == Input::Kind::link &&
-                !note({output.from.link, "", output.name}, why))
-                return false;
-        return put_node(file, why);
+        each_wire(document_, [&](const Connection& wire) {
+            if (why.empty()) note(wire, why);
+        });
+        return why.empty() && put_node(file, why);
     }
 
     Group group;
@@ -41,20 +36,18 @@ private:
     }
 
     // Handles a wire of the document: connects it if it crosses the border of the group.
-    bool note(const Connection& wire, std::string& why) {
+    void note(const Connection& wire, std::string& why) {
         const bool from = ids_.contains(wire.from.node), to = ids_.contains(wire.node);
-        if (from == to || wire.from.is_surface()) return true;
+        if (from == to || wire.from.is_surface()) return;
         const auto type = model_.type_of(wire.from);
         if (!type) {
             why = "The type of " + wire.from.text() + " is not known.";
-            return false;
-        }
-        if (to)
+        } else if (to) {
             group.inner = connect(group.inner, {std::string(Link::input), input_for(wire, *type)},
                                   wire.node, wire.port);
-        else
+        } else {
             leaving_.push_back({{"", output_for(wire, *type)}, wire.node, wire.port});
-        return true;
+        }
     }
 
     std::string input_for(const Connection& wire, PortType type) {
@@ -87,9 +80,7 @@ private:
     }
 
     bool put_node(const std::string& file, std::string& why) {
-        Node node;
-        node.id = free_id(document_, fs::path(file).stem().string());
-        node.type = "graph:" + file;
+        Node node = new_node(document_, fs::path(file).stem().string(), "graph:" + file);
         group.node = node.id;
         group.outer = add_node(document_, std::move(node));
         for (const auto& [source, name] : sources_)

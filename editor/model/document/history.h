@@ -3,16 +3,24 @@
 //
 // Undo and redo move along the steps; a commit drops the undone ones. Successive commits with the
 // same `merge` key are merged into one step: a drag commits on every frame and is undone at once.
-// Every state of the document has its own serial number.
+// Every state of the document has its own serial number. A step stores the span of nodes and of
+// positions that changed; the smaller tables are snapshots.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "editor/model/document/delta.h"
+#include "editor/model/document/change.h"
 
 namespace wrinkle::editor {
+
+// Entries of a table that replace others, from index `at` on.
+template <class T>
+struct Replacement {
+    size_t at = 0;
+    std::vector<T> before, after;
+};
 
 class History {
 public:
@@ -45,8 +53,12 @@ private:
         std::string name;  // "Scale: amount"
         std::string merge;
         uint64_t serial = 0;
-        Delta delta;  // from the previous step
+        Document rest;                    // the state without nodes and positions
+        Replacement<NodePtr> nodes;       // since the previous step
+        Replacement<Position> positions;  // since the previous step
     };
+    void move(const Step& step, size_t to);
+
     Document now_;
     std::vector<Step> steps_;
     size_t at_ = 0;

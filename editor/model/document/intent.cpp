@@ -72,6 +72,13 @@ void answer_name(Session& session) {
     }
 }
 
+void answer_with(Session& session, void (*act)(Session&, const Recoverable&)) {
+    const fs::path file = session.question.file;
+    session.question = {};
+    for (const Recoverable& found : session.keeping.recoverable)
+        if (found.file == file) return act(session, found);
+}
+
 }  // namespace
 
 void carry_out(Session& session, const PendingAction& intent) {
@@ -135,17 +142,11 @@ void answer_path(Session& session) {
 }
 
 void answer_recover(Session& session) {
-    const fs::path file = session.question.file;
-    session.question = {};
-    for (const Recoverable& found : session.keeping.recoverable)
-        if (found.file == file) return recover(session, found);
+    answer_with(session, recover);
 }
 
 void answer_forget(Session& session) {
-    const fs::path file = session.question.file;
-    session.question = {};
-    for (const Recoverable& found : session.keeping.recoverable)
-        if (found.file == file) return forget(session, found);
+    answer_with(session, forget);
 }
 
 void answer_stop(Session& session) {

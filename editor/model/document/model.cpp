@@ -3,22 +3,11 @@
 #include <algorithm>
 #include <map>
 
-#include "editor/model/document/wiring.h"
-#include "editor/model/words.h"
-#include "graph/edit.h"
 #include "graph/order.h"
-#include "lower/conversion.h"
 #include "lower/reachable.h"
 
 namespace wrinkle::editor {
 namespace {
-
-std::string refusal(const Link& from, PortType given, std::string_view to, PortType wanted,
-                    const Registry& registry) {
-    return from.text() + " cannot feed " + std::string(to) + ": a " + std::string(name_of(given)) +
-           " is not a " + std::string(name_of(wanted)) + ". " +
-           sentence(alternative(given, wanted, registry));
-}
 
 // Returns true if the problem comes from reading a file in this part of the project.
 bool is_of(const Diagnostic& problem, const Project& part) {
@@ -40,8 +29,14 @@ std::optional<PortType> Model::type_of(const Link& from) const {
     return types->link(0, from);
 }
 
-std::optional<PortType> Model::wanted_by_output(std::string_view name) {
-    return standard_output(name);
+const Port* input_port(const NodeType* type, std::string_view name) {
+    const uint32_t index = type ? type->find_input(name) : NodeType::none;
+    return index == NodeType::none ? nullptr : &type->ports[index];
+}
+
+const Port* output_port(const NodeType* type, std::string_view name) {
+    const uint32_t index = type ? type->find_output(name) : NodeType::none;
+    return index == NodeType::none ? nullptr : &type->ports[index];
 }
 
 Model make_model(const Document& document, const std::filesystem::path& folder,
@@ -89,36 +84,6 @@ Project project_to_compile(const Model& model, const Document& document, Diagnos
     for (const Diagnostic& problem : model.project_problems.list())
         if (is_of(problem, project)) problems.add(problem);
     return project;
-}
-
-std::string wire_problem(const Model& model, const Document& document, const Registry& registry,
-                         const Link& from, std::string_view node, std::string_view port) {
-    const auto given = model.type_of(from);
-    const NodeType* type = model.type_of(node);
-    if (!given || !type) return "the type of one end is not known";
-    if (type->id == reroute_type) {
-        for (const Connection& end : fed_by_reroute(document, std::string(node))) {
-            const auto wanted = wanted_at(model, end.node, end.port);
-            if (!converts(*given, wanted))
-                return refusal(from, *given, end.node + "." + end.port, *wanted, registry);
-        }
-        return {};
-    }
-    const uint32_t index = type->find_input(port);
-    if (index == NodeType::none || !type->ports[index].is_value())
-        return std::string(node) + "." + std::string(port) + " takes no wire";
-    const PortType wanted = type->ports[index].type;
-    if (conversion(*given, wanted) != Conversion::illegal) return {};
-    return refusal(from, *given, std::string(node) + "." + std::string(port), wanted, registry);
-}
-
-std::string output_problem(const Model& model, const Link& from, std::string_view output,
-                           const Registry& registry) {
-    const auto given = model.type_of(from);
-    if (!given) return "the type of " + from.text() + " is not known";
-    const auto wanted = Model::wanted_by_output(output);
-    if (!wanted || conversion(*given, *wanted) != Conversion::illegal) return {};
-    return refusal(from, *given, std::string(output), *wanted, registry);
 }
 
 }  // namespace wrinkle::editor

@@ -5,8 +5,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "graph/subgraph.h"
 #include "lower/types.h"
@@ -23,9 +21,11 @@ struct Model {
     const NodeType* type_of(std::string_view node) const;  // nullptr: unknown
     // Returns the type of a node output, of a surface property or of a graph input.
     std::optional<PortType> type_of(const Link& from) const;
-    // Returns the type that an output of the graph requires; std::nullopt if it takes any.
-    static std::optional<PortType> wanted_by_output(std::string_view name);
 };
+
+// Return the port of that name; nullptr if there is none, or no type.
+const Port* input_port(const NodeType* type, std::string_view name);
+const Port* output_port(const NodeType* type, std::string_view name);
 
 // `folder` is the folder of the document's file; names must stay inside `root` ("": the same
 // folder).
@@ -39,12 +39,5 @@ void report_unread(const Document& document, Diagnostics& problems);
 // Returns the part of the project that the outputs need, and reports the problems of its wires and
 // sub-graphs. If there are errors, it must not be compiled.
 Project project_to_compile(const Model& model, const Document& document, Diagnostics& problems);
-
-// Returns the reason why the type of `from` does not fit there; "" if it does.
-std::string wire_problem(const Model& model, const Document& document, const Registry& registry,
-                         const Link& from, std::string_view node, std::string_view port);
-// Same for an output of the graph.
-std::string output_problem(const Model& model, const Link& from, std::string_view output,
-                           const Registry& registry);
 
 }  // namespace wrinkle::editor

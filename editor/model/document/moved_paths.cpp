@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/file.h"
-#include "editor/model/document/folders.h"
+#include "editor/model/document/field.h"
 #include "graph/edit.h"
 #include "lower/literal.h"
 #include "lower/named_images.h"
@@ -11,15 +11,6 @@
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
-
-json::Value with_file(const json::Value& value, const std::string& file) {
-    if (value.is(json::Kind::string)) return json::Value::string(file);
-    std::vector<std::pair<std::string, json::Value>> members;
-    for (const json::Member& member : value.children())
-        members.emplace_back(member.key,
-                             member.key == "file" ? json::Value::string(file) : member.value);
-    return json::Value::object(members);
-}
 
 class Mover {
 public:
@@ -81,28 +72,38 @@ bool hold_the_same(const fs::path& a, const fs::path& b) {
     return first && second && *first == *second;
 }
 
+bool copy(const fs::path& from, const fs::path& to, NewPaths& made, std::string& why) {
+    std::error_code error, ignored;
+    if (fs::exists(to, ignored)) {
+        why = "there is another " + to.filename().string();
+        return hold_the_same(from, to);
+    }
+    made.add_missing(to.parent_path());
+    fs::create_directories(to.parent_path(), error);
+    if (!error) made.add(to);
+    if (!error) fs::copy_file(from, to, error);
+    if (error) why = to.filename().string() + " was not copied: " + disk_words(error);
+    return !error;
+}
+
 }  // namespace
 
 MovedPaths move_paths(const Document& document, const Model& model, const fs::path& from,
                       const fs::path& to, OutsideFiles files) {
-    constexpr std::string_view prefix = "graph:";
     MovedPaths result{document, {}, {}};
     Mover mover(result, from, to, files);
     if (mover.stays()) return result;
     mover.copy_subgraphs(model);
     for (const NodePtr& node : document.nodes) {
         if (const auto file = node->subgraph())
-            result.document =
-                set_type(result.document, node->id,
-                         std::string(prefix) + mover.moved(std::string(*file)), node->version);
+            result.document = set_type(result.document, node->id,
+                                       "graph:" + mover.moved(std::string(*file)), node->version);
         const NodeType* type = model.type_of(node->id);
         for (const Input& input : node->inputs) {
-            const uint32_t port = type ? type->find_input(input.port) : NodeType::none;
-            if (port == NodeType::none || type->ports[port].type != PortType::image_ ||
-                input.kind != Input::Kind::literal)
-                continue;
-            result.document =
-                set_value(result.document, node->id, input.port, mover.moved_image(input.value));
+            const Port* port = input_port(type, input.port);
+            if (port && port->type == PortType::image_ && input.kind == Input::Kind::literal)
+                result.document = set_value(result.document, node->id, input.port,
+                                            mover.moved_image(input.value));
         }
     }
     for (GraphInput input : document.inputs) {
@@ -113,35 +114,11 @@ MovedPaths move_paths(const Document& document, const Model& model, const fs::pa
     return result;
 }
 
-NewCopies::~NewCopies() {
-    std::error_code ignored;
-    for (auto each = made_.rbegin(); each != made_.rend(); ++each)
-        fs::remove(*each, ignored);
-}
-
-bool NewCopies::make(const std::map<fs::path, fs::path>& copies, std::string& why) {
+bool copy_files(const std::map<fs::path, fs::path>& copies, NewPaths& made, std::string& why) {
     std::error_code ignored;
     return std::all_of(copies.begin(), copies.end(), [&](const auto& each) {
-        return !fs::exists(each.second, ignored) || make_one(each.second, each.first, why);
+        return !fs::exists(each.second, ignored) || copy(each.second, each.first, made, why);
     });
-}
-
-bool NewCopies::make_one(const fs::path& from, const fs::path& to, std::string& why) {
-    std::error_code error, ignored;
-    if (fs::exists(to, ignored)) {
-        why = "there is another " + to.filename().string();
-        return hold_the_same(from, to);
-    }
-    std::vector<fs::path> missing;
-    for (fs::path folder = to.parent_path(); !fs::exists(folder, ignored);
-         folder = folder.parent_path())
-        missing.push_back(folder);
-    made_.insert(made_.end(), missing.rbegin(), missing.rend());
-    fs::create_directories(to.parent_path(), error);
-    if (!error) made_.push_back(to);
-    if (!error) fs::copy_file(from, to, error);
-    if (error) why = to.filename().string() + " was not copied: " + disk_words(error);
-    return !error;
 }
 
 }  // namespace wrinkle::editor

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/model/document/folders.h"
 #include "editor/model/document/model.h"
 
 namespace wrinkle::editor {
@@ -30,26 +31,9 @@ MovedPaths move_paths(const Document& document, const Model& model,
                       const std::filesystem::path& from, const std::filesystem::path& to,
                       OutsideFiles files = OutsideFiles::referred);
 
-// Files copied for a graph that is written next; the destructor removes them unless keep() is
-// called.
-class NewCopies {
-public:
-    NewCopies() = default;
-    NewCopies(const NewCopies&) = delete;
-    NewCopies& operator=(const NewCopies&) = delete;
-    ~NewCopies();
-
-    // Makes MovedPaths::copies. Returns false with the reason in `why`: "there is another
-    // weave.png". Skips a missing file and a copy that exists with the same bytes.
-    bool make(const std::map<std::filesystem::path, std::filesystem::path>& copies,
-              std::string& why);
-    void keep() { made_.clear(); }
-
-private:
-    bool make_one(const std::filesystem::path& from, const std::filesystem::path& to,
-                  std::string& why);
-
-    std::vector<std::filesystem::path> made_;  // a folder before its contents
-};
+// Makes MovedPaths::copies. Returns false with the reason in `why`: "there is another weave.png".
+// Skips a missing file and a copy that exists with the same bytes.
+bool copy_files(const std::map<std::filesystem::path, std::filesystem::path>& copies,
+                NewPaths& made, std::string& why);
 
 }  // namespace wrinkle::editor

@@ -42,8 +42,6 @@ void load_plugins(Session& session) {
 
 void reload_plugins(Session& session) {
     load_plugins(session);
-    if (session.follow.compiler) session.follow.compiler->use(*session.registry);
-    if (session.code.maker) session.code.maker->use(*session.registry);
     session.is_synced = false;
     session.status =
         session.plugins.problems.list().empty()

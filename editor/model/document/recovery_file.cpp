@@ -21,10 +21,6 @@ namespace {
 
 constexpr const char* unfinished = ".new";  // suffix of the temporary file
 
-std::error_code last_error() {
-    return {errno, std::generic_category()};
-}
-
 std::error_code write_all(int handle, std::string_view bytes) {
     while (!bytes.empty()) {
         const ssize_t written = write(handle, bytes.data(), bytes.size());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "editor/model/document/wiring.h"
 #include "graph/edit.h"
 
 namespace wrinkle::editor {
@@ -11,13 +12,6 @@ namespace {
 bool has_normal(PortType type) {
     return type == PortType::gradient_ || type == PortType::normal_ || type == PortType::height_ ||
            type == PortType::derivative_ || type == PortType::float_;
-}
-
-Node made(const Document& document, const std::string& wanted, const char* type) {
-    Node node;
-    node.id = free_id(document, wanted);
-    node.type = type;
-    return node;
 }
 
 void wire(Node& node, const char* port, Link from) {
@@ -92,7 +86,7 @@ private:
     }
 
     void replace(const Node& sum, const std::string& twin) {
-        Node blend = made(result_.document, twin, "compare_bump_blend");
+        Node blend = new_node(result_.document, twin, "compare_bump_blend");
         blend.id = twin;
         for (const char* port : {"a", "b"})
             if (const Input* input = sum.find(port); input && input->kind == Input::Kind::link)
@@ -114,7 +108,7 @@ void add_against(Requested& result, const Link& from, std::optional<PortType> ty
         result.why_not = from.text() + " has no normal to compare with.";
         return;
     }
-    Node resolved = made(document, "against", "resolve");
+    Node resolved = new_node(document, "against", "resolve");
     wire(resolved, "gradient", from);
     const Link normal =
         *type == PortType::normal_ ? from : Link{add(document, std::move(resolved)), "normal"};

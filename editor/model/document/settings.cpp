@@ -47,67 +47,47 @@ void each_setting(S& settings, Visitor&& visit) {
     visit("bake_tile", tuning.tile, uint32_t{0}, max_bake_tile);
 }
 
-// Reads the valid fields and lists the names of the invalid ones.
-struct Reader {
-    Value root;
-    std::string unusable;
+// Return true if the value is valid; then `field` receives it.
+template <class Number>
+bool read_field(const Value& value, Number& field, Number low, Number high) {
+    const bool fits = value.is(Kind::number) && value.as_number() >= double(low) &&
+                      value.as_number() <= double(high);
+    if (fits) field = static_cast<Number>(value.as_number());
+    return fits;
+}
+bool read_field(const Value& value, std::string& field, int, int longest) {
+    const bool fits =
+        value.is(Kind::string) && value.as_string().size() <= static_cast<size_t>(longest);
+    if (fits) field = value.as_string();
+    return fits;
+}
+template <class Text>
+bool read_field(const Value& value, std::vector<Text>& field, size_t most) {
+    for (const json::Member& item : value.children())
+        if (item.value.is(Kind::string) && field.size() < most)
+            field.emplace_back(item.value.as_string());
+    return value.is(Kind::array);
+}
 
-    template <class Number>
-    void operator()(const char* name, Number& field, Number low, Number high) {
-        const Value value = root.find(name);
-        const bool fits = value.is(Kind::number) && value.as_number() >= double(low) &&
-                          value.as_number() <= double(high);
-        if (fits) field = static_cast<Number>(value.as_number());
-        note(name, fits);
+template <class Number>
+Value json_of(const Number& field) {
+    return Value::number(field);
+}
+Value json_of(float field) {
+    return Value::single(field);
+}
+Value json_of(const std::string& field) {
+    return Value::string(field);
+}
+template <class Text>
+Value json_of(const std::vector<Text>& field) {
+    std::vector<Value> items;
+    for (const Text& each : field) {  // JSON can store only UTF-8 names
+        const std::string text(each);
+        if (is_utf8(text)) items.push_back(Value::string(text));
     }
-    void operator()(const char* name, std::string& field, int, int longest) {
-        const Value value = root.find(name);
-        const bool fits =
-            value.is(Kind::string) && value.as_string().size() <= static_cast<size_t>(longest);
-        if (fits) field = value.as_string();
-        note(name, fits);
-    }
-    template <class Text>
-    void operator()(const char* name, std::vector<Text>& field, size_t most) {
-        const Value value = root.find(name);
-        note(name, value.is(Kind::array));
-        for (const json::Member& item : value.children())
-            if (item.value.is(Kind::string) && field.size() < most)
-                field.emplace_back(item.value.as_string());
-    }
-    void note(const char* name, bool fits) {
-        if (!fits && root.has(name)) unusable += (unusable.empty() ? "" : ", ") + std::string(name);
-    }
-};
-
-struct Writer {
-    std::vector<std::pair<std::string, Value>> members;
-
-    void operator()(const char* name, int field, int, int) {
-        members.emplace_back(name, Value::number(field));
-    }
-    void operator()(const char* name, uint32_t field, uint32_t, uint32_t) {
-        members.emplace_back(name, Value::number(field));
-    }
-    void operator()(const char* name, double field, double, double) {
-        members.emplace_back(name, Value::number(field));
-    }
-    void operator()(const char* name, float field, float, float) {
-        members.emplace_back(name, Value::single(field));
-    }
-    void operator()(const char* name, const std::string& field, int, int) {
-        members.emplace_back(name, Value::string(field));
-    }
-    template <class Text>
-    void operator()(const char* name, const std::vector<Text>& field, size_t) {
-        std::vector<Value> items;
-        for (const Text& each : field) {  // JSON can store only UTF-8 names
-            const std::string text(each);
-            if (is_utf8(text)) items.push_back(Value::string(text));
-        }
-        members.emplace_back(name, Value::array(items));
-    }
-};
+    return Value::array(items);
+}
 
 }  // namespace
 
@@ -132,22 +112,27 @@ Settings read_settings(const Folders& folders, std::string& trouble) {
                   ", and the editor begins with its own settings.";
         return settings;
     }
-    Reader reader{parsed.root, {}};
-    each_setting(settings, reader);
-    if (!reader.unusable.empty())
-        trouble = file.string() + ": " + reader.unusable + " cannot be used as written there.";
+    std::string unusable;
+    each_setting(settings, [&](const char* name, auto& field, auto... range) {
+        if (!read_field(parsed.root.find(name), field, range...) && parsed.root.has(name))
+            unusable += (unusable.empty() ? "" : ", ") + std::string(name);
+    });
+    if (!unusable.empty())
+        trouble = file.string() + ": " + unusable + " cannot be used as written there.";
     return settings;
 }
 
 std::string write_settings(const Folders& folders, const Settings& settings) {
     if (folders.config.empty()) return {};
-    Writer writer;
-    each_setting(settings, writer);
+    std::vector<std::pair<std::string, Value>> members;
+    each_setting(settings, [&](const char* name, const auto& field, auto...) {
+        members.emplace_back(name, json_of(field));
+    });
     std::error_code error;
     fs::create_directories(folders.config, error);
     if (!error)
-        error = write_file_synced(settings_file(folders),
-                                  json::pretty(Value::object(writer.members)) + "\n");
+        error =
+            write_file_synced(settings_file(folders), json::pretty(Value::object(members)) + "\n");
     return error ? disk_words(error) : "";
 }
 

@@ -1,6 +1,5 @@
 #include "editor/model/document/used_files.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "editor/model/document/plugins.h"
@@ -104,7 +103,7 @@ std::vector<UsedFile> follow_files(Session& session, const WindowFiles& window) 
     const double now = seconds_now();
     const bool other = used.looked_of != session.model.project;
     if (!session.is_synced || (now - used.looked < 1 && !other)) return changed;
-    if (used.looker && used.looker->busy()) return changed;
+    if (used.looker && !used.looker->idle()) return changed;
     used.looked = now;
     used.looked_of = session.model.project;
     if (!used.looker) return take(session, look_at_files(question_of(session, window)), window);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "editor/model/document/field.h"
+#include "editor/model/words.h"
 #include "graph/edit.h"
 #include "lower/conversion.h"
 
@@ -12,18 +14,22 @@ bool is_link(const Input* input) {
     return input && input->kind == Input::Kind::link;
 }
 
+bool is_reroute(const Document& document, const std::string& node) {
+    const Node* found = node.empty() ? nullptr : document.find(node);
+    return found && found->type == reroute_type;
+}
+
 // Returns the source that replaces an output of the node when the node is removed.
 std::optional<Link> passed_on(const Model& model, const Node& node, const std::string& output) {
     const NodeType* type = model.type_of(node.id);
-    const uint32_t out = type ? type->find_output(output) : NodeType::none;
-    if (out == NodeType::none) return std::nullopt;
-    const PortType made = type->ports[out].type;
+    const Port* out = output_port(type, output);
+    if (!out) return std::nullopt;
     const Input* convertible = nullptr;
     for (const Port& port : type->ports) {
         if (!port.is_value()) continue;
         const Input* input = node.find(port.name);
-        if (port.type == made && is_link(input)) return input->link;
-        if (!convertible && is_link(input) && converts(port.type, made)) convertible = input;
+        if (port.type == out->type && is_link(input)) return input->link;
+        if (!convertible && is_link(input) && converts(port.type, out->type)) convertible = input;
     }
     return convertible ? std::optional(convertible->link) : std::nullopt;
 }
@@ -64,15 +70,49 @@ Document without_invalid_links(const Model& model, const Document& before, Docum
     if (loose.empty()) return after;
     std::vector<Connection> misfits;
     each_wire(after, [&](const Connection& wire) {
-        const Node* reader = wire.node.empty() ? nullptr : after.find(wire.node);
-        const bool passes_on = reader && reader->type == reroute_type;
-        if (loose.contains(wire.from.node) && !passes_on &&
+        if (loose.contains(wire.from.node) && !is_reroute(after, wire.node) &&
             !converts(PortType::float_, wanted_at(model, wire.node, wire.port)))
             misfits.push_back(wire);
     });
     for (const Connection& wire : misfits)
         after = without_wire(after, wire.node, wire.port);
     return after;
+}
+
+bool takes_wire(const Model& model, const Document& document, const std::string& node,
+                const std::string& port) {
+    if (node.empty() || is_reroute(document, node)) return true;
+    const Port* input = input_port(model.type_of(node), port);
+    return input && input->is_value();
+}
+
+// Returns the inputs that get the value of a wire to this one: itself, or those fed by a reroute,
+// also through other reroutes.
+std::vector<Connection> ends_at(const Document& document, const std::string& node,
+                                const std::string& port) {
+    if (!is_reroute(document, node)) return {{{}, node, port}};
+    std::set<std::string> chain = {node};
+    std::vector<Connection> ends;
+    for (size_t known = 0; known != chain.size();) {
+        known = chain.size();
+        ends.clear();
+        each_wire(document, [&](const Connection& wire) {
+            if (!chain.contains(wire.from.node)) return;
+            if (is_reroute(document, wire.node))
+                chain.insert(wire.node);
+            else
+                ends.push_back(wire);
+        });
+    }
+    return ends;
+}
+
+// Returns the first of these inputs that a value of that type does not fit.
+std::optional<Connection> misfit(const Model& model, const Document& document, PortType given,
+                                 const std::string& node, const std::string& port) {
+    for (const Connection& end : ends_at(document, node, port))
+        if (!converts(given, wanted_at(model, end.node, end.port))) return end;
+    return std::nullopt;
 }
 
 std::set<std::string> walk(const Document& document, std::set<std::string> ids, bool up) {
@@ -98,7 +138,52 @@ std::set<std::string> walk(const Document& document, std::set<std::string> ids, 
     return ids;
 }
 
+// Returns the first two inputs of the same type, preferring those with a value or a wire. Inputs
+// that read the surface by default are left out: not every such default can be written as a wire at
+// another input.
+std::vector<const Port*> twins(const NodeType& type, const Node& node) {
+    const auto counts = [](const Port& port) {
+        return port.is_value() && port.default_kind != Port::Default::surface;
+    };
+    for (const Port& first : type.ports) {
+        if (!counts(first)) continue;
+        std::vector<const Port*> same;
+        for (const Port& port : type.ports)
+            if (counts(port) && port.type == first.type) same.push_back(&port);
+        if (same.size() < 2) continue;
+        std::stable_partition(same.begin(), same.end(),
+                              [&](const Port* port) { return node.find(port->name); });
+        same.resize(2);
+        return same;
+    }
+    return {};
+}
+
+bool same_default(const Port& a, const Port& b) {
+    return a.default_kind == b.default_kind && a.default_value == b.default_value;
+}
+
+// Moves the input at port `from` of the old node, or its default, to port `to`.
+Document hand_on(const Document& document, const Node& old, const Port& from, const Port& to) {
+    const Input* input = old.find(from.name);
+    const Document bare = reset_value(document, old.id, to.name);
+    if (input && input->kind == Input::Kind::link)
+        return connect(bare, input->link, old.id, to.name);
+    if (input) return set_value(bare, old.id, to.name, input->value);
+    if (same_default(from, to)) return bare;
+    const int lanes = lanes_of_field(from);
+    return lanes > 0 ? set_value(bare, old.id, to.name, literal_of(from.default_value, lanes))
+                     : bare;
+}
+
 }  // namespace
+
+Node new_node(const Document& document, std::string_view id, std::string_view type) {
+    Node node;
+    node.id = free_id(document, id);
+    node.type = type;
+    return node;
+}
 
 std::optional<Link> link_at(const Document& document, const std::string& node,
                             const std::string& port) {
@@ -128,44 +213,29 @@ bool converts(PortType from, std::optional<PortType> to) {
 
 std::optional<PortType> wanted_at(const Model& model, const std::string& node,
                                   const std::string& port) {
-    if (node.empty()) return Model::wanted_by_output(port);
-    const NodeType* type = model.type_of(node);
-    const uint32_t index = type ? type->find_input(port) : NodeType::none;
-    if (index == NodeType::none) return std::nullopt;
-    return type->ports[index].type;
+    if (node.empty()) return standard_output(port);
+    const Port* input = input_port(model.type_of(node), port);
+    return input ? std::optional(input->type) : std::nullopt;
 }
 
 bool wire_is_legal(const Model& model, const Document& document, PortType given,
                    const std::string& node, const std::string& port) {
-    const Node* reader = node.empty() ? nullptr : document.find(node);
-    if (!reader || reader->type != reroute_type) {
-        const NodeType* type = node.empty() ? nullptr : model.type_of(node);
-        const uint32_t index = type ? type->find_input(port) : NodeType::none;
-        if (!node.empty() && (index == NodeType::none || !type->ports[index].is_value()))
-            return false;
-        return converts(given, wanted_at(model, node, port));
-    }
-    for (const Connection& wire : fed_by_reroute(document, node))
-        if (!converts(given, wanted_at(model, wire.node, wire.port))) return false;
-    return true;
+    return takes_wire(model, document, node, port) && !misfit(model, document, given, node, port);
 }
 
-std::vector<Connection> fed_by_reroute(const Document& document, const std::string& id) {
-    std::set<std::string> chain = {id};
-    std::vector<Connection> ends;
-    for (size_t known = 0; known != chain.size();) {
-        known = chain.size();
-        ends.clear();
-        each_wire(document, [&](const Connection& wire) {
-            if (!chain.contains(wire.from.node)) return;
-            const Node* reader = wire.node.empty() ? nullptr : document.find(wire.node);
-            if (reader && reader->type == reroute_type)
-                chain.insert(wire.node);
-            else
-                ends.push_back(wire);
-        });
-    }
-    return ends;
+std::string wire_problem(const Model& model, const Document& document, const Registry& registry,
+                         const Link& from, const std::string& node, const std::string& port) {
+    const auto given = model.type_of(from);
+    if (!given && node.empty()) return "the type of " + from.text() + " is not known";
+    if (!given || (!node.empty() && !model.type_of(node)))
+        return "the type of one end is not known";
+    if (!takes_wire(model, document, node, port)) return node + "." + port + " takes no wire";
+    const auto end = misfit(model, document, *given, node, port);
+    if (!end) return {};
+    const PortType wanted = *wanted_at(model, end->node, end->port);
+    return from.text() + " cannot feed " + (end->node.empty() ? "" : end->node + ".") + end->port +
+           ": a " + std::string(name_of(*given)) + " is not a " + std::string(name_of(wanted)) +
+           ". " + sentence(alternative(*given, wanted, registry));
 }
 
 std::optional<Passage> passage(const NodeType& type, PortType given,
@@ -256,6 +326,17 @@ Document without_invalid_links(const Document& document, const std::set<std::str
             result = without_wire(result, wire.node, wire.port);
     });
     return result;
+}
+
+Document swap_inputs(const Model& model, const Document& document, const std::string& id) {
+    const Node* node = document.find(id);
+    const NodeType* type = model.type_of(id);
+    if (!node || !type) return document;
+    const std::vector<const Port*> ports = twins(*type, *node);
+    Document result = document;
+    for (size_t i = 0; i < ports.size(); ++i)
+        result = hand_on(result, *node, *ports[i], *ports[(i + 1) % ports.size()]);
+    return ports.empty() ? document : result;
 }
 
 }  // namespace wrinkle::editor

@@ -19,6 +19,9 @@ struct Connection {
     std::string port;
 };
 
+// Returns a node of that type with the id `id`, or another that is free.
+Node new_node(const Document& document, std::string_view id, std::string_view type);
+
 // Wires by their input end: an output of the graph counts as an input of node "".
 std::optional<Link> link_at(const Document& document, const std::string& node,
                             const std::string& port);
@@ -32,10 +35,10 @@ std::optional<PortType> wanted_at(const Model& model, const std::string& node,
 // Returns true if a wire of that type may end there; a reroute must fit all its users.
 bool wire_is_legal(const Model& model, const Document& document, PortType given,
                    const std::string& node, const std::string& port);
+// Returns the reason why a wire from `from` may not end there; "" if it may.
+std::string wire_problem(const Model& model, const Document& document, const Registry& registry,
+                         const Link& from, const std::string& node, const std::string& port);
 bool converts(PortType from, std::optional<PortType> to);
-
-// Returns the inputs fed by a reroute, also through other reroutes.
-std::vector<Connection> fed_by_reroute(const Document& document, const std::string& id);
 
 // Ports by which a node of that type can be inserted in a wire: `given` fits `in`, and `out` fits
 // `wanted`. Equal types first, then in port order.
@@ -74,16 +77,20 @@ std::set<std::string> with_downstream(const Document& document, const std::set<s
 // Returns true if no wire is connected to the node.
 bool is_unconnected(const Document& document, const std::string& id);
 
-// Visits all wires of a document, those to its outputs last.
+// Visits all wires of a document, those to its outputs last: source, node and port.
 template <class Visit>
-void each_wire(const Document& document, Visit visit) {
+void each_link(const Document& document, Visit visit) {
     for (const NodePtr& node : document.nodes)
         for (const Input& input : node->inputs)
-            if (input.kind == Input::Kind::link)
-                visit(Connection{input.link, node->id, input.port});
+            if (input.kind == Input::Kind::link) visit(input.link, node->id, input.port);
     for (const Output& output : document.outputs)
-        if (output.from.kind == Input::Kind::link)
-            visit(Connection{output.from.link, "", output.name});
+        if (output.from.kind == Input::Kind::link) visit(output.from.link, "", output.name);
+}
+template <class Visit>
+void each_wire(const Document& document, Visit visit) {
+    each_link(document, [&](const Link& from, const std::string& node, const std::string& port) {
+        visit(Connection{from, node, port});
+    });
 }
 
 // Removes the wires into and from these nodes with types that do not convert: a reroute that lost

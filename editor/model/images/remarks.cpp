@@ -4,10 +4,10 @@
 #include <array>
 
 #include "editor/model/document/field.h"
+#include "editor/model/document/wiring.h"
 #include "editor/model/images/facts.h"
 #include "editor/model/session.h"
 #include "graph/edit.h"
-#include "lower/conversion.h"
 #include "lower/literal.h"
 
 namespace wrinkle::editor {
@@ -67,10 +67,10 @@ public:
         node_ = &node;
         type_ = &type;
         for (const Input& input : node.inputs) {
-            const uint32_t index = type.find_input(input.port);
-            if (index == NodeType::none || input.kind != Input::Kind::literal) continue;
-            port_ = &type.ports[index];
-            if (port_->is_value() && port_->type == PortType::image_) look_at(input);
+            port_ = input_port(&type, input.port);
+            if (port_ && input.kind == Input::Kind::literal && port_->is_value() &&
+                port_->type == PortType::image_)
+                look_at(input);
         }
     }
 
@@ -204,25 +204,15 @@ std::string output_in_place(const NodeType& type, const std::string& port) {
 // Returns true if every wire from the node starts at an output of a fitting type.
 bool keeps_readers(const Session& session, const Document& document, const std::string& id) {
     const NodeType* from = session.registry->find(document.find(id)->type);
-    const auto gives = [&](const Link& link, std::optional<PortType> wanted) {
-        if (link.node != id) return true;
-        const uint32_t out = from->find_output(link.port);
-        return out != NodeType::none &&
-               (!wanted || conversion(from->ports[out].type, *wanted) != Conversion::illegal);
-    };
-    for (const Output& output : document.outputs)
-        if (output.from.kind == Input::Kind::link &&
-            !gives(output.from.link, Model::wanted_by_output(output.name)))
-            return false;
-    for (const NodePtr& node : document.nodes)
-        for (const Input& input : node->inputs) {
-            const NodeType* to = session.type_of(node->id);
-            const uint32_t in = to ? to->find_input(input.port) : NodeType::none;
-            if (input.kind == Input::Kind::link && in != NodeType::none && node->id != id &&
-                !gives(input.link, to->ports[in].type))
-                return false;
-        }
-    return true;
+    bool fit = true;
+    each_wire(document, [&](const Connection& wire) {
+        if (wire.from.node != id || wire.node == id) return;
+        const auto wanted = wanted_at(session.model, wire.node, wire.port);
+        if (!wanted && !wire.node.empty()) return;
+        const Port* out = output_port(from, wire.from.port);
+        fit = fit && out && converts(out->type, wanted);
+    });
+    return fit;
 }
 
 bool holds_the_same(const Port& a, const Port& b) {
@@ -243,8 +233,8 @@ Document retyped(const Session& session, const Node& node, const NodeType& to) {
             if (name != port.name) upgrade.outputs.push_back({port.name, name});
             continue;
         }
-        const uint32_t index = to.find_input(port.name);
-        if (index == NodeType::none || !holds_the_same(to.ports[index], port))
+        const Port* input = input_port(&to, port.name);
+        if (!input || !holds_the_same(*input, port))
             result = reset_value(result, node.id, port.name);
         else if (port.is_value() && port.type == PortType::image_)
             result = with_image_word(result, node.id, port, "encoding", name_of(port.encoding));
@@ -268,22 +258,22 @@ Document remedied(const Session& session, const ImageWarning& remark) {
     const Document& document = session.document();
     const Node* node = document.find(remark.problem.node);
     const NodeType* type = node ? session.type_of(node->id) : nullptr;
-    const uint32_t index = type ? type->find_input(remark.port) : NodeType::none;
-    if (index == NodeType::none) return document;
+    const Port* port = input_port(type, remark.port);
+    if (!port) return document;
     const Remedy& remedy = remark.remedy;
-    const Port& port = type->ports[index];
     if (remedy.kind == Remedy::Kind::encoding || remedy.kind == Remedy::Kind::wrap) {
         const bool wrap = remedy.kind == Remedy::Kind::wrap;
-        return with_image_word(document, node->id, port, wrap ? "wrap" : "encoding", remedy.word);
+        return with_image_word(document, node->id, *port, wrap ? "wrap" : "encoding", remedy.word);
     }
     const NodeType* to =
         remedy.kind == Remedy::Kind::type ? session.registry->find(remedy.word) : nullptr;
-    if (!to || to->find_input(remark.port) == NodeType::none) return document;
+    const Port* image = input_port(to, remark.port);
+    if (!image) return document;
     const Examined* examined = examined_at(session, *node, remark.port);
     Document result = retyped(session, *node, *to);
     if (examined && examined->verdict.map_class == maps::MapClass::normal_dx)
-        result = with_image_word(result, node->id, to->ports[to->find_input(remark.port)],
-                                 "encoding", name_of(Encoding::normal_dx));
+        result =
+            with_image_word(result, node->id, *image, "encoding", name_of(Encoding::normal_dx));
     return keeps_readers(session, result, node->id) ? result : document;
 }
 

@@ -24,7 +24,7 @@ Document snapped(const State& state);  // to the grid of 8
 // wires that cross a column) at most.
 struct Tidied {
     Document document;
-    View::Borders borders;
+    Borders borders;
 };
 Tidied tidied(const State& state);
 // Arranges only the selected nodes, with the same upper left corner.
@@ -40,9 +40,8 @@ Document make_space(const State& state, const Document& document, const Card& ca
                     std::optional<ImVec2>& outputs_at);
 
 // Moves the surface and outputs cards as part of the last committed step; undo moves them back.
-void push_borders(State& state, const View::Borders& to);
-// Apply the undo or redo of the step that leads to state `serial` to these cards.
-void follow_undo(CanvasState& canvas, uint64_t serial);
-void follow_redo(CanvasState& canvas, uint64_t serial);
+void push_borders(State& state, const Borders& to);
+// Applies the undo or redo of the step that leads to state `serial` to these cards.
+void follow_step(CanvasState& canvas, uint64_t serial, bool undone);
 
 }  // namespace wrinkle::editor

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "editor/model/document/boxes.h"
 #include "editor/view/state.h"

@@ -1,5 +1,6 @@
 #include "editor/view/canvas/canvas.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "editor/view/canvas/boxes.h"
@@ -61,20 +62,17 @@ void press(State& state, const Hit& hit) {
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) double_click(state, hit);
     if (!state.layout.nodes.same(state.document().nodes)) return;  // the hit is in another graph
     if (state.popup.kind != Popup::Kind::none || state.box_text.open) return;
+    const Card* card = hit.on_card(state.layout) ? &state.layout.cards[hit.card] : nullptr;
     switch (hit.kind) {
-        case Hit::Kind::pin: {
-            const Card& card = state.layout.cards[hit.card];
-            return begin_wire(state, card, card.pins[hit.part]);
-        }
-        case Hit::Kind::field: {
-            const Card& card = state.layout.cards[hit.card];
-            return begin_value(state, card, card.fields[hit.part]);
-        }
+        case Hit::Kind::pin:
+            return begin_wire(state, *card, card->pins[hit.part]);
+        case Hit::Kind::field:
+            return begin_value(state, *card, card->fields[hit.part]);
         case Hit::Kind::header:
         case Hit::Kind::card:
-            return begin_move(state, state.layout.cards[hit.card].id);
+            return begin_move(state, card->id);
         case Hit::Kind::more:
-            return toggle_more(state, state.layout.cards[hit.card]);
+            return toggle_more(state, *card);
         case Hit::Kind::wire: {
             const Wire& wire = state.layout.wires[hit.part];
             state.view.selected.clear();
@@ -92,6 +90,31 @@ void press(State& state, const Hit& hit) {
     }
 }
 
+constexpr float margin = 20, fastest = 900;  // screen pixels; screen pixels per second
+
+float push(float at, float low, float high) {
+    const float before = low + margin - at, after = at - (high - margin);
+    return std::clamp(before, 0.0F, 2 * margin) - std::clamp(after, 0.0F, 2 * margin);
+}
+
+// Pans the view while the pointer is near the border of the canvas.
+void pan_at_edges(CanvasState& canvas) {
+    Gesture& g = canvas.gesture;
+    const ImGuiIO& io = ImGui::GetIO();
+    g.panning = false;
+    if (!g.moved || g.kind == Gesture::Kind::pan || g.kind == Gesture::Kind::value) return;
+    if (!ImGui::IsMousePosValid()) return;
+    const View& view = canvas.view;
+    const ImVec2 end = view.corner + view.extent;
+    const ImVec2 by = ImVec2(push(io.MousePos.x, view.corner.x, end.x),
+                             push(io.MousePos.y, view.corner.y, end.y)) *
+                      (fastest * io.DeltaTime / (2 * margin));
+    if (by.x == 0 && by.y == 0) return;
+    g.panning = true;
+    g.start = g.start + by;
+    canvas.view.pan = canvas.view.pan + by;
+}
+
 void drag(State& state) {
     Gesture& g = state.gesture;
     const ImGuiIO& io = ImGui::GetIO();
@@ -104,62 +127,50 @@ void drag(State& state) {
     switch (g.kind) {
         case Kind::pan:
             state.view.pan = state.view.pan + io.MouseDelta;
-            break;
+            return;
         case Kind::box:
-            drag_box(state);
-            break;
+            return drag_box(state);
         case Kind::lasso:
-            drag_lasso(state);
-            break;
+            return drag_lasso(state);
         case Kind::resize:
-            drag_resize(state, delta);
-            break;
+            return drag_resize(state, delta);
         case Kind::move:
-            drag_move(state, delta);
-            break;
+            return drag_move(state, delta);
         case Kind::value:
-            drag_value(state, delta);
-            break;
+            return drag_value(state, delta);
         case Kind::cut:
         case Kind::reroute:
-            drag_stroke(state);
-            break;
+            return drag_stroke(state);
         case Kind::wire:
         case Kind::lazy:
         case Kind::none:
-            break;
+            return;
+    }
+}
+
+void drop(State& state, const Gesture& g) {
+    switch (g.kind) {
+        case Kind::wire:
+            return drop_wire(state);
+        case Kind::move:
+            if (g.moved) return drop_cards(state);
+            return g.node.empty() ? click_box(state, g.box) : click_card(state, g.node);
+        case Kind::value:
+            return drop_value(state);
+        case Kind::cut:
+            return drop_cut(state);
+        case Kind::reroute:
+            return drop_reroutes(state);
+        case Kind::lazy:
+            if (g.moved) drop_lazy(state);
+            return;
+        default:
+            return;
     }
 }
 
 void release(State& state) {
-    const Gesture g = state.gesture;
-    switch (g.kind) {
-        case Kind::wire:
-            drop_wire(state);
-            break;
-        case Kind::move:
-            if (g.moved)
-                drop_cards(state);
-            else if (g.node.empty())
-                click_box(state, g.box);
-            else
-                click_card(state, g.node);
-            break;
-        case Kind::value:
-            drop_value(state);
-            break;
-        case Kind::cut:
-            drop_cut(state);
-            break;
-        case Kind::reroute:
-            drop_reroutes(state);
-            break;
-        case Kind::lazy:
-            if (g.moved) drop_lazy(state);
-            break;
-        default:
-            break;
-    }
+    drop(state, Gesture(state.gesture));
     state.gesture = {};
     state.layout_stale = true;
 }

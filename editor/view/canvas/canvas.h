@@ -42,6 +42,7 @@ bool wire_fits(const State& state, const Gesture& wire, const Card& card, const 
 
 // Geometry of wires, in canvas units.
 Curve curve_of(const Wire& wire);
+Curve curve_on_screen(const View& view, const Wire& wire);  // in screen pixels
 
 // Returns the first intersection of the wire with the segment from a to b; std::nullopt if none.
 std::optional<ImVec2> crossing(const Layout& layout, size_t wire, ImVec2 a, ImVec2 b);

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "editor/model/document/wiring.h"
 #include "graph/document.h"
 #include "lower/conversion.h"
 #include "registry/registry.h"
@@ -91,10 +92,7 @@ struct Card {
     // Node id in a link to the card; "" for the outputs of the graph.
     std::string link_id() const { return kind == Kind::outputs ? "" : id; }
 };
-struct Wire {
-    Link from;
-    std::string node;  // "" for an output of the graph
-    std::string port;
+struct Wire : Connection {
     ImVec2 start{0, 0}, end{0, 0};  // canvas units
     PortType from_type = PortType::float_, to_type = PortType::float_;
     bool known = true;
@@ -112,6 +110,7 @@ struct Layout {
     std::vector<Extent> card_boxes, wire_boxes;  // canvas units; a card includes its pins
 
     const Card* find(std::string_view id, Card::Kind kind = Card::Kind::node) const;
+    const Wire* wire_to(const Link& input) const;  // nullptr: none; O(wires)
 
     // Inputs of this layout, compared by the next update to rebuild only differing cards.
     Table<NodePtr> nodes;

@@ -57,10 +57,6 @@ private:
     std::vector<bool> covered_;
 };
 
-struct Placed {
-    ImVec2 low, high;
-};
-
 class Names {
 public:
     explicit Names(const State& state)
@@ -68,13 +64,13 @@ public:
           font_(state.fonts.regular(card_name_size)),
           ground_(state.view.corner, state.view.extent) {
         for (const Card& card : state.layout.cards)
-            if (const Placed at = place_of(card); is_seen(at)) ground_.cover(at.low, at.high);
+            if (const Extent at = place_of(card); is_seen(at)) ground_.cover(at.low, at.high);
     }
 
     std::vector<CardName> find() {
         for (size_t i = state_.layout.cards.size(); i-- > 0;) {
             const Card& card = state_.layout.cards[i];
-            const Placed at = place_of(card);
+            const Extent at = place_of(card);
             if (card.reroute || !is_seen(at)) continue;
             const std::string& text = card.kind == Card::Kind::node ? card.id : card.name;
             const float width = text_width(font_, card_name_size, text);
@@ -87,21 +83,21 @@ public:
     }
 
 private:
-    Placed place_of(const Card& card) const {
+    Extent place_of(const Card& card) const {
         const ImVec2 low = to_screen(state_.view, card.at);
         return {low, low + card.size * state_.view.zoom};
     }
-    bool is_seen(const Placed& at) const {
+    bool is_seen(const Extent& at) const {
         const ImVec2 low = state_.view.corner, high = low + state_.view.extent;
         return at.low.x < high.x && at.low.y < high.y && at.high.x > low.x && at.high.y > low.y;
     }
-    static bool is_tall(const Placed& at) { return at.high.y - at.low.y >= card_name_size + 2; }
+    static bool is_tall(const Extent& at) { return at.high.y - at.low.y >= card_name_size + 2; }
 
     void add(CardName name, float width) {
         name.high = name.low + ImVec2(width, card_name_size);
         names_.push_back(std::move(name));
     }
-    bool put_beside(size_t card, const std::string& text, float width, const Placed& at) {
+    bool put_beside(size_t card, const std::string& text, float width, const Extent& at) {
         const float middle = (at.low.y + at.high.y - card_name_size) / 2;
         const ImVec2 places[] = {{at.high.x + pad + 1, middle},
                                  {at.low.x, at.high.y + pad},
@@ -116,7 +112,7 @@ private:
         }
         return false;
     }
-    void put_cut(size_t card, const std::string& text, const Placed& at) {
+    void put_cut(size_t card, const std::string& text, const Extent& at) {
         const std::string cut =
             fitting(font_, card_name_size, text, at.high.x - at.low.x - 2 * pad);
         if (cut.size() < min_letters + 3) return;

@@ -157,30 +157,26 @@ private:
     // Separates overlapping boxes with the least squared movement (pool adjacent violators).
     void spread(const std::vector<size_t>& column, std::vector<float>& wanted) const {
         struct Block {
-            float sum = 0, count = 0;  // `sum` of tops, minus the heights above
-            float top() const { return sum / count; }
+            float sum = 0;     // tops minus the heights above
+            size_t count = 0;  // boxes
+            float top() const { return sum / static_cast<float>(count); }
         };
         std::vector<Block> blocks;
-        std::vector<size_t> members;
         float above = 0;
         for (const size_t i : column) {
             blocks.push_back({wanted[i] - above, 1});
-            members.push_back(1);
             above += grid_up(boxes_[i].size.y) + row_gap;
             while (blocks.size() > 1 && blocks[blocks.size() - 2].top() > blocks.back().top()) {
                 const Block last = blocks.back();
                 blocks.pop_back();
                 blocks.back().sum += last.sum, blocks.back().count += last.count;
-                const size_t count = members.back();
-                members.pop_back();
-                members.back() += count;
             }
         }
         above = 0;
         auto box = column.begin();
-        for (size_t b = 0; b < blocks.size(); ++b)
-            for (size_t n = 0; n < members[b]; ++n, ++box) {
-                wanted[*box] = blocks[b].top() + above;
+        for (const Block& block : blocks)
+            for (size_t n = 0; n < block.count; ++n, ++box) {
+                wanted[*box] = block.top() + above;
                 above += grid_up(boxes_[*box].size.y) + row_gap;
             }
     }

@@ -199,17 +199,15 @@ void draw_passage(const Painter& p, const Card& card) {
     const uint32_t out =
         card.type && output ? card.type->find_output(output->port) : NodeType::none;
     if (out == NodeType::none) return;
-    const auto pin_of = [&](uint32_t port) {
-        return std::find_if(card.pins.begin(), card.pins.end(), [&](const Pin& pin) {
-            return !pin.output && pin.port == card.type->ports[port].name;
-        });
+    const auto input_of = [&](uint32_t port) {
+        return find_pin(card, card.type->ports[port].name, false);
     };
     const uint32_t in = passed_input(*card.type, out, [&](uint32_t port) {
-        const auto pin = pin_of(port);
-        return pin != card.pins.end() && pin->connected;
+        const Pin* pin = input_of(port);
+        return pin && pin->connected;
     });
-    const auto input = in == NodeType::none ? card.pins.end() : pin_of(in);
-    if (input == card.pins.end()) return;
+    const Pin* input = in == NodeType::none ? nullptr : input_of(in);
+    if (!input) return;
     const ImVec2 from = p.at(pin_at(card, *input)), to = p.at(pin_at(card, *output));
     draw_dashed(p.list, {from, from + (to - from) * 0.33F, from + (to - from) * 0.67F, to},
                 theme::text_dim, 1.5F, 6, 4);
@@ -259,6 +257,32 @@ void draw_card(const Painter& p, size_t index) {
     const bool all = card.kind == Card::Kind::surface ? p.view.all_surface : p.view.all_outputs;
     p.text(low + ImVec2(13, card.more_y + 4) * p.zoom, card_text::small, theme::text_dim,
            all ? "fewer" : "more...");
+}
+
+void draw_reroute(const Painter& p, size_t index) {
+    const State& state = p.state;
+    ImDrawList& list = p.list;
+    const Card& card = state.layout.cards[index];
+    const float zoom = state.view.zoom;
+    const Pin& pin = card.pins.front();
+    const ImU32 color = pin.known ? theme::of(pin.type) : theme::text_off;
+    const ImVec2 start = to_screen(state.view, card.at + ImVec2(0, reroute_height / 2));
+    const ImVec2 end = start + ImVec2(reroute_width * zoom, 0);
+    const ImVec2 middle = (start + end) * 0.5F;
+    list.AddLine(start, end, color, 2.5F * std::clamp(zoom, 0.5F, 1.5F));
+    const Hit& hit = state.hovered;
+    const bool hovered = hit.card == index && hit.on_card(state.layout);
+    if (p.is_selected(index))
+        list.AddCircle(middle, 12 * zoom, theme::accent, 0, 2);
+    else if (hovered)
+        list.AddCircle(middle, 12 * zoom, theme::text_dim);
+    const bool wiring = state.gesture.kind == Gesture::Kind::wire;
+    if (hovered || wiring)
+        for (const ImVec2 at : {start, end})
+            list.AddCircleFilled(at, 4 * zoom, color);
+    list.AddCircleFilled(middle, 9.5F * zoom, theme::canvas);
+    draw_pin(list, pin.type, middle, std::max(7 * zoom, 2.0F), color, card.pins.back().connected,
+             theme::canvas);
 }
 
 }  // namespace wrinkle::editor

@@ -19,11 +19,12 @@ int pieces(const Curve& k, bool plain) {
                  : std::clamp(4 + static_cast<int>(length / 14), 6, 32);
 }
 
-void stroke(ImDrawList& list, const Curve& k, ImU32 color, float thickness, int count) {
-    list.PathLineTo(k.a);
-    for (int i = 1; i < count; ++i)
-        list.PathLineTo(k.at(static_cast<float>(i) / static_cast<float>(count)));
-    list.PathLineTo(k.d);
+// Draws the part of the curve from parameter `from` to `to`.
+void stroke(ImDrawList& list, const Curve& k, ImU32 color, float thickness, int count,
+            float from = 0, float to = 1) {
+    for (int i = 0; i <= count; ++i)
+        list.PathLineTo(
+            k.at(from + (to - from) * static_cast<float>(i) / static_cast<float>(count)));
     list.PathStroke(color, 0, thickness);
 }
 
@@ -65,13 +66,8 @@ void draw_line(const Painter& p, const Wire& wire, const Curve& k, ImU32 color, 
     if (p.details) stroke(p.list, k, theme::canvas, thickness + 3, count);
     if (!converts || color == theme::accent) return stroke(p.list, k, color, thickness, count);
     const int half = std::max(count / 2, 3);
-    p.list.PathLineTo(k.a);
-    for (int i = 1; i <= half; ++i)
-        p.list.PathLineTo(k.at(0.5F * static_cast<float>(i) / static_cast<float>(half)));
-    p.list.PathStroke(color, 0, thickness);
-    for (int i = 0; i <= half; ++i)
-        p.list.PathLineTo(k.at(0.5F + 0.5F * static_cast<float>(i) / static_cast<float>(half)));
-    p.list.PathStroke(theme::of(wire.to_type), 0, thickness);
+    stroke(p.list, k, color, thickness, half, 0, 0.5F);
+    stroke(p.list, k, theme::of(wire.to_type), thickness, half, 0.5F, 1);
 }
 
 void draw_wire(const Painter& p, size_t index) {

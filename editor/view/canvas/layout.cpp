@@ -1,13 +1,14 @@
 #include "editor/view/canvas/layout.h"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
-#include "editor/model/document/history.h"
+#include "editor/model/document/change.h"
+#include "editor/model/document/wiring.h"
+#include "editor/view/canvas/columns.h"
 #include "editor/view/canvas/make_card.h"
 #include "editor/view/look/draw.h"
 #include "graph/edit.h"
+#include "graph/order.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -16,51 +17,24 @@ constexpr auto none = ~uint32_t{0};
 
 // Readers of each output of each node, found in one pass over the links of a document.
 struct Readers {
-    std::vector<uint32_t> source;         // by link, in document order: index of a node, or `none`
-    std::vector<uint32_t> first;          // by node: index of its first output in `ports`
-    std::vector<std::string_view> ports;  // outputs that are read, grouped by node
-    std::vector<uint64_t> key;            // by node: sum of hashes of the outputs that are read
+    std::vector<std::vector<std::string_view>> ports;  // by node: outputs that are read
+    std::vector<uint64_t> key;                         // by node: sum of hashes of `ports`
     Used used;
-
-    std::span<const std::string_view> of(size_t node) const {
-        return {ports.data() + first[node], ports.data() + first[node + 1]};
-    }
 };
-
-template <class Each>
-void each_link(const Document& document, Each each) {
-    for (const NodePtr& node : document.nodes)
-        for (const Input& input : node->inputs)
-            if (input.kind == Input::Kind::link) each(input.link);
-    for (const Output& output : document.outputs)
-        if (output.from.kind == Input::Kind::link) each(output.from.link);
-}
 
 Readers find_readers(const Document& document) {
     Readers readers;
-    readers.first.assign(document.nodes.size() + 1, 0);
-    readers.key.assign(document.nodes.size(), 0);
-    each_link(document, [&](const Link& link) {
-        uint32_t source = none;
-        if (link.is_surface())
-            readers.used.surface.insert(link.port);
-        else if (link.is_input())
-            readers.used.inputs.insert(link.port);
-        else if (const size_t i = document.nodes.index_of(link.node); i != Table<NodePtr>::npos)
-            source = static_cast<uint32_t>(i);
-        readers.source.push_back(source);
-        if (source == none) return;
-        ++readers.first[source + 1];
-        readers.key[source] += std::hash<std::string_view>{}(link.port);
-    });
-    for (size_t i = 0; i < document.nodes.size(); ++i)
-        readers.first[i + 1] += readers.first[i];
-    readers.ports.resize(readers.first.back());
-    std::vector<uint32_t> next = readers.first;
-    size_t i = 0;
-    each_link(document, [&](const Link& link) {
-        if (const uint32_t source = readers.source[i++]; source != none)
-            readers.ports[next[source]++] = link.port;
+    readers.ports.resize(document.nodes.size());
+    readers.key.resize(document.nodes.size());
+    each_link(document, [&](const Link& from, const std::string&, const std::string&) {
+        if (from.is_surface()) {
+            readers.used.surface.insert(from.port);
+        } else if (from.is_input()) {
+            readers.used.inputs.insert(from.port);
+        } else if (const size_t i = document.nodes.index_of(from.node); i != Table<NodePtr>::npos) {
+            readers.ports[i].push_back(from.port);
+            readers.key[i] += std::hash<std::string_view>{}(from.port);
+        }
     });
     return readers;
 }
@@ -70,47 +44,16 @@ bool has_lasting_type(const Node& node) {
     return !node.subgraph() && node.type != reroute_type;
 }
 
-class CardTaker {
-public:
-    CardTaker(const State& state, Layout& old, const Readers& readers)
-        : state_(state), old_(old), readers_(readers) {
-        if (old.fonts != state.fonts.generation()) old.nodes = {};
-    }
-
-    // Returns the card of a node, reused from the previous layout if nothing about it changed.
-    Card take(size_t index) {
-        const NodePtr& node = state_.document().nodes[index];
-        const NodeType* type = state_.model.types->of(0, index);
-        const bool preview = has_preview(state_.view, *node, type);
-        const size_t before = index_before(index, node);
-        if (before != Table<NodePtr>::npos && old_.readers[before] == readers_.key[index] &&
-            has_lasting_type(*node)) {
-            Card& card = old_.cards[old_.card_of_node[before]];
-            if (card.type == type && (card.preview_y >= 0) == preview) return std::move(card);
-        }
-        ++made;
-        return make_card(state_.fonts, *node, type, readers_.of(index), preview);
-    }
-
-    size_t made = 0;
-
-private:
-    size_t index_before(size_t index, const NodePtr& node) const {
-        if (index < old_.nodes.size() && old_.nodes[index] == node) return index;
-        const size_t found = old_.nodes.index_of(node->id);
-        const bool same = found != Table<NodePtr>::npos && old_.nodes[found] == node;
-        return same ? found : Table<NodePtr>::npos;
-    }
-
-    const State& state_;
-    Layout& old_;
-    const Readers& readers_;
-};
-
-const Pin* find_pin(const Card& card, std::string_view port, bool output) {
-    for (const Pin& pin : card.pins)
-        if (pin.output == output && pin.port == port) return &pin;
-    return nullptr;
+// Returns the card of a node from the previous layout if nothing about it changed.
+std::optional<Card> reused_card(Layout& old, size_t index, const NodePtr& node,
+                                const NodeType* type, uint64_t readers, bool preview) {
+    if (index >= old.nodes.size() || old.nodes[index] != node) index = old.nodes.index_of(node->id);
+    if (index == Table<NodePtr>::npos || old.nodes[index] != node ||
+        old.readers[index] != readers || !has_lasting_type(*node))
+        return std::nullopt;
+    Card& card = old.cards[old.card_of_node[index]];
+    if (card.type != type || (card.preview_y >= 0) != preview) return std::nullopt;
+    return std::move(card);
 }
 
 // Extent of a card with its pins and shadow.
@@ -161,24 +104,20 @@ uint32_t card_of_kind(const Layout& layout, Card::Kind kind) {
     return none;
 }
 
-void add_wires(const Document& document, const Readers& readers, Layout& layout) {
+void add_wires(const Document& document, Layout& layout) {
     const uint32_t surface = card_of_kind(layout, Card::Kind::surface);
     const uint32_t inputs = card_of_kind(layout, Card::Kind::inputs);
-    size_t link = 0;
-    const auto source = [&](const Link& from) {
-        const uint32_t node = readers.source[link++];
-        if (node != none) return layout.card_of_node[node];
-        return from.is_surface() ? surface : from.is_input() ? inputs : none;
-    };
-    for (size_t i = 0; i < document.nodes.size(); ++i)
-        for (const Input& input : document.nodes[i]->inputs)
-            if (input.kind == Input::Kind::link)
-                add_wire(layout, input.link, source(input.link), layout.card_of_node[i],
-                         input.port);
     const uint32_t outputs = card_of_kind(layout, Card::Kind::outputs);
-    for (const Output& output : document.outputs)
-        if (output.from.kind == Input::Kind::link)
-            add_wire(layout, output.from.link, source(output.from.link), outputs, output.name);
+    const auto card_of = [&](const std::string& node) {
+        const size_t index = document.nodes.index_of(node);
+        return index == Table<NodePtr>::npos ? none : layout.card_of_node[index];
+    };
+    each_link(document, [&](const Link& from, const std::string& node, const std::string& port) {
+        const uint32_t source = from.is_surface() ? surface
+                                : from.is_input() ? inputs
+                                                  : card_of(from.node);
+        add_wire(layout, from, source, node.empty() ? outputs : card_of(node), port);
+    });
 }
 
 // Node cards in document order, then the surface, inputs and outputs cards; raised cards on top.
@@ -230,17 +169,25 @@ Layout lay_out(State& state) {
     Layout layout;
     layout.fonts = state.fonts.generation();
     layout.cards.reserve(document.nodes.size() + 3);
-    CardTaker taker(state, state.layout, readers);
+    Layout& old = state.layout;
+    if (old.fonts != layout.fonts) old.nodes = {};
     std::vector<ImVec2> sizes;
     sizes.reserve(document.nodes.size());
     for (size_t i = 0; i < document.nodes.size(); ++i) {
-        layout.cards.push_back(taker.take(i));
+        const NodePtr& node = document.nodes[i];
+        const NodeType* type = state.model.types->of(0, i);
+        const bool preview = has_preview(state.view, *node, type);
+        auto card = reused_card(old, i, node, type, readers.key[i], preview);
+        if (!card) {
+            card = make_card(state.fonts, *node, type, readers.ports[i], preview);
+            ++layout.made;
+        }
+        layout.cards.push_back(std::move(*card));
         sizes.push_back(layout.cards.back().size);
     }
     const std::vector<ImVec2> places = places_of(document, sizes);
     for (size_t i = 0; i < places.size(); ++i)
         layout.cards[i].at = places[i];
-    layout.made = taker.made;
     layout.nodes = document.nodes;
     layout.readers = readers.key;
     add_border_cards(state, layout, readers.used);
@@ -248,7 +195,7 @@ Layout lay_out(State& state) {
     layout.card_boxes.reserve(layout.cards.size());
     for (const Card& card : layout.cards)
         layout.card_boxes.push_back(box_of(card));
-    add_wires(document, readers, layout);
+    add_wires(document, layout);
     find_bounds(layout);
     return layout;
 }
@@ -275,6 +222,22 @@ void drag_cards(const State& state, Layout& layout) {
     find_bounds(layout);
 }
 
+// Returns the length in links of the longest path to each node, by index.
+std::vector<size_t> depths(const Document& document) {
+    std::vector<size_t> depth(document.nodes.size(), 0);
+    std::vector<bool> done(document.nodes.size(), false);
+    for (const uint32_t index : evaluation_order(document)) {
+        for (const Input& input : document.nodes[index]->inputs) {
+            if (input.kind != Input::Kind::link || !input.link.is_node()) continue;
+            const size_t from = document.nodes.index_of(input.link.node);
+            if (from != Table<NodePtr>::npos && done[from])
+                depth[index] = std::max(depth[index], depth[from] + 1);
+        }
+        done[index] = true;
+    }
+    return depth;
+}
+
 }  // namespace
 
 const Card* Layout::find(std::string_view id, Card::Kind kind) const {
@@ -287,6 +250,12 @@ const Card* Layout::find(std::string_view id, Card::Kind kind) const {
     return nullptr;
 }
 
+const Wire* Layout::wire_to(const Link& input) const {
+    for (const Wire& wire : wires)
+        if (wire.ends_at(input)) return &wire;
+    return nullptr;
+}
+
 std::vector<Extent> places_off_canvas(const State& state, const Document& document) {
     std::vector<ImVec2> sizes;
     const Model model = make_model(document, state.folder(), *state.registry);
@@ -294,9 +263,9 @@ std::vector<Extent> places_off_canvas(const State& state, const Document& docume
     for (size_t i = 0; i < document.nodes.size(); ++i) {
         const Node& node = *document.nodes[i];
         const NodeType* type = model.types->of(0, i);
-        sizes.push_back(
-            make_card(state.fonts, node, type, readers.of(i), has_preview(state.view, node, type))
-                .size);
+        sizes.push_back(make_card(state.fonts, node, type, readers.ports[i],
+                                  has_preview(state.view, node, type))
+                            .size);
     }
     std::vector<Extent> extents;
     for (const ImVec2 at : places_of(document, sizes))
@@ -317,8 +286,52 @@ void update_layout(State& state) {
     drag_cards(state, state.layout);
 }
 
+std::vector<const Card*> selected_cards(const State& state) {
+    std::vector<const Card*> cards;
+    for (const Card& card : state.layout.cards)
+        if (card.kind == Card::Kind::node && state.view.selected.contains(card.id))
+            cards.push_back(&card);
+    return cards;
+}
+
+const Pin* find_pin(const Card& card, std::string_view port, bool output) {
+    for (const Pin& pin : card.pins)
+        if (pin.output == output && pin.port == port) return &pin;
+    return nullptr;
+}
+
 ImVec2 pin_at(const Card& card, const Pin& pin) {
     return card.at + ImVec2(pin.output ? card.size.x : 0, pin.y);
+}
+
+std::vector<ImVec2> places_of(const Document& document, const std::vector<ImVec2>& sizes) {
+    std::vector<ImVec2> places;
+    std::vector<size_t> without;
+    ImVec2 corner(0, 0);
+    for (size_t i = 0; i < document.nodes.size(); ++i) {
+        const Position* at = document.positions.find(document.nodes[i]->id);
+        const ImVec2 place =
+            at ? ImVec2(static_cast<float>(at->x), static_cast<float>(at->y)) : ImVec2(0, 0);
+        if (!at) without.push_back(i);
+        const bool first = at && places.size() == without.size();
+        if (at) corner.x = first ? place.x : std::min(corner.x, place.x);
+        if (at) corner.y = std::max(first ? place.y : corner.y, place.y + sizes[i].y + row_gap);
+        places.push_back(place);
+    }
+    if (without.empty()) return places;
+    // Columns by depth, each as wide as its widest card; a column without nodes has no width.
+    const std::vector<size_t> depth = depths(document);
+    std::vector<float> width(depth.size(), 0), left(depth.size() + 1, corner.x),
+        next(depth.size(), grid_up(corner.y));
+    for (const size_t i : without)
+        width[depth[i]] = std::max(width[depth[i]], sizes[i].x);
+    for (size_t i = 0; i < width.size(); ++i)
+        left[i + 1] = left[i] + (width[i] > 0 ? grid_up(width[i]) + column_gap : 0);
+    for (const size_t i : without) {
+        places[i] = {left[depth[i]], next[depth[i]]};
+        next[depth[i]] += grid_up(sizes[i].y) + row_gap;
+    }
+    return places;
 }
 
 }  // namespace wrinkle::editor

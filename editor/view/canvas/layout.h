@@ -26,6 +26,10 @@ std::vector<ImVec2> places_of(const Document& document, const std::vector<ImVec2
 // Same for a document that is not on the canvas; returns the extent of each card.
 std::vector<Extent> places_off_canvas(const State& state, const Document& document);
 
+// Returns the selected nodes' cards, in drawing order.
+std::vector<const Card*> selected_cards(const State& state);
+// Returns the pin of a port; nullptr if the card has none.
+const Pin* find_pin(const Card& card, std::string_view port, bool output);
 // Returns the position of a pin, in canvas units.
 ImVec2 pin_at(const Card& card, const Pin& pin);
 

@@ -10,6 +10,11 @@
 namespace wrinkle::editor {
 namespace {
 
+bool shows_field(const Port& port) {
+    return port.is_option() || lanes_of_field(port) > 0 ||
+           (port.is_value() && port.type == PortType::image_);
+}
+
 class CardMaker {
 public:
     CardMaker(const Fonts& fonts, const Node& node, std::span<const std::string_view> read,
@@ -44,14 +49,123 @@ private:
         return std::find(read_.begin(), read_.end(), port) != read_.end();
     }
 
-    float wanted_width() const;
-    void fill_ports();
-    void fill_unknown();
-    void fill_reroute();
+    float wanted_width() const {
+        const float label = std::min(width(card_text::small, card.label), 80.0F);
+        float wanted = name_left + width(card_text::bold, card.id) + 16 + label + 10;
+        if (!card.type) return std::clamp(std::ceil(wanted / 8) * 8, 104.0F, 240.0F);
+        for (const Port& port : card.type->ports) {
+            float row = 40 + width(card_text::body, port.name);
+            if (port.kind != Port::Kind::output && shows_field(port))
+                row += 48 + 44 * static_cast<float>(std::max(lanes_of_field(port) - 1, 0));
+            wanted = std::max(wanted, row);
+        }
+        return std::clamp(std::ceil(wanted / 8) * 8, 104.0F, 240.0F);
+    }
+
     void add_pin(const std::string& port, PortType type, bool known, bool output, bool connected,
-                 float y);
-    void add_field(uint32_t index, const Port& port, float y);
-    void write_field(Field& field, const Port& port) const;
+                 float y) {
+        card.pins.push_back({port, type, known, output, connected, y + row_height / 2,
+                             cut(card_text::body, port, card.size.x - 30), false});
+    }
+
+    // A single number has its name inside the field, left of its value.
+    void write_field(Field& field, const Port& port) const {
+        field.listed = port.kind == Port::Kind::choice || port.type == PortType::image_;
+        const double value = numbers_at(node_, port)[static_cast<size_t>(field.lane)];
+        if (field.lanes > 0 && port.has_soft_range())
+            field.part = static_cast<float>(
+                std::clamp((value - port.soft_min) / (port.soft_max - port.soft_min), 0.0, 1.0));
+        const float room = field.width - 14 - (field.listed ? 12.0F : 0.0F);
+        // The name of a single number leaves at least this width for the value, else it is
+        // truncated.
+        constexpr float digits_room = 64;
+        const float name = field.lanes > 1 ? 0 : width(card_text::body, port.name) + 6;
+        const float number_room = std::min(room, std::max(room - name, digits_room));
+        const Fits fits = [&](const std::string& text) {
+            return width(card_text::body, text) <= number_room;
+        };
+        const std::string shown =
+            field.lanes > 1 ? shown_number(value, port, fits) : shown_value(node_, port, fits);
+        field.value = cut(card_text::body, shown, room);
+        const float left = room - width(card_text::body, field.value) - 6;
+        if (field.lanes <= 1 && left > 16) field.name = cut(card_text::body, port.name, left);
+    }
+
+    // The fields of several numbers are side by side, right of their common name.
+    void add_field(uint32_t index, const Port& port, float y) {
+        const int lanes = lanes_of_field(port);
+        const float named = lanes > 1 ? width(card_text::body, port.name) + 6 : 0;
+        const float first = field_inset + named;
+        const float wide =
+            (card.size.x - field_inset - first) / static_cast<float>(std::max(lanes, 1));
+        for (int lane = 0; lane < std::max(lanes, 1); ++lane) {
+            Field field;
+            field.port = port.name;
+            field.index = index;
+            field.lane = lane;
+            field.lanes = lanes;
+            field.x = first + wide * static_cast<float>(lane);
+            field.y = y;
+            field.width = wide;
+            write_field(field, port);
+            card.fields.push_back(std::move(field));
+        }
+    }
+
+    void fill_ports() {
+        float y = header_height;
+        for (const Port& port : card.type->ports) {
+            if (port.kind != Port::Kind::output) continue;
+            add_pin(port.name, port.type, true, true, is_read(port.name), y);
+            y += row_height;
+        }
+        for (uint32_t i = 0; i < card.type->ports.size(); ++i) {
+            const Port& port = card.type->ports[i];
+            if (port.kind == Port::Kind::output) continue;
+            const Input* input = node_.find(port.name);
+            const bool connected = input && input->kind == Input::Kind::link;
+            const bool field = !connected && shows_field(port);
+            if (port.is_value()) {
+                add_pin(port.name, port.type, true, false, connected, y);
+                card.pins.back().in_field = field && lanes_of_field(port) <= 1;
+            }
+            if (field) add_field(i, port, y + 1.5F);
+            y += row_height;
+        }
+        if (preview_) {
+            card.preview_y = y + 4;
+            y += node_preview_height + 8;
+        }
+        card.size.y = y + cost_height;
+    }
+
+    void fill_reroute() {
+        const PortType type = card.type ? card.type->ports.front().type : PortType::float_;
+        const Input* in = node_.find("in");
+        const bool fed = in && in->kind == Input::Kind::link;
+        const float y = reroute_height / 2;
+        card.reroute = true;
+        card.size = {reroute_width, reroute_height};
+        card.pins.push_back({"out", type, card.type != nullptr, true, is_read("out"), y, ""});
+        card.pins.push_back({"in", type, card.type != nullptr, false, fed, y, ""});
+    }
+
+    // Ports as listed in the document.
+    void fill_unknown() {
+        float y = header_height;
+        std::vector<std::string_view> outputs(read_.begin(), read_.end());
+        std::sort(outputs.begin(), outputs.end());
+        outputs.erase(std::unique(outputs.begin(), outputs.end()), outputs.end());
+        for (const std::string_view port : outputs) {
+            add_pin(std::string(port), PortType::float_, false, true, true, y);
+            y += row_height;
+        }
+        for (const Input& input : node_.inputs) {
+            add_pin(input.port, PortType::float_, false, false, input.kind == Input::Kind::link, y);
+            y += row_height;
+        }
+        card.size.y = y + 8;
+    }
 
     Card card;
     const Fonts& fonts_;
@@ -59,127 +173,6 @@ private:
     std::span<const std::string_view> read_;
     bool preview_;
 };
-
-bool shows_field(const Port& port) {
-    return port.is_option() || lanes_of_field(port) > 0 ||
-           (port.is_value() && port.type == PortType::image_);
-}
-
-float CardMaker::wanted_width() const {
-    const float label = std::min(width(card_text::small, card.label), 80.0F);
-    float wanted = name_left + width(card_text::bold, card.id) + 16 + label + 10;
-    if (!card.type) return std::clamp(std::ceil(wanted / 8) * 8, 104.0F, 240.0F);
-    for (const Port& port : card.type->ports) {
-        float row = 40 + width(card_text::body, port.name);
-        if (port.kind != Port::Kind::output && shows_field(port))
-            row += 48 + 44 * static_cast<float>(std::max(lanes_of_field(port) - 1, 0));
-        wanted = std::max(wanted, row);
-    }
-    return std::clamp(std::ceil(wanted / 8) * 8, 104.0F, 240.0F);
-}
-
-void CardMaker::add_pin(const std::string& port, PortType type, bool known, bool output,
-                        bool connected, float y) {
-    card.pins.push_back({port, type, known, output, connected, y + row_height / 2,
-                         cut(card_text::body, port, card.size.x - 30), false});
-}
-
-// A single number has its name inside the field, left of its value.
-void CardMaker::write_field(Field& field, const Port& port) const {
-    field.listed = port.kind == Port::Kind::choice || port.type == PortType::image_;
-    const double value = numbers_at(node_, port)[static_cast<size_t>(field.lane)];
-    if (field.lanes > 0 && port.has_soft_range())
-        field.part = static_cast<float>(
-            std::clamp((value - port.soft_min) / (port.soft_max - port.soft_min), 0.0, 1.0));
-    const float room = field.width - 14 - (field.listed ? 12.0F : 0.0F);
-    // The name of a single number leaves at least this width for the value, else it is truncated.
-    constexpr float digits_room = 64;
-    const float name = field.lanes > 1 ? 0 : width(card_text::body, port.name) + 6;
-    const float number_room = std::min(room, std::max(room - name, digits_room));
-    const Fits fits = [&](const std::string& text) {
-        return width(card_text::body, text) <= number_room;
-    };
-    const std::string shown =
-        field.lanes > 1 ? shown_number(value, port, fits) : shown_value(node_, port, fits);
-    field.value = cut(card_text::body, shown, room);
-    const float left = room - width(card_text::body, field.value) - 6;
-    if (field.lanes <= 1 && left > 16) field.name = cut(card_text::body, port.name, left);
-}
-
-// The fields of several numbers are side by side, right of their common name.
-void CardMaker::add_field(uint32_t index, const Port& port, float y) {
-    const int lanes = lanes_of_field(port);
-    const float named = lanes > 1 ? width(card_text::body, port.name) + 6 : 0;
-    const float first = field_inset + named;
-    const float wide = (card.size.x - field_inset - first) / static_cast<float>(std::max(lanes, 1));
-    for (int lane = 0; lane < std::max(lanes, 1); ++lane) {
-        Field field;
-        field.port = port.name;
-        field.index = index;
-        field.lane = lane;
-        field.lanes = lanes;
-        field.x = first + wide * static_cast<float>(lane);
-        field.y = y;
-        field.width = wide;
-        write_field(field, port);
-        card.fields.push_back(std::move(field));
-    }
-}
-
-void CardMaker::fill_ports() {
-    float y = header_height;
-    for (const Port& port : card.type->ports) {
-        if (port.kind != Port::Kind::output) continue;
-        add_pin(port.name, port.type, true, true, is_read(port.name), y);
-        y += row_height;
-    }
-    for (uint32_t i = 0; i < card.type->ports.size(); ++i) {
-        const Port& port = card.type->ports[i];
-        if (port.kind == Port::Kind::output) continue;
-        const Input* input = node_.find(port.name);
-        const bool connected = input && input->kind == Input::Kind::link;
-        const bool field = !connected && shows_field(port);
-        if (port.is_value()) {
-            add_pin(port.name, port.type, true, false, connected, y);
-            card.pins.back().in_field = field && lanes_of_field(port) <= 1;
-        }
-        if (field) add_field(i, port, y + 1.5F);
-        y += row_height;
-    }
-    if (preview_) {
-        card.preview_y = y + 4;
-        y += node_preview_height + 8;
-    }
-    card.size.y = y + cost_height;
-}
-
-void CardMaker::fill_reroute() {
-    const PortType type = card.type ? card.type->ports.front().type : PortType::float_;
-    const Input* in = node_.find("in");
-    const bool fed = in && in->kind == Input::Kind::link;
-    const float y = reroute_height / 2;
-    card.reroute = true;
-    card.size = {reroute_width, reroute_height};
-    card.pins.push_back({"out", type, card.type != nullptr, true, is_read("out"), y, ""});
-    card.pins.push_back({"in", type, card.type != nullptr, false, fed, y, ""});
-}
-
-// Ports as listed in the document.
-void CardMaker::fill_unknown() {
-    float y = header_height;
-    std::vector<std::string_view> outputs(read_.begin(), read_.end());
-    std::sort(outputs.begin(), outputs.end());
-    outputs.erase(std::unique(outputs.begin(), outputs.end()), outputs.end());
-    for (const std::string_view port : outputs) {
-        add_pin(std::string(port), PortType::float_, false, true, true, y);
-        y += row_height;
-    }
-    for (const Input& input : node_.inputs) {
-        add_pin(input.port, PortType::float_, false, false, input.kind == Input::Kind::link, y);
-        y += row_height;
-    }
-    card.size.y = y + 8;
-}
 
 void write_header(const Fonts& fonts, Card& card) {
     const bool output = card.kind == Card::Kind::outputs;

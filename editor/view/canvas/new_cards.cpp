@@ -20,13 +20,6 @@ constexpr float step = 2 * grid;
 constexpr int most_steps = 128;
 constexpr size_t max_things = 16;
 
-Extent around(const std::vector<Extent>& things) {
-    Extent all;
-    for (const Extent& each : things)
-        all.add(each);
-    return all;
-}
-
 bool is_free(const std::vector<Extent>& fixed, const std::vector<Extent>& moving, ImVec2 by) {
     return std::none_of(moving.begin(), moving.end(), [&](const Extent& thing) {
         const ImVec2 low = thing.low + by - ImVec2(clear, clear);
@@ -53,6 +46,13 @@ std::optional<ImVec2> free_on_ring(const std::vector<Extent>& fixed,
 }
 
 }  // namespace
+
+Extent around(const std::vector<Extent>& things) {
+    Extent all;
+    for (const Extent& each : things)
+        all.add(each);
+    return all;
+}
 
 ImVec2 free_shift(const std::vector<Extent>& fixed, std::vector<Extent> moving, ImVec2 by) {
     by = {std::round(by.x / grid) * grid, std::round(by.y / grid) * grid};

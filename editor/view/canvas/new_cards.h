@@ -10,6 +10,8 @@
 
 namespace wrinkle::editor {
 
+Extent around(const std::vector<Extent>& extents);  // the smallest that contains all
+
 // Returns an offset close to `by` that separates each extent of `moving` from all `fixed`; on
 // the grid. More than 16 extents move as their bounding box. If no offset in range is free, returns
 // one below all `fixed`. O(fixed * moving) per offset, at most 70,000 offsets.

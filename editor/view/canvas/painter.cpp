@@ -84,7 +84,7 @@ void Painter::find_most_expensive() {
 const Price* Painter::price(const Card& card) const {
     const Costs* costs = state.costs();
     if (!costs || card.kind != Card::Kind::node || card.reroute) return nullptr;
-    const Table<NodePtr>& before = state.costs_of().nodes;
+    const Table<NodePtr>& before = costs->document.nodes;
     const Table<NodePtr>& now = state.document().nodes;
     size_t index = before.index_of(card.id);
     if (index == before.npos && before.size() == now.size()) index = now.index_of(card.id);

@@ -76,8 +76,7 @@ Hit part_of_card(const CanvasState& canvas, size_t index, ImVec2 mouse) {
 }
 
 bool near_wire(const CanvasState& canvas, const Wire& wire, ImVec2 mouse) {
-    const Curve curve = wire_curve(to_screen(canvas.view, wire.start),
-                                   to_screen(canvas.view, wire.end), canvas.view.zoom);
+    const Curve curve = curve_on_screen(canvas.view, wire);
     ImVec2 last = curve.a;
     for (int i = 1; i <= 32; ++i) {
         const ImVec2 next = curve.at(static_cast<float>(i) / 32);
@@ -90,6 +89,21 @@ bool near_wire(const CanvasState& canvas, const Wire& wire, ImVec2 mouse) {
         last = next;
     }
     return false;
+}
+
+constexpr int steps = 32;
+
+float across(ImVec2 a, ImVec2 b) {
+    return a.x * b.y - a.y * b.x;
+}
+
+std::optional<ImVec2> meeting(ImVec2 a, ImVec2 b, ImVec2 c, ImVec2 d) {
+    const ImVec2 along = b - a, other = d - c;
+    const float area = across(along, other);
+    if (area == 0) return std::nullopt;
+    const float t = across(c - a, other) / area, u = across(c - a, along) / area;
+    if (t < 0 || t > 1 || u < 0 || u > 1) return std::nullopt;
+    return a + along * t;
 }
 
 }  // namespace
@@ -124,14 +138,15 @@ TargetRect rect(ImVec2 low, ImVec2 high) {
     return {low.x, low.y, high.x, high.y};
 }
 
+// A square around a point.
+TargetRect mark(ImVec2 at) {
+    return rect(at - ImVec2(6, 6), at + ImVec2(6, 6));
+}
+
 std::optional<TargetRect> pin_target(const View& view, const Card& card, std::string_view port,
                                      bool output) {
-    for (const Pin& pin : card.pins) {
-        if (pin.port != port || pin.output != output) continue;
-        const ImVec2 center = to_screen(view, pin_at(card, pin));
-        return rect(center - ImVec2(6, 6), center + ImVec2(6, 6));
-    }
-    return std::nullopt;
+    const Pin* pin = find_pin(card, port, output);
+    return pin ? std::optional(mark(to_screen(view, pin_at(card, *pin)))) : std::nullopt;
 }
 
 // "amount", or for several numbers "scale.0".
@@ -149,15 +164,8 @@ std::optional<TargetRect> field_target(const View& view, const Card& card, std::
 // "wire:sum.a": the middle of the wire to that input.
 std::optional<TargetRect> wire_target(const CanvasState& canvas, const Card& reader,
                                       std::string_view port) {
-    const Link input{reader.link_id(), std::string(port)};
-    for (const Wire& wire : canvas.layout.wires) {
-        if (!wire.ends_at(input)) continue;
-        const ImVec2 start = to_screen(canvas.view, wire.start);
-        const ImVec2 end = to_screen(canvas.view, wire.end);
-        const ImVec2 middle = wire_curve(start, end, canvas.view.zoom).at(0.5F);
-        return rect(middle - ImVec2(6, 6), middle + ImVec2(6, 6));
-    }
-    return std::nullopt;
+    const Wire* wire = canvas.layout.wire_to({reader.link_id(), std::string(port)});
+    return wire ? std::optional(mark(curve_on_screen(canvas.view, *wire).at(0.5F))) : std::nullopt;
 }
 
 const Card* card_named(const Layout& layout, std::string_view id) {
@@ -194,6 +202,48 @@ void name_targets(State& state) {
     state.targets.set_canvas(
         [&state](const std::string& name) { return canvas_target(state, name); });
     state.targets.add("canvas", rect(state.view.corner, state.view.corner + state.view.extent));
+}
+
+Curve curve_of(const Wire& wire) {
+    return wire_curve(wire.start, wire.end, 1);
+}
+
+Curve curve_on_screen(const View& view, const Wire& wire) {
+    return wire_curve(to_screen(view, wire.start), to_screen(view, wire.end), view.zoom);
+}
+
+std::optional<ImVec2> crossing(const Layout& layout, size_t wire, ImVec2 a, ImVec2 b) {
+    if (!layout.wire_boxes[wire].touches(Extent::between(a, b))) return std::nullopt;
+    const Curve curve = curve_of(layout.wires[wire]);
+    ImVec2 last = curve.a;
+    for (int i = 1; i <= steps; ++i) {
+        const ImVec2 next = curve.at(static_cast<float>(i) / steps);
+        if (const auto at = meeting(last, next, a, b)) return at;
+        last = next;
+    }
+    return std::nullopt;
+}
+
+std::optional<size_t> wire_under(const Layout& layout, const Card& card) {
+    const Extent box = card.extent();
+    const ImVec2 middle = card.at + card.size * 0.5F;
+    std::optional<size_t> found;
+    float best = 0;
+    for (size_t i = 0; i < layout.wires.size(); ++i) {
+        const Wire& wire = layout.wires[i];
+        if (wire.node == card.id || wire.from.node == card.id) continue;
+        if (!layout.wire_boxes[i].touches(box)) continue;
+        const Curve curve = curve_of(wire);
+        for (int k = 0; k <= steps; ++k) {
+            const ImVec2 at = curve.at(static_cast<float>(k) / steps);
+            if (!box.touches({at, at})) continue;
+            const float distance = std::hypot(at.x - middle.x, at.y - middle.y);
+            if (found && distance >= best) continue;
+            best = distance;
+            found = i;
+        }
+    }
+    return found;
 }
 
 }  // namespace wrinkle::editor

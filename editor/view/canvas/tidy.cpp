@@ -41,16 +41,11 @@ public:
     bool has(size_t card) const { return box_of_[card] != no_box; }
 
 private:
-    const Card* card_of_kind(Card::Kind kind) const {
-        for (const Card& card : layout_.cards)
-            if (card.kind == kind) return &card;
-        return nullptr;
-    }
     size_t index(const Card& card) const { return static_cast<size_t>(&card - &layout_.cards[0]); }
 
     void join_inputs() {
-        const Card* inputs = card_of_kind(Card::Kind::inputs);
-        const Card* surface = card_of_kind(Card::Kind::surface);
+        const Card* inputs = layout_.find(Link::input, Card::Kind::inputs);
+        const Card* surface = layout_.find(Link::surface, Card::Kind::surface);
         if (!inputs || !surface || !has(index(*surface))) return;
         ColumnBox& box = boxes_[box_of_[index(*surface)]];
         box_of_[index(*inputs)] = box_of_[index(*surface)];
@@ -179,8 +174,8 @@ Tidied tidied(const State& state) {
         if (!tidier.has(i)) continue;
         const ImVec2 at = tidier.place(i);
         if (card.kind == Card::Kind::node) places.push_back({card.id, at.x, at.y});
-        if (card.kind == Card::Kind::surface) result.borders.surface = at;
-        if (card.kind == Card::Kind::outputs) result.borders.outputs = at;
+        if (card.kind == Card::Kind::surface) result.borders.surface_at = at;
+        if (card.kind == Card::Kind::outputs) result.borders.outputs_at = at;
     }
     result.document = move_nodes(state.document(), places);
     for (const Box& frame : state.document().frames)

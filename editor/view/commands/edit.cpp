@@ -26,14 +26,14 @@ void undo(State& state) {
     const std::string name = state.history.undo_name();
     const uint64_t serial = state.history.serial();
     state.history.undo();
-    follow_undo(state, serial);
+    follow_step(state, serial, true);
     state.status = "Undid: " + name;
 }
 
 void redo(State& state) {
     const std::string name = state.history.redo_name();
     state.history.redo();
-    follow_redo(state, state.history.serial());
+    follow_step(state, state.history.serial(), false);
     state.status = "Redid: " + name;
 }
 

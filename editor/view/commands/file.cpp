@@ -10,11 +10,8 @@ namespace wrinkle::editor {
 namespace {
 
 void reload(State& state) {
-    forget_images(state);
-    if (state.preview) {
-        state.preview->forget_mesh();
-        state.preview->forget_light();
-    }
+    for (const Use use : {Use::image, Use::mesh, Use::light})
+        forget_files(state, use);
     state.is_synced = false;
     state.status = "Images, meshes and sub-graphs are read again.";
 }

@@ -12,15 +12,15 @@
 namespace wrinkle::editor {
 namespace {
 
-// Returns the first port of an equal type, else the first that converts; nullptr if none fits.
-const Port* port_for(const NodeType& type, const Gesture& wire) {
+// Returns the first port of an equal type, else the first that converts; nullptr if none fits. An
+// input must be free if there is a node.
+const Port* port_for(const NodeType& type, PortType other, bool input, const Node* node = nullptr) {
     const Port* found = nullptr;
     for (const Port& port : type.ports) {
-        const bool faces = wire.from_output ? port.is_value() : port.kind == Port::Kind::output;
-        if (!faces) continue;
-        if (port.type == wire.type) return &port;
-        const bool fits =
-            wire.from_output ? converts(wire.type, port.type) : converts(port.type, wire.type);
+        if (input ? !port.is_value() : port.kind != Port::Kind::output) continue;
+        if (node && node->find(port.name)) continue;
+        if (port.type == other) return &port;
+        const bool fits = input ? converts(other, port.type) : converts(port.type, other);
         if (fits && !found) found = &port;
     }
     return found;
@@ -33,35 +33,21 @@ void commit_new(State& state, const NodeType& type, const std::string& id, Docum
 
 // Returns the selected cards with a typed first output, from top to bottom.
 std::vector<const Card*> givers(const State& state) {
-    std::vector<const Card*> found;
-    for (const Card& card : state.layout.cards)
-        if (card.kind == Card::Kind::node && state.view.selected.contains(card.id) &&
-            !card.pins.empty() && card.pins.front().output && card.pins.front().known)
-            found.push_back(&card);
+    std::vector<const Card*> found = selected_cards(state);
+    std::erase_if(found, [](const Card* card) {
+        return card->pins.empty() || !card->pins.front().output || !card->pins.front().known;
+    });
     std::sort(found.begin(), found.end(), [](const Card* a, const Card* b) {
         return std::pair(a->at.y, a->at.x) < std::pair(b->at.y, b->at.x);
     });
     return found;
 }
 
-// Returns the first free input of the same type, else the first that converts; nullptr if none.
-const Port* free_port(const NodeType& type, const Node& node, PortType given) {
-    const Port* found = nullptr;
-    for (const Port& port : type.ports) {
-        if (!port.is_value() || node.find(port.name)) continue;
-        if (port.type == given) return &port;
-        if (!found && converts(given, port.type)) found = &port;
-    }
-    return found;
-}
-
 // Inserts the node in the selected wire; returns false if there is none or it does not fit.
 bool add_in_wire(State& state, const NodeType& type) {
     if (!state.view.selected_wire) return false;
-    const Link end = *state.view.selected_wire;
-    const auto wire = std::find_if(state.layout.wires.begin(), state.layout.wires.end(),
-                                   [&](const Wire& each) { return each.ends_at(end); });
-    if (wire == state.layout.wires.end() || !wire->known) return false;
+    const Wire* wire = state.layout.wire_to(*state.view.selected_wire);
+    if (!wire || !wire->known) return false;
     const auto through =
         passage(type, wire->from_type, wanted_at(state.model, wire->node, wire->port));
     if (!through) return false;
@@ -69,28 +55,41 @@ bool add_in_wire(State& state, const NodeType& type) {
     const std::string id = node.id;
     const ImVec2 at = free_place(state, wire->middle() - ImVec2(64, 40), node, &type);
     Document document = add_node(state.document(), std::move(node), at.x, at.y);
-    const Connection place{wire->from, wire->node, wire->port};
-    commit_new(state, type, id, insert_in_wire(document, place, id, *through));
+    commit_new(state, type, id, insert_in_wire(document, *wire, id, *through));
     return true;
+}
+
+constexpr int far_off = 20;
+
+// Lower is better: same types, the main input, few other inputs.
+int distance(const NodeType& type, const Passage& through, PortType from, PortType to) {
+    int away = 0, inputs = 0;
+    for (const Port& port : type.ports) {
+        const bool is_output = port.kind == Port::Kind::output;
+        if (port.is_value()) {
+            if (port.name == through.in) away += 100 * (port.type != from) + 20 * (inputs > 0);
+            ++inputs;
+        }
+        if (is_output && port.name == through.out) away += 100 * (port.type != to);
+    }
+    return away + inputs;
 }
 
 }  // namespace
 
 Node node_of_type(const Document& document, const NodeType& type) {
-    Node node;
-    node.id = free_id(document, type.id);
-    node.type = type.id;
+    Node node = new_node(document, type.id, type.id);
     node.version = static_cast<int>(type.version);
     return node;
 }
 
 bool type_fits(const NodeType& type, const Gesture& wire) {
-    return wire.kind != Gesture::Kind::wire || port_for(type, wire);
+    return wire.kind != Gesture::Kind::wire || port_for(type, wire.type, wire.from_output);
 }
 
 bool type_matches(const NodeType& type, const Gesture& wire) {
     if (wire.kind != Gesture::Kind::wire) return true;
-    const Port* port = port_for(type, wire);
+    const Port* port = port_for(type, wire.type, wire.from_output);
     return port && port->type == wire.type;
 }
 
@@ -99,7 +98,9 @@ void add_node_of_type(State& state, const NodeType& type, ImVec2 at, const Gestu
     const std::string id = node.id;
     const ImVec2 place = free_place(state, at, node, &type);
     Document document = add_node(state.document(), std::move(node), place.x, place.y);
-    if (const Port* port = wire.kind == Gesture::Kind::wire ? port_for(type, wire) : nullptr)
+    if (const Port* port = wire.kind == Gesture::Kind::wire
+                               ? port_for(type, wire.type, wire.from_output)
+                               : nullptr)
         document = wire.from_output ? connect(document, wire.from, id, port->name)
                                     : with_wire(document, {id, port->name}, wire.node, wire.port);
     commit_new(state, type, id, std::move(document));
@@ -114,7 +115,7 @@ void add_node_to_selection(State& state, const NodeType& type, ImVec2 at) {
     const Card* first = nullptr;
     for (const Card* card : givers(state)) {
         const Pin& pin = card->pins.front();
-        const Port* port = free_port(type, *document.find(id), pin.type);
+        const Port* port = port_for(type, pin.type, true, document.find(id));
         if (!port) continue;
         document = connect(document, {card->id, pin.port}, id, port->name);
         right = first ? std::max(right, card->at.x + card->size.x) : card->at.x + card->size.x;
@@ -123,6 +124,60 @@ void add_node_to_selection(State& state, const NodeType& type, ImVec2 at) {
     const ImVec2 place =
         free_place(state, first ? ImVec2(right + 64, first->at.y) : at, *document.find(id), &type);
     commit_new(state, type, id, move_node(document, id, place.x, place.y));
+}
+
+std::vector<Offer::Choice> between(const Registry& registry, PortType from, PortType to,
+                                   size_t most) {
+    std::vector<std::pair<int, Offer::Choice>> found;
+    for (const NodeType& type : registry.list()) {
+        if (type.family == "comparison") continue;
+        if (const auto through = passage(type, from, to))
+            found.emplace_back(distance(type, *through, from, to),
+                               Offer::Choice{&type, through->in, through->out});
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<Offer::Choice> choices;
+    for (size_t i = 0; i < std::min(most, found.size()); ++i)
+        if (found[i].first < found[0].first + far_off) choices.push_back(found[i].second);
+    return choices;
+}
+
+void offer_between(State& state, const Gesture& wire, const Card& card, const Pin& pin) {
+    if (pin.output == wire.from_output || !pin.known) return;
+    Offer offer;
+    offer.connection = connection_at(wire, card, pin);
+    const auto given = state.model.type_of(offer.connection.from);
+    const auto wanted = wanted_at(state.model, offer.connection.node, offer.connection.port);
+    if (!given || !wanted || converts(*given, wanted) || wire.loops.contains(card.link_id()))
+        return;
+    if (wire.taken) offer.lifted = Link{wire.node, wire.port};
+    offer.choices = between(*state.registry, *given, *wanted);
+    offer.why = state.status;
+    if (!offer.choices.empty()) offer.why = offer.why.substr(0, offer.why.find(';')) + ".";
+    offer.at = ImGui::GetIO().MousePos;
+    offer.open = offer.opening = true;
+    state.offer = std::move(offer);
+}
+
+void accept_offer(State& state, size_t choice) {
+    const Offer offer = std::move(state.offer);
+    state.offer = {};
+    if (choice >= offer.choices.size()) return;
+    const Offer::Choice& chosen = offer.choices[choice];
+    Node node = node_of_type(state.document(), *chosen.type);
+    const std::string id = node.id;
+    const ImVec2 wanted = to_canvas(state.view, offer.at) - ImVec2(224, 40);
+    const ImVec2 at = free_place(state, wanted, node, chosen.type);
+    Document document = state.document();
+    if (offer.lifted)
+        document = cut_wires(state.model, document,
+                             {{offer.connection.from, offer.lifted->node, offer.lifted->port}});
+    document = add_node(document, std::move(node), at.x, at.y);
+    state.commit(
+        "Insert " + chosen.type->title,
+        insert_in_wire(settled(state, document), offer.connection, id, {chosen.in, chosen.out}));
+    show_new(state, {id});
 }
 
 }  // namespace wrinkle::editor

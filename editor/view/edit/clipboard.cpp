@@ -1,7 +1,5 @@
 #include "editor/view/edit/clipboard.h"
 
-#include <algorithm>
-
 #include "base/file.h"
 #include "editor/model/document/copies.h"
 #include "editor/model/document/wiring.h"
@@ -53,9 +51,8 @@ Document extract(const State& state, const Document& cut) {
         }
     }
     std::vector<NodePosition> places;
-    for (const Card& card : state.layout.cards)
-        if (card.kind == Card::Kind::node && state.view.selected.contains(card.id))
-            places.push_back({card.id, card.at.x, card.at.y});
+    for (const Card* card : selected_cards(state))
+        places.push_back({card->id, card->at.x, card->at.y});
     for (const BoxId& id : state.view.boxes)
         if (const Box* box = find_box(cut, id)) result = with_box(result, id.note, *box);
     return add_nodes(result, std::move(nodes), places);
@@ -83,11 +80,10 @@ std::optional<Document> refuse(std::string& why, std::string reason) {
 // Removes wires from nodes that are not in the text, such as a part of a file has.
 Document without_dangling(Document document) {
     std::vector<Connection> dangling;
-    for (const NodePtr& node : document.nodes)
-        for (const Input& input : node->inputs)
-            if (input.kind == Input::Kind::link && input.link.is_node() &&
-                !document.find(input.link.node))
-                dangling.push_back({input.link, node->id, input.port});
+    each_wire(document, [&](const Connection& wire) {
+        if (!wire.node.empty() && wire.from.is_node() && !document.find(wire.from.node))
+            dangling.push_back(wire);
+    });
     for (const Connection& wire : dangling)
         document = without_wire(document, wire.node, wire.port);
     return document;
@@ -109,9 +105,8 @@ Document with_outer_wires(const State& state, Document document, const std::stri
         }
         const auto given = state.model.type_of(wire.from);
         const NodeType* type = state.registry->find(document.find(reader->second)->type);
-        const uint32_t port = type ? type->find_input(wire.port) : NodeType::none;
-        const bool fits =
-            port == NodeType::none || (given && converts(*given, type->ports[port].type));
+        const Port* port = input_port(type, wire.port);
+        const bool fits = !port || (given && converts(*given, port->type));
         if (fits && state.document().find(wire.from.node))
             document = connect(document, wire.from, reader->second, wire.port);
     }
@@ -119,9 +114,7 @@ Document with_outer_wires(const State& state, Document document, const std::stri
 }
 
 ImVec2 corner_of(const Document& document, const std::vector<Extent>& places) {
-    Extent all;
-    for (const Extent& place : places)
-        all.add(place);
+    Extent all = around(places);
     for (const BoxId& id : all_boxes(document))
         all.add(extent_of(*find_box(document, id)));
     return all.low;

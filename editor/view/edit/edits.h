@@ -1,7 +1,6 @@
 // Edits of the canvas and the panels: they act on the selection and find positions for new nodes.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "editor/model/document/wiring.h"

@@ -26,27 +26,24 @@ ImVec2 usual_size(const NodeType& type) {
 // Returns the nearest position below all cards in the way.
 ImVec2 clear_place(const State& state, const Document& document, ImVec2 at, ImVec2 own) {
     at = {std::round(at.x / 8) * 8, std::round(at.y / 8) * 8};
-    const auto meets = [&](float x, float y, float width, float height) {
-        return x < at.x + own.x + 16 && at.x < x + width + 16 && y < at.y + own.y + 16 &&
-               at.y < y + height + 16;
-    };
+    std::vector<Extent> taken;
+    for (const Card& card : state.layout.cards)
+        if (card.kind != Card::Kind::node) taken.push_back(card.extent());
+    for (const Position& place : document.positions) {
+        const Node* node = document.find(place.id);
+        const Card* card = state.layout.find(place.id);
+        const NodeType* type = node ? state.registry->find(node->type) : nullptr;
+        if (!node || (!card && !type)) continue;
+        const ImVec2 low(static_cast<float>(place.x), static_cast<float>(place.y));
+        taken.push_back({low, low + (card ? card->size : usual_size(*type))});
+    }
     for (bool moved = true; moved;) {
         moved = false;
-        for (const Card& card : state.layout.cards) {
-            if (card.kind == Card::Kind::node) continue;
-            if (!meets(card.at.x, card.at.y, card.size.x, card.size.y)) continue;
-            at.y = std::ceil((card.at.y + card.size.y + 24) / 8) * 8;
-            moved = true;
-        }
-        for (const Position& place : document.positions) {
-            const Node* node = document.find(place.id);
-            const Card* card = state.layout.find(place.id);
-            const NodeType* type = node ? state.registry->find(node->type) : nullptr;
-            if (!node || (!card && !type)) continue;
-            const ImVec2 size = card ? card->size : usual_size(*type);
-            const auto x = static_cast<float>(place.x), y = static_cast<float>(place.y);
-            if (!meets(x, y, size.x, size.y)) continue;
-            at.y = std::ceil((y + size.y + 24) / 8) * 8;
+        for (const auto& [low, high] : taken) {
+            if (low.x >= at.x + own.x + 16 || at.x >= high.x + 16 || low.y >= at.y + own.y + 16 ||
+                at.y >= high.y + 16)
+                continue;
+            at.y = std::ceil((high.y + 24) / 8) * 8;
             moved = true;
         }
     }
@@ -76,9 +73,8 @@ std::string free_input(const State& state, const Document& document, const Wire&
     const Node* reader = document.find(wire.node);
     if (!reader || (reader->type != "gradient_add" && reader->type != "height_add")) return {};
     const std::string other = wire.port == "a" ? "b" : "a";
-    const NodeType* type = state.registry->find(reader->type);
-    if (!type || type->find_input(other) == NodeType::none) return {};
-    return reader->find(other) ? "" : other;
+    const bool has_it = input_port(state.registry->find(reader->type), other);
+    return has_it && !reader->find(other) ? other : "";
 }
 
 }  // namespace
@@ -140,11 +136,10 @@ std::optional<Document> with_bump_on_wire(const State& state, const Document& do
     if (const std::string port = free_input(state, document, wire); !port.empty())
         return connect(document, bump, wire.node, port);
     const Node* source = document.find(bump.node);
-    const NodeType* source_type = source ? state.registry->find(source->type) : nullptr;
-    const uint32_t output = source_type ? source_type->find_output(bump.port) : NodeType::none;
-    const NodeType* type = output == NodeType::none ? nullptr
-                                                    : adder(state, wire.from_type, wire.to_type,
-                                                            source_type->ports[output].type);
+    const Port* output =
+        output_port(source ? state.registry->find(source->type) : nullptr, bump.port);
+    const NodeType* type =
+        output ? adder(state, wire.from_type, wire.to_type, output->type) : nullptr;
     if (!type) {
         why = wire.from.text() + " carries no bump to lay another over";
         return std::nullopt;
@@ -158,14 +153,12 @@ std::optional<Document> with_bump_on_wire(const State& state, const Document& do
 Wire before_resolve(const State& state, const Document& document, const Wire& wire) {
     const Node* source = document.find(wire.from.node);
     if (!source || source->type != "resolve") return wire;
-    for (const Wire& each : state.layout.wires)
-        if (each.node == source->id && each.port == "gradient") return each;
-    return wire;
+    const Wire* into = state.layout.wire_to({source->id, "gradient"});
+    return into ? *into : wire;
 }
 
 void leave_empty_graph(CanvasState& canvas) {
-    canvas.view.surface_at.reset();
-    canvas.view.outputs_at.reset();
+    static_cast<Borders&>(canvas.view) = {};
     canvas.view.fitted = false;
 }
 

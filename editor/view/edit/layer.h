@@ -2,7 +2,6 @@
 // Functions map Document -> Document; on failure they return std::nullopt with the reason.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 

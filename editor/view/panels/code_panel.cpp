@@ -59,12 +59,11 @@ void follow(State& state) {
     code.requested_file = state.follow.first;
     code.requested_snapshot = state.document();
     code.requested_options = code.options;
-    CodeJob job{state.model, state.document(), identifier(state.path.stem().string()),
-                code.options};
+    CodeJob job = job_of(state);
     if (code.maker)
-        code.maker->submit(std::move(job));
+        code.maker->post(std::move(job));
     else
-        take(code, make_code(job, *state.registry));
+        take(code, make_code(job));
 }
 
 // Returns the label of a target: "GLSL 3.30" for "glsl330". Other items are their own label.

@@ -83,7 +83,7 @@ void take_dropped(State& state) {
 }
 
 std::string what_is_shown(const State& state) {
-    const std::string& node = state.follow.running_for.node;
+    const std::string& node = state.follow.drawn.request.node;
     return node.empty() ? "output: normal" : "node: " + node + ", preview only";
 }
 

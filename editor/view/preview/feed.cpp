@@ -13,12 +13,13 @@ namespace {
 std::vector<const UniformInfo*> uniforms_at(const CompileState& follow,
                                             const Change::Place& place) {
     std::vector<const UniformInfo*> found;
-    if (!follow.running || place.index >= follow.running_snapshot.nodes.size()) return found;
-    const std::string& node = follow.running_snapshot.nodes[place.index]->id;
-    for (const UniformInfo& uniform : follow.running->reflection.uniforms) {
+    const Build& drawn = follow.drawn;
+    if (!drawn.running() || place.index >= drawn.document.nodes.size()) return found;
+    const std::string& node = drawn.document.nodes[place.index]->id;
+    for (const UniformInfo& uniform : drawn.running()->reflection.uniforms) {
         if (uniform.graph_input || uniform.port != place.port) continue;
-        const auto copy = follow.copied.find(uniform.node);
-        if (uniform.node == node || (copy != follow.copied.end() && copy->second == node))
+        const auto copy = drawn.copied.find(uniform.node);
+        if (uniform.node == node || (copy != drawn.copied.end() && copy->second == node))
             found.push_back(&uniform);
     }
     return found;
@@ -36,10 +37,10 @@ bool all_are_uniforms(const CompileState& follow, const Change& difference) {
 void send(State& state, const Change::Place& place) {
     const Node* node = state.document().find(place.node);
     const NodeType* type = state.type_of(place.node);
-    const uint32_t port = node && type ? type->find_input(place.port) : NodeType::none;
-    if (port == NodeType::none) return;
-    const auto numbers = numbers_at(*node, type->ports[port]);
-    const auto lanes = static_cast<size_t>(lanes_of(type->ports[port].type));
+    const Port* port = input_port(type, place.port);
+    if (!node || !port) return;
+    const auto numbers = numbers_at(*node, *port);
+    const auto lanes = static_cast<size_t>(lanes_of(port->type));
     float values[4];
     for (size_t i = 0; i < lanes; ++i)
         values[i] = static_cast<float>(numbers[i]);
@@ -64,9 +65,10 @@ PreviewRequest wanted_request(const State& state) {
     return request;
 }
 
-void forget_images(PreviewState& state) {
-    if (state.preview) state.preview->forget_images();
-    ++state.node_feed.images;
+void forget_files(PreviewState& state, Use use) {
+    if (state.preview && (use == Use::image || use == Use::mesh || use == Use::light))
+        state.preview->forget(use);
+    if (use == Use::image) ++state.node_feed.images;
 }
 
 bool send_values(State& state) {
@@ -84,22 +86,18 @@ void apply_latest_build(State& state) {
     const Build& built = state.built;
     state.preview_stale = !built.running();
     if (!built.running()) return;
-    const bool same_kind = follow.running && follow.running_for == built.request &&
-                           !follow.displacement && !built.displacement;
-    if (same_kind &&
-        all_are_uniforms(follow, change(follow.running_snapshot, follow.built_snapshot))) {
+    const bool same_kind = follow.drawn.running() && follow.drawn.request == built.request &&
+                           !follow.drawn.displacement && !built.displacement;
+    if (same_kind && all_are_uniforms(follow, change(follow.drawn.document, built.document))) {
         send_values(state);
         return;
     }
-    follow.running = built.running();
-    follow.running_snapshot = follow.sent_snapshot = follow.built_snapshot;
-    follow.running_for = built.request;
-    follow.copied = built.copied;
-    follow.displacement = built.displacement;
+    follow.drawn = built;
+    follow.sent_snapshot = built.document;
     if (!state.preview) return;
-    state.preview->set_material(std::make_shared<const Shader>(*follow.running),
-                                follow.displacement);
-    if (state.timings) state.timings->compiled(follow.finished_version, state.preview->asked() + 1);
+    state.preview->set_material(std::make_shared<const Shader>(*built.running()),
+                                built.displacement);
+    if (state.timings) state.timings->compiled(built.version, state.preview->asked() + 1);
     send_values(state);
 }
 
@@ -138,17 +136,18 @@ void poll_preview_diagnostics(State& state) {
     state.follow.diagnosed_version = image.version;
     state.counters.programs = image.programs;
     state.preview_problems = Diagnostics();
+    const Build& drawn = state.follow.drawn;
     for (const Diagnostic& problem : image.problems.list())
-        state.preview_problems.add(
-            state.follow.running
-                ? at_node(problem, state.follow.running->reflection, state.follow.copied)
-                : problem);
+        state.preview_problems.add(drawn.running()
+                                       ? at_node(problem, drawn.running()->reflection, drawn.copied)
+                                       : problem);
     state.preview_stale = !state.built.running() || image.refused;
 }
 
 std::string other_normal(const State& state) {
-    if (state.view.compare.mode == CompareView::Mode::off || !state.follow.running) return {};
-    for (const FunctionInfo& function : state.follow.running->reflection.functions)
+    const auto& running = state.follow.drawn.running();
+    if (state.view.compare.mode == CompareView::Mode::off || !running) return {};
+    for (const FunctionInfo& function : running->reflection.functions)
         if (function.output == against_output) return against_output;
     return {};
 }

@@ -9,8 +9,8 @@ namespace wrinkle::editor {
 // Returns the preview request for the current document.
 PreviewRequest wanted_request(const State& state);
 
-// Image files are read again, for the preview and for node previews.
-void forget_images(PreviewState& state);
+// Files of that use are read again, for the preview and for node previews.
+void forget_files(PreviewState& state, Use use);
 
 // Called after a build: replaces the program only if more than names and values differ.
 void apply_latest_build(State& state);

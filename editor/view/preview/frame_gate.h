@@ -13,17 +13,9 @@ namespace wrinkle::editor {
 
 class FrameGate {
 public:
-    // A frame is drawn while this object exists.
-    class Frame {
-    public:
-        explicit Frame(FrameGate& gate) : gate_(gate) { gate_.set(true); }
-        ~Frame() { gate_.set(false); }
-        Frame(const Frame&) = delete;
-        Frame& operator=(const Frame&) = delete;
-
-    private:
-        FrameGate& gate_;
-    };
+    using Frame = std::lock_guard<FrameGate>;  // a frame is drawn while this object exists
+    void lock() { set(true); }
+    void unlock() { set(false); }
 
     // Waits until the frame in progress is finished, if any; at most 25 ms, so that renderings make
     // progress while a frame waits for the display.

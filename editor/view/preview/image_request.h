@@ -3,8 +3,7 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
+#include <future>
 #include <optional>
 #include <utility>
 
@@ -22,37 +21,30 @@ public:
     const float split;
     std::atomic<bool> cancelled = false;
 
-    bool answered() const {
-        const std::lock_guard lock(mutex_);
-        return answered_;
-    }
+    bool answered() const { return answered_; }
     // Called by the preview: sets the image, or std::nullopt with the reasons.
     void answer(std::optional<Image> image, Diagnostics problems) {
-        {
-            const std::lock_guard lock(mutex_);
-            if (answered_) return;
-            image_ = std::move(image);
-            problems_ = std::move(problems);
-            answered_ = true;
-        }
-        changed_.notify_all();
+        if (!answered_.exchange(true)) answer_.set_value({std::move(image), std::move(problems)});
     }
     // Waits for the image; returns std::nullopt with reasons in `problems` if there will be none.
     std::optional<Image> wait(const std::atomic<bool>& stop, Diagnostics& problems) {
-        std::unique_lock lock(mutex_);
-        while (!answered_ && !stop)
-            changed_.wait_for(lock, std::chrono::milliseconds(20));
-        if (stop) cancelled = true;
-        problems.append(problems_);
-        return std::move(image_);
+        std::future<Answer> future = answer_.get_future();
+        while (!stop && future.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
+            continue;
+        cancelled = stop.load();
+        if (stop) return std::nullopt;
+        Answer answer = future.get();
+        problems.append(answer.problems);
+        return std::move(answer.image);
     }
 
 private:
-    mutable std::mutex mutex_;
-    std::condition_variable changed_;
-    bool answered_ = false;
-    std::optional<Image> image_;
-    Diagnostics problems_;
+    struct Answer {
+        std::optional<Image> image;
+        Diagnostics problems;
+    };
+    std::atomic<bool> answered_ = false;
+    std::promise<Answer> answer_;
 };
 
 }  // namespace wrinkle::editor

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <set>
-#include <string>
 
 #include "editor/view/look/preview_atlas.h"
 #include "editor/view/preview/node_previews.h"
@@ -15,21 +13,16 @@ struct State;
 struct NodeFeed {
     NodePreviewMaker* maker = nullptr;  // nullptr: no node previews
     PreviewAtlas atlas;
-    NodePreviews previews;           // the newest; its texels are in the atlas
-    uint64_t requested_version = 0;  // version of the newest job
+    NodePreviews previews;     // the newest; its texels are in the atlas
+    NodePreviewJob requested;  // the newest job; its document follows edits that change no preview
     uint64_t first = 1;   // first version of the open graph; older previews are another graph's
     uint64_t images = 0;  // when it changes, image files are read again
-    // Inputs of that job.
-    Document requested_snapshot;
-    std::set<std::string> requested_nodes;
-    const Registry* requested_registry = nullptr;
-    uint64_t requested_images = 0;
 
-    bool has_asked() const { return requested_version >= first; }
+    bool has_asked() const { return requested.version >= first; }
     // Called when another graph is opened or the textures are lost.
     void forget() {
         previews = {};
-        first = requested_version + 1;
+        first = requested.version + 1;
     }
     bool idle() const { return !maker || maker->idle(); }
 };

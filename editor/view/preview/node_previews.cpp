@@ -126,7 +126,7 @@ void append(std::vector<uint8_t>& texels, PortType type, const std::vector<doubl
 
 }  // namespace
 
-NodePreviews NodePainter::draw(const NodePreviewJob& job) {
+NodePreviews NodePainter::operator()(const NodePreviewJob& job) {
     NodePreviews previews;
     previews.version = job.version;
     if (std::exchange(images_, job.images) != job.images) textures_.forget();

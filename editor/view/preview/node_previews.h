@@ -9,8 +9,6 @@
 
 #include <cstdint>
 #include <map>
-#include <memory>
-#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -44,7 +42,7 @@ class NodePainter {
 public:
     // Draws no preview of a node that does not compile. Errors of other nodes or of the graph's
     // outputs have no effect.
-    NodePreviews draw(const NodePreviewJob& job);
+    NodePreviews operator()(const NodePreviewJob& job);
 
 private:
     // Returns false, and draws nothing, if the nodes do not compile together.
@@ -54,23 +52,6 @@ private:
     uint64_t images_ = 0;
     TextureStore textures_;
 };
-
-// Runs a NodePainter on a worker thread; the newest job wins.
-class NodePreviewMaker {
-public:
-    // `wake` is called on the worker thread.
-    explicit NodePreviewMaker(std::function<void()> wake = {})
-        : worker_(
-              [painter = NodePainter()](NodePreviewJob&& job) mutable { return painter.draw(job); },
-              std::move(wake)) {}
-
-    void submit(NodePreviewJob job) { worker_.post(std::move(job)); }
-    std::optional<NodePreviews> take() { return worker_.take(); }
-    bool idle() const { return worker_.idle(); }
-    void wait_idle() { worker_.wait_idle(); }
-
-private:
-    Worker<NodePreviewJob, NodePreviews> worker_;
-};
+using NodePreviewMaker = Worker<NodePreviewJob, NodePreviews>;
 
 }  // namespace wrinkle::editor

@@ -1,4 +1,5 @@
 #include "editor/view/preview/painter.h"
+#include "editor/view/preview/image_request.h"
 
 #include <epoxy/gl.h>
 
@@ -68,6 +69,53 @@ AngleFigures figures_of(const std::vector<float>& pixels, float end) {
     figures.end = end > 0 ? end : end_of_scale(std::move(seen));
     figures.degrees = std::make_shared<const std::vector<float>>(std::move(degrees));
     return figures;
+}
+
+// Copies the columns from `from` on from the other image.
+void put_beside(Image& image, const Image& other, uint32_t from) {
+    for (uint32_t y = 0; y < image.height; ++y)
+        for (uint32_t x = from; x < image.width; ++x)
+            for (uint32_t c = 0; c < 3; ++c)
+                image.texel(x, y)[c] = other.texel(x, y)[c];
+}
+
+Image opaque(const Image& source) {
+    Image image = make_image(source.width, source.height, 3, PixelType::u8);
+    put_beside(image, source, 0);
+    return image;
+}
+
+// Sets the options of side B.
+void view_other(gpu::ViewOptions& view, const PreviewJob& job, float heat_degrees) {
+    if (!job.difference) {
+        view.normal = job.against;
+        return;
+    }
+    view.view = gpu::View::difference;
+    view.against = job.against;
+    view.heat_degrees = heat_degrees;
+}
+
+// Draws the image that `job` requests from the renderer's state; std::nullopt with the reason in
+// `problems` on failure.
+std::optional<Image> draw_requested_image(gpu::Renderer& renderer, gpu::Scene scene,
+                                          const PreviewJob& job, float heat_degrees,
+                                          Diagnostics& problems) {
+    const ImageRequest& request = *job.image_request;
+    const auto target = gpu::Target::make(
+        {.width = request.width, .height = request.height, .samples = 4}, problems);
+    if (!target) return std::nullopt;
+    scene.background.a = 1;
+    gpu::ViewOptions view;
+    view.view = job.view.view;
+    if (!renderer.draw(scene, view, *target, problems)) return std::nullopt;
+    Image image = opaque(target->read_image());
+    if (job.against.empty() || request.split >= 1 || request.cancelled) return image;
+    view_other(view, job, heat_degrees);
+    if (!renderer.draw(scene, view, *target, problems)) return std::nullopt;
+    const auto from = static_cast<uint32_t>(request.split * static_cast<float>(request.width));
+    put_beside(image, target->read_image(), from);
+    return image;
 }
 
 }  // namespace
@@ -196,14 +244,8 @@ bool PreviewPainter::draw_sides(const PreviewJob& job, PreviewImage& image) {
     image.angles = {};
     if (job.against.empty()) return true;
     if (!fit(slot.b, options, image.problems)) return false;
-    if (job.difference) {
-        if (!measure(job, scene, image)) return false;
-        view.view = gpu::View::difference;
-        view.against = job.against;
-        view.heat_degrees = image.angles.end;
-    } else {
-        view.normal = job.against;
-    }
+    if (job.difference && !measure(job, scene, image)) return false;
+    view_other(view, job, image.angles.end);
     if (!renderer_.draw(scene, view, *slot.b, image.problems)) return false;
     image.other = slot.b->texture();
     return true;

@@ -21,17 +21,22 @@
 
 namespace wrinkle::editor {
 
-struct PreviewJob {
-    uint64_t version = 0;
-    uint64_t graph = 0;                                // a change discards the last rendering
-    std::shared_ptr<const Shader> material;            // nullptr: none yet
-    std::map<std::string, std::vector<float>> values;  // uniform values changed since `material`
-    std::shared_ptr<const Displacement> displacement;  // nullptr: none
+// View, comparison and size of a rendering.
+struct PreviewFrame {
     PreviewView view;
     std::string against;  // output with the other normal; "" compares nothing
     bool difference = false;
     float degrees = 0;  // end of the heat map's scale; 0: automatic
     int width = 0, height = 0;
+    bool operator==(const PreviewFrame&) const = default;
+};
+
+struct PreviewJob : PreviewFrame {
+    uint64_t version = 0;
+    uint64_t graph = 0;                                // a change discards the last rendering
+    std::shared_ptr<const Shader> material;            // nullptr: none yet
+    std::map<std::string, std::vector<float>> values;  // uniform values changed since `material`
+    std::shared_ptr<const Displacement> displacement;  // nullptr: none
     // If one of them changes, its files are read again.
     uint64_t images = 0, meshes = 0, lights = 0;
     std::shared_ptr<ImageRequest> image_request;  // answered once, after the preview
@@ -59,12 +64,6 @@ struct PreviewImage {
     bool first = false;       // first use of a program or a mesh: includes its setup time
     uint64_t programs = 0;    // linked so far
 };
-
-// Draws the image that `job` requests from the renderer's state; std::nullopt with the reason in
-// `problems` on failure.
-std::optional<Image> draw_requested_image(gpu::Renderer& renderer, gpu::Scene scene,
-                                          const PreviewJob& job, float heat_degrees,
-                                          Diagnostics& problems);
 
 class PreviewPainter {
 public:

@@ -63,18 +63,8 @@ void Preview::set_uniform(const std::string& name, std::span<const float> value)
     changed_ = true;
 }
 
-void Preview::forget_images() {
-    ++job_.images;
-    changed_ = true;
-}
-
-void Preview::forget_mesh() {
-    ++job_.meshes;
-    changed_ = true;
-}
-
-void Preview::forget_light() {
-    ++job_.lights;
+void Preview::forget(Use use) {
+    ++(use == Use::mesh ? job_.meshes : use == Use::light ? job_.lights : job_.images);
     changed_ = true;
 }
 
@@ -89,16 +79,9 @@ void Preview::show(const PreviewView& view, const std::string& against, const Co
                    int width, int height) {
     const bool difference = !against.empty() && compare.difference;
     const float degrees = difference ? compare.degrees : 0;
-    if (!changed_ && view == job_.view && against == job_.against &&
-        difference == job_.difference && degrees == job_.degrees && width == job_.width &&
-        height == job_.height)
-        return;
-    job_.view = view;
-    job_.against = against;
-    job_.difference = difference;
-    job_.degrees = degrees;
-    job_.width = width;
-    job_.height = height;
+    const PreviewFrame frame{view, against, difference, degrees, width, height};
+    if (!changed_ && frame == job_) return;
+    static_cast<PreviewFrame&>(job_) = frame;
     changed_ = false;
     submit();
 }

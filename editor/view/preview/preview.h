@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 
+#include "editor/model/document/used_files.h"
 #include "editor/model/worker.h"
 #include "editor/view/preview/frame_gate.h"
 #include "editor/view/preview/painter.h"
@@ -28,10 +29,8 @@ public:
     // Called when another graph is opened: nothing is shown until there is a material.
     void forget_material();
     void set_uniform(const std::string& name, std::span<const float> value);
-    // These files are read again for the next rendering.
-    void forget_images();
-    void forget_mesh();
-    void forget_light();
+    // Images, the mesh or the light are read again for the next rendering.
+    void forget(Use use);
     // Drawn once, as requested by the last show().
     void draw_image_request(std::shared_ptr<ImageRequest> request);
     // Sets view and comparison for the same material; width and height in pixels.

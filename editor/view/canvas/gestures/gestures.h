@@ -10,20 +10,15 @@ void begin_gesture(State& state, Gesture::Kind kind, int button = 0);
 
 // select.cpp
 void select_card(CanvasState& canvas, const std::string& id);
+void select_box(CanvasState& canvas, const BoxId& id);
 void click_card(CanvasState& canvas, const std::string& id);  // a press without a drag
+void click_box(CanvasState& canvas, const BoxId& id);
 void drag_box(State& state);
 void drag_lasso(CanvasState& canvas);
 
-// boxes.cpp
-void select_box(CanvasState& canvas, const BoxId& id);
-void begin_box(State& state, const Hit& hit);  // moves it by its title, resizes it at its edges
-void click_box(CanvasState& canvas, const BoxId& id);
-void drag_resize(State& state, ImVec2 delta);
-
-// edge_pan.cpp
-void pan_at_edges(CanvasState& canvas);
-
 // move.cpp
+void begin_box(State& state, const Hit& hit);  // moves it by its title, resizes it at its edges
+void drag_resize(State& state, ImVec2 delta);
 void begin_move(State& state, const std::string& id);
 void carry_selection(State& state);  // and the contents of the selected frames
 void drag_move(State& state, ImVec2 delta);
@@ -37,6 +32,16 @@ Hit snap_wire(const State& state, ImVec2 mouse);
 void begin_wire(State& state, const Card& card, const Pin& pin);
 void lift_wire(State& state);
 void drop_wire(State& state);
+
+// The wire of a drag between two cards: forward, else backward to a free input. Its pins fit best:
+// equal types before convertible ones, free inputs before connected ones, then equal names, then
+// pin order.
+struct LazyWire {
+    const Card *from = nullptr, *to = nullptr;
+    const Pin *out = nullptr, *in = nullptr;
+};
+std::optional<LazyWire> lazy_wire(const State& state, const Card& first, const Card& last);
+void drop_lazy(State& state);
 
 // value.cpp
 void open_popup(State& state, const Card& card, const Field* field, Popup::Kind kind);
@@ -52,8 +57,5 @@ void drop_cut(State& state);
 void drop_reroutes(State& state);
 // Inserts a reroute into the wire at `at`, in canvas units.
 void reroute_wire(State& state, size_t wire, ImVec2 at);
-
-// lazy.cpp
-void drop_lazy(State& state);
 
 }  // namespace wrinkle::editor

@@ -1,5 +1,6 @@
 #include "editor/view/canvas/gestures/gestures.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "editor/model/document/wiring.h"
@@ -7,6 +8,7 @@
 #include "editor/view/canvas/boxes.h"
 #include "editor/view/canvas/canvas.h"
 #include "editor/view/canvas/layout.h"
+#include "editor/view/canvas/new_cards.h"
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/refresh.h"
@@ -46,12 +48,17 @@ bool drop_in_wire(State& state, const Document& moved) {
     if (!index) return false;
     const Card card = *loose_card(state);
     const Wire wire = state.layout.wires[*index];
-    const Connection place{wire.from, wire.node, wire.port};
-    const Document wired = insert_in_wire(moved, place, card.id, *passage_in(state, card, wire));
+    const Document wired = insert_in_wire(moved, wire, card.id, *passage_in(state, card, wire));
     std::optional<ImVec2> outputs_at;
     state.commit("Insert " + card.id + " in a wire", make_space(state, wired, card, outputs_at));
     if (outputs_at) push_borders(state, {state.view.surface_at, outputs_at});
     return true;
+}
+
+constexpr double min_width = 64, min_height = 40;
+
+double on_grid(double length) {
+    return std::round(length / 8) * 8;
 }
 
 }  // namespace
@@ -81,17 +88,13 @@ void drop_cards(State& state) {
     refresh(state);  // updates card positions to the last motion
     std::vector<NodePosition> places;
     for (const Card& card : state.layout.cards) {
-        const bool carried = state.gesture.carried.contains(card.id);
-        // The automatic layout would move cards without a position once others have one.
-        const bool settles =
-            card.kind == Card::Kind::node && !state.document().positions.find(card.id);
-        if (!carried && !settles) continue;
+        if (!state.gesture.carried.contains(card.id)) continue;
         if (card.kind == Card::Kind::node) places.push_back({card.id, card.at.x, card.at.y});
         if (card.kind == Card::Kind::surface) state.view.surface_at = card.at;
         if (card.kind == Card::Kind::outputs) state.view.outputs_at = card.at;
     }
     if (by.x == 0 && by.y == 0) return;
-    Document moved = move_nodes(state.document(), places);
+    Document moved = move_nodes(settled(state, state.document()), places);
     for (const BoxId& id : state.gesture.carried_boxes) {
         Box box = *find_box(state.document(), id);
         box.rect.x += by.x;
@@ -99,6 +102,35 @@ void drop_cards(State& state) {
         moved = with_box(moved, id.note, std::move(box));
     }
     if (!drop_in_wire(state, moved)) state.commit("Move", moved);
+}
+
+void begin_box(State& state, const Hit& hit) {
+    const BoxId id = all_boxes(state.document())[hit.part];
+    select_box(state, id);
+    begin_gesture(state, hit.edges != 0 ? Gesture::Kind::resize : Gesture::Kind::move);
+    Gesture& g = state.gesture;
+    g.box = id;
+    g.edges = hit.edges;
+    g.rect = find_box(state.document(), id)->rect;
+    carry_selection(state);
+    if (g.kind == Gesture::Kind::move) add_contents(state, id, g.carried, g.carried_boxes);
+}
+
+void drag_resize(State& state, ImVec2 delta) {
+    const Gesture& g = state.gesture;
+    const Box* found = find_box(state.document(), g.box);
+    if (!found) return;
+    Box box = *found;
+    const double dx = delta.x / state.view.zoom, dy = delta.y / state.view.zoom;
+    double left = g.rect.x, right = left + g.rect.width;
+    double top = g.rect.y, bottom = top + g.rect.height;
+    if (g.edges & 1) left = std::min(on_grid(left + dx), right - min_width);
+    if (g.edges & 2) right = std::max(on_grid(right + dx), left + min_width);
+    if (g.edges & 4) top = std::min(on_grid(top + dy), bottom - min_height);
+    if (g.edges & 8) bottom = std::max(on_grid(bottom + dy), top + min_height);
+    box.rect = {left, top, right - left, bottom - top};
+    state.commit(g.box.note ? "Resize note" : "Resize frame",
+                 with_box(state.document(), g.box.note, std::move(box)), g.merge);
 }
 
 }  // namespace wrinkle::editor

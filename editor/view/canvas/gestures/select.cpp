@@ -20,27 +20,45 @@ bool encloses(const std::vector<ImVec2>& polygon, ImVec2 at) {
     return inside;
 }
 
+bool is_adding() {
+    return ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl;
+}
+
+template <class Id, class Other>
+void select_only(std::set<Id>& ids, std::set<Other>& others, const Id& id) {
+    ids = {id};
+    others.clear();
+}
+
+// Shift or Ctrl toggles; else an item that is not selected becomes the only one.
+template <class Id, class Other>
+void select(std::set<Id>& ids, std::set<Other>& others, const Id& id) {
+    if (!is_adding()) {
+        if (!ids.contains(id)) select_only(ids, others, id);
+    } else if (!ids.erase(id)) {
+        ids.insert(id);
+    }
+}
+
 }  // namespace
 
 void select_card(CanvasState& canvas, const std::string& id) {
-    std::set<std::string>& selected = canvas.view.selected;
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.KeyShift || io.KeyCtrl) {
-        if (!selected.erase(id)) selected.insert(id);
-    } else if (!selected.contains(id)) {
-        selected = {id};
-        canvas.view.boxes.clear();
-    }
+    select(canvas.view.selected, canvas.view.boxes, id);
     std::erase(canvas.view.order, id);
     canvas.view.order.push_back(id);
     canvas.layout_stale = true;
 }
 
+void select_box(CanvasState& canvas, const BoxId& id) {
+    select(canvas.view.boxes, canvas.view.selected, id);
+}
+
 void click_card(CanvasState& canvas, const std::string& id) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (io.KeyShift || io.KeyCtrl) return;
-    canvas.view.selected = {id};
-    canvas.view.boxes.clear();
+    if (!is_adding()) select_only(canvas.view.selected, canvas.view.boxes, id);
+}
+
+void click_box(CanvasState& canvas, const BoxId& id) {
+    if (!is_adding()) select_only(canvas.view.boxes, canvas.view.selected, id);
 }
 
 void drag_box(State& state) {
@@ -48,23 +66,19 @@ void drag_box(State& state) {
     const Gesture& g = state.gesture;
     const Extent box =
         Extent::between(to_canvas(state.view, g.start), to_canvas(state.view, io.MousePos));
-    const bool keep = io.KeyShift || io.KeyCtrl;
-    state.view.selected = keep ? g.selected : std::set<std::string>();
-    state.view.boxes = keep ? g.boxes : std::set<BoxId>();
-    for (const Card& card : state.layout.cards) {
-        if (!box.touches(card.extent())) continue;
+    state.view.selected = is_adding() ? g.selected : std::set<std::string>();
+    state.view.boxes = is_adding() ? g.boxes : std::set<BoxId>();
+    const auto enclose = [&](auto& ids, const auto& id) {
         if (io.KeyCtrl)
-            state.view.selected.erase(card.id);
+            ids.erase(id);
         else
-            state.view.selected.insert(card.id);
-    }
-    for (const BoxId& id : all_boxes(state.document())) {
-        if (!box.contains(extent_of(state, id, *find_box(state.document(), id)))) continue;
-        if (io.KeyCtrl)
-            state.view.boxes.erase(id);
-        else
-            state.view.boxes.insert(id);
-    }
+            ids.insert(id);
+    };
+    for (const Card& card : state.layout.cards)
+        if (box.touches(card.extent())) enclose(state.view.selected, card.id);
+    for (const BoxId& id : all_boxes(state.document()))
+        if (box.contains(extent_of(state, id, *find_box(state.document(), id))))
+            enclose(state.view.boxes, id);
 }
 
 void drag_lasso(CanvasState& canvas) {

@@ -15,20 +15,9 @@ namespace {
 
 constexpr size_t max_points = 4096;
 
-Connection ends_of(const Wire& wire) {
-    return {wire.from, wire.node, wire.port};
-}
-
-Node reroute_node(const Document& document) {
-    Node node;
-    node.id = free_id(document, reroute_type);
-    node.type = reroute_type;
-    return node;
-}
-
 // Inserts one reroute into wires of the same source; it feeds all their readers.
 Document with_reroute(const Document& document, const std::vector<Connection>& wires, ImVec2 at) {
-    Node node = reroute_node(document);
+    Node node = new_node(document, reroute_type, reroute_type);
     const std::string id = node.id;
     const ImVec2 corner = at - ImVec2(reroute_width, reroute_height) * 0.5F;
     Document result =
@@ -67,7 +56,7 @@ void drag_stroke(CanvasState& canvas) {
 void drop_cut(State& state) {
     std::vector<Connection> wires;
     for (const Gesture::Crossing& each : state.gesture.crossed)
-        wires.push_back(ends_of(state.layout.wires[each.wire]));
+        wires.push_back(state.layout.wires[each.wire]);
     const std::string what = wires.size() == 1 ? "1 wire" : std::to_string(wires.size()) + " wires";
     state.commit("Cut " + what, cut_wires(state.model, state.document(), wires));
 }
@@ -81,7 +70,7 @@ void drop_reroutes(State& state) {
         std::vector<Connection> wires;
         ImVec2 middle(0, 0);
         for (const Gesture::Crossing& each : crossings) {
-            wires.push_back(ends_of(state.layout.wires[each.wire]));
+            wires.push_back(state.layout.wires[each.wire]);
             middle = middle + each.at * (1 / static_cast<float>(crossings.size()));
         }
         document = with_reroute(document, wires, middle);
@@ -90,8 +79,7 @@ void drop_reroutes(State& state) {
 }
 
 void reroute_wire(State& state, size_t wire, ImVec2 at) {
-    state.commit("Reroute",
-                 with_reroute(state.document(), {ends_of(state.layout.wires[wire])}, at));
+    state.commit("Reroute", with_reroute(state.document(), {state.layout.wires[wire]}, at));
 }
 
 }  // namespace wrinkle::editor

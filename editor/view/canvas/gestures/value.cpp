@@ -19,13 +19,12 @@ const Port& port_of(const Card& card, const Field& field) {
 void click_field(State& state, const Card& card, const Field& field) {
     const Port& port = port_of(card, field);
     const Document& document = state.document();
-    if (port.kind == Port::Kind::choice) {
-        open_field(state, card, field);
-    } else if (port.kind == Port::Kind::flag) {
+    if (port.kind == Port::Kind::flag) {
         const bool on = numbers_at(*document.find(card.id), port)[0] != 0;
         state.commit(card.id + ": " + port.name, with_flag(document, card.id, port, !on));
-    } else if (port.is_value() &&
-               (port.type == PortType::image_ || port.type == PortType::color_)) {
+    } else if (port.kind == Port::Kind::choice ||
+               (port.is_value() &&
+                (port.type == PortType::image_ || port.type == PortType::color_))) {
         open_field(state, card, field);
     }
 }

@@ -6,6 +6,7 @@
 #include "editor/view/canvas/layout.h"
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
+#include "graph/edit.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -72,6 +73,33 @@ bool is_own(const CanvasState& canvas, const Card& card) {
     const Gesture& wire = canvas.gesture;
     return card.kind == Card::Kind::node &&
            card.id == (wire.from_output ? wire.from.node : wire.node);
+}
+
+int score(const Pin& out, const Pin& in, bool reroute) {
+    if (reroute) return 0;  // a reroute takes the type of its source
+    if (!out.known || !in.known || !converts(out.type, in.type)) return -1;
+    return 8 * (out.type == in.type) + 6 * !in.connected + (out.port == in.port);
+}
+
+std::optional<LazyWire> best_wire(const Card& from, const Card& to, bool free_only) {
+    std::optional<LazyWire> best;
+    int most = -1;
+    for (const Pin& out : from.pins)
+        for (const Pin& in : to.pins) {
+            if (!out.output || in.output || (free_only && in.connected)) continue;
+            const int points = score(out, in, to.reroute);
+            if (points <= most) continue;
+            most = points;
+            best = LazyWire{&from, &to, &out, &in};
+        }
+    return best;
+}
+
+bool is_possible(const State& state, const LazyWire& wire) {
+    const bool nodes = wire.to->kind == Card::Kind::node && wire.from->kind == Card::Kind::node;
+    if (nodes && would_cycle(state.document(), {wire.from->id, ""}, wire.to->id)) return false;
+    return wire_is_legal(state.model, state.document(), wire.out->type, wire.to->link_id(),
+                         wire.in->port);
 }
 
 }  // namespace
@@ -151,6 +179,26 @@ void connect_wire(State& state, const Gesture& wire, const Card& card, const Pin
         return;
     }
     commit_connection(state, connection_at(wire, card, pin), wire.merge);
+}
+
+std::optional<LazyWire> lazy_wire(const State& state, const Card& first, const Card& last) {
+    for (const auto& wire : {best_wire(first, last, false), best_wire(last, first, true)})
+        if (wire && is_possible(state, *wire)) return wire;
+    return std::nullopt;
+}
+
+void drop_lazy(State& state) {
+    const Hit hit = state.hovered;
+    if (!hit.on_card(state.layout) || hit.card == state.gesture.card) return;
+    const Card &first = state.layout.cards[state.gesture.card],
+               &last = state.layout.cards[hit.card];
+    const auto wire = lazy_wire(state, first, last);
+    if (!wire) {
+        state.status = "No output of " + first.id + " fits an input of " + last.id + ".";
+        return;
+    }
+    commit_connection(state,
+                      {{wire->from->id, wire->out->port}, wire->to->link_id(), wire->in->port});
 }
 
 }  // namespace wrinkle::editor
