@@ -26,11 +26,7 @@ std::string list(const std::vector<double>& values) {
 }  // namespace
 
 void Timings::section(std::string name, uint64_t builds, uint64_t programs) {
-    Section next;
-    next.name = std::move(name);
-    next.builds = builds;
-    next.programs = programs;
-    sections_.push_back(std::move(next));
+    sections_.push_back({.name = std::move(name), .builds = builds, .programs = programs});
     pending_.clear();
 }
 
@@ -68,10 +64,9 @@ std::string Timings::to_json(uint64_t builds, uint64_t programs) const {
     for (size_t i = 0; i < sections_.size(); ++i) {
         const Section& s = sections_[i];
         const bool last = i + 1 == sections_.size();
-        const double longest =
-            s.frames.empty() ? 0 : *std::max_element(s.frames.begin(), s.frames.end());
         std::vector<double> sorted = s.frames;
-        std::sort(sorted.begin(), sorted.end());
+        std::ranges::sort(sorted);
+        const double longest = sorted.empty() ? 0 : sorted.back();
         const double middle = sorted.empty() ? 0 : sorted[sorted.size() / 2];
         text += "  {\"section\": \"" + s.name +
                 "\", \"frames\": " + std::to_string(s.frames.size()) +

@@ -32,7 +32,7 @@ public:
 private:
     struct Section {
         std::string name = "start";
-        std::vector<double> frames, structure, values;
+        std::vector<double> frames = {}, structure = {}, values = {};
         uint64_t builds = 0, programs = 0;  // counts at its begin
     };
     struct Pending {

@@ -8,10 +8,13 @@ namespace wrinkle::editor {
 namespace {
 
 std::vector<Command> all_commands() {
+    const std::pair<std::string_view, std::span<const Command>> menus[] = {
+        {"File", file_commands}, {"Edit", edit_commands},       {"View", view_commands},
+        {"Node", node_commands}, {"Preview", preview_commands}, {"Help", help_commands}};
     std::vector<Command> all;
-    for (const auto group : {file_commands(), edit_commands(), view_commands(), node_commands(),
-                             preview_commands(), help_commands()})
-        all.insert(all.end(), group.begin(), group.end());
+    for (const auto& [menu, group] : menus)
+        for (const Command& command : group)
+            all.emplace_back(command).menu = menu;
     return all;
 }
 

@@ -13,16 +13,16 @@ struct Command {
     std::string_view id;     // "undo"
     std::string_view title;  // "Undo"
     std::string_view keys;   // "Ctrl+Z"; "" for none
-    std::string_view menu;   // "Edit"
     // Returns the reason why it cannot be run now, a short sentence; "" if it can.
     std::string_view (*why_not)(const State&);
     void (*run)(State&);
     bool (*on)(const State&) = nullptr;  // toggle: returns true if on
+    std::string_view menu = {};          // "Edit", set for commands()
 
     bool enabled(const State& state) const { return why_not(state).empty(); }
 };
 
-std::span<const Command> commands();
+std::span<const Command> commands();  // in the order of the menus
 const Command* find_command(std::string_view id);
 bool run_command(State& state, std::string_view id);  // false if unknown or disabled
 

@@ -51,29 +51,27 @@ void select_all(State& state) {
 }
 
 constexpr Command edit_table[] = {
-    {"undo", "Undo", "Ctrl+Z", "Edit", no_undo, undo},
-    {"redo", "Redo", "Ctrl+Shift+Z", "Edit", no_redo, redo},
-    {"delete", "Delete", "Delete", "Edit", no_delete, delete_selected},
-    {"delete-with-wires", "Delete with wires", "Shift+Delete", "Edit", no_delete,
+    {"undo", "Undo", "Ctrl+Z", no_undo, undo},
+    {"redo", "Redo", "Ctrl+Shift+Z", no_redo, redo},
+    {"delete", "Delete", "Delete", no_delete, delete_selected},
+    {"delete-with-wires", "Delete with wires", "Shift+Delete", no_delete,
      delete_selected_with_wires},
-    {"cut", "Cut", "Ctrl+X", "Edit", no_part, cut_selected},
-    {"copy", "Copy", "Ctrl+C", "Edit", no_part, copy_selected},
-    {"paste", "Paste", "Ctrl+V", "Edit", always, paste},
-    {"duplicate", "Duplicate", "Ctrl+D", "Edit", no_part, [](State& s) { duplicate_selected(s); }},
-    {"duplicate-alone", "Duplicate without inputs", "Ctrl+Shift+D", "Edit", no_part,
+    {"cut", "Cut", "Ctrl+X", no_part, cut_selected},
+    {"copy", "Copy", "Ctrl+C", no_part, copy_selected},
+    {"paste", "Paste", "Ctrl+V", always, paste},
+    {"duplicate", "Duplicate", "Ctrl+D", no_part, [](State& s) { duplicate_selected(s); }},
+    {"duplicate-alone", "Duplicate without inputs", "Ctrl+Shift+D", no_part,
      [](State& s) { duplicate_selected(s, false); }},
-    {"find", "Find in graph", "Ctrl+F", "Edit", always, find},
-    {"select-all", "Select all", "Ctrl+A", "Edit", always, select_all},
-    {"select-upstream", "Select what feeds it", "L", "Edit", wants_selection,
+    {"find", "Find in graph", "Ctrl+F", always, find},
+    {"select-all", "Select all", "Ctrl+A", always, select_all},
+    {"select-upstream", "Select what feeds it", "L", wants_selection,
      [](State& s) { s.view.selected = with_upstream(s.document(), s.view.selected); }},
-    {"select-downstream", "Select what it feeds", "Shift+L", "Edit", wants_selection,
+    {"select-downstream", "Select what it feeds", "Shift+L", wants_selection,
      [](State& s) { s.view.selected = with_downstream(s.document(), s.view.selected); }},
 };
 
 }  // namespace
 
-std::span<const Command> edit_commands() {
-    return edit_table;
-}
+const std::span<const Command> edit_commands = edit_table;
 
 }  // namespace wrinkle::editor

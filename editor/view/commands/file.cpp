@@ -38,26 +38,25 @@ void ask_recover(State& state) {
 }
 
 constexpr Command file_table[] = {
-    {"new", "New", "Ctrl+N", "File", always,
+    {"new", "New", "Ctrl+N", always,
      [](State& s) {
          s.start.left = true;
          request_action(s, {PendingAction::Kind::new_graph, {}});
      }},
-    {"open", "Open...", "Ctrl+O", "File", always, open},
-    {"save", "Save", "Ctrl+S", "File", always, [](State& s) { save_file(s); }},
-    {"save-as", "Save as...", "Ctrl+Shift+S", "File", always, save_as},
-    {"recover", "Recover unsaved graph...", "", "File", no_recoverable, ask_recover},
-    {"export-glsl", "Export GLSL...", "Ctrl+E", "File", always,
+    {"open", "Open...", "Ctrl+O", always, open},
+    {"save", "Save", "Ctrl+S", always, [](State& s) { save_file(s); }},
+    {"save-as", "Save as...", "Ctrl+Shift+S", always, save_as},
+    {"recover", "Recover unsaved graph...", "", no_recoverable, ask_recover},
+    {"export-glsl", "Export GLSL...", "Ctrl+E", always,
      [](State& s) { browse(s, Browser::Purpose::export_text, usual_export(s)); }},
-    {"bake", "Bake maps...", "Ctrl+B", "File", [](const State& s) { return no_maps(s); },
-     open_bake_dialog},
-    {"reload", "Read files again", "F5", "File", always, reload},
-    {"reload-plugins", "Reload plugins", "", "File", no_plugins,
+    {"bake", "Bake maps...", "Ctrl+B", [](const State& s) { return no_maps(s); }, open_bake_dialog},
+    {"reload", "Read files again", "F5", always, reload},
+    {"reload-plugins", "Reload plugins", "", no_plugins,
      [](State& s) {
          reload_plugins(s);
          s.offer = {};
      }},
-    {"quit", "Quit", "Ctrl+Q", "File", always,
+    {"quit", "Quit", "Ctrl+Q", always,
      [](State& s) {
          request_action(s, {PendingAction::Kind::quit, {}});
      }},
@@ -65,8 +64,6 @@ constexpr Command file_table[] = {
 
 }  // namespace
 
-std::span<const Command> file_commands() {
-    return file_table;
-}
+const std::span<const Command> file_commands = file_table;
 
 }  // namespace wrinkle::editor

@@ -1,4 +1,4 @@
-// Parts of the command table, one per menu, in the order of the menu bar; and common functions for
+// Parts of the command table, one per menu; and common functions for
 // Command::why_not.
 #pragma once
 
@@ -6,12 +6,8 @@
 
 namespace wrinkle::editor {
 
-std::span<const Command> file_commands();
-std::span<const Command> edit_commands();
-std::span<const Command> view_commands();
-std::span<const Command> node_commands();
-std::span<const Command> preview_commands();
-std::span<const Command> help_commands();
+extern const std::span<const Command> file_commands, edit_commands, view_commands, node_commands,
+    preview_commands, help_commands;
 
 inline std::string_view always(const State&) {
     return {};

@@ -5,14 +5,12 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr Command help_table[] = {
-    {"help", "Help on the selected node", "F1", "Help", always, show_help},
-    {"shortcuts", "Shortcuts", "Shift+F1", "Help", always, show_shortcuts},
+    {"help", "Help on the selected node", "F1", always, show_help},
+    {"shortcuts", "Shortcuts", "Shift+F1", always, show_shortcuts},
 };
 
 }  // namespace
 
-std::span<const Command> help_commands() {
-    return help_table;
-}
+const std::span<const Command> help_commands = help_table;
 
 }  // namespace wrinkle::editor

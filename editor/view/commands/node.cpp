@@ -75,39 +75,37 @@ void distribute(State& state) {
 }
 
 constexpr Command node_table[] = {
-    {"add-node", "Add node", "Space", "Node", always, add_node},
-    {"add-picture", "Add picture", "I", "Node", always, choose_image},
-    {"edit-values", "Edit values, or open the sub-graph", "Enter", "Node", no_values,
+    {"add-node", "Add node", "Space", always, add_node},
+    {"add-picture", "Add picture", "I", always, choose_image},
+    {"edit-values", "Edit values, or open the sub-graph", "Enter", no_values,
      [](State& s) { selected_group(s) ? open_selected_group(s) : edit_values(s); }},
-    {"mute", "Mute", "M", "Node", wants_selection, mute_selected},
-    {"picture", "Picture of what it makes", "V", "Node", wants_selection, turn_pictures},
-    {"swap-inputs", "Swap inputs", "Alt+S", "Node", wants_selection, swap_selected},
-    {"frame", "Frame", "C", "Node", always, frame_selected},
-    {"note", "Note", "N", "Node", always, add_note},
-    {"group", "Group", "Ctrl+G", "Node", wants_selection, group_selected},
-    {"ungroup", "Ungroup", "Ctrl+Shift+G", "Node", wants_selection, ungroup_selected},
-    {"open-group", "Open sub-graph", "Tab", "Node", no_group, open_selected_group},
-    {"leave-group", "Back to the graph around it", "Shift+Tab", "Node", no_outer, leave_group},
-    {"leave-groups", "Back to the outermost graph", "", "Node", no_outer, leave_groups},
-    {"tidy", "Tidy", "Ctrl+L", "Node", always, tidy},
-    {"tidy-selection", "Tidy selection", "Ctrl+Shift+L", "Node", wants_selection,
+    {"mute", "Mute", "M", wants_selection, mute_selected},
+    {"picture", "Picture of what it makes", "V", wants_selection, turn_pictures},
+    {"swap-inputs", "Swap inputs", "Alt+S", wants_selection, swap_selected},
+    {"frame", "Frame", "C", always, frame_selected},
+    {"note", "Note", "N", always, add_note},
+    {"group", "Group", "Ctrl+G", wants_selection, group_selected},
+    {"ungroup", "Ungroup", "Ctrl+Shift+G", wants_selection, ungroup_selected},
+    {"open-group", "Open sub-graph", "Tab", no_group, open_selected_group},
+    {"leave-group", "Back to the graph around it", "Shift+Tab", no_outer, leave_group},
+    {"leave-groups", "Back to the outermost graph", "", no_outer, leave_groups},
+    {"tidy", "Tidy", "Ctrl+L", always, tidy},
+    {"tidy-selection", "Tidy selection", "Ctrl+Shift+L", wants_selection,
      [](State& s) { s.commit("Tidy selection", tidied_selection(s)); }},
-    {"align-left", "Align left", "Alt+Left", "Node", wants_two, align<Side::left>},
-    {"align-right", "Align right", "Alt+Right", "Node", wants_two, align<Side::right>},
-    {"align-top", "Align top", "Alt+Up", "Node", wants_two, align<Side::top>},
-    {"align-bottom", "Align bottom", "Alt+Down", "Node", wants_two, align<Side::bottom>},
-    {"align-column", "Align middles in a column", "", "Node", wants_two, align<Side::middle_x>},
-    {"align-row", "Align middles in a row", "", "Node", wants_two, align<Side::middle_y>},
-    {"distribute-across", "Distribute across", "", "Node", wants_three, distribute<true>},
-    {"distribute-down", "Distribute down", "", "Node", wants_three, distribute<false>},
-    {"snap", "Snap to grid", "", "Node", wants_selection,
+    {"align-left", "Align left", "Alt+Left", wants_two, align<Side::left>},
+    {"align-right", "Align right", "Alt+Right", wants_two, align<Side::right>},
+    {"align-top", "Align top", "Alt+Up", wants_two, align<Side::top>},
+    {"align-bottom", "Align bottom", "Alt+Down", wants_two, align<Side::bottom>},
+    {"align-column", "Align middles in a column", "", wants_two, align<Side::middle_x>},
+    {"align-row", "Align middles in a row", "", wants_two, align<Side::middle_y>},
+    {"distribute-across", "Distribute across", "", wants_three, distribute<true>},
+    {"distribute-down", "Distribute down", "", wants_three, distribute<false>},
+    {"snap", "Snap to grid", "", wants_selection,
      [](State& s) { s.commit("Snap to grid", snapped(s)); }},
 };
 
 }  // namespace
 
-std::span<const Command> node_commands() {
-    return node_table;
-}
+const std::span<const Command> node_commands = node_table;
 
 }  // namespace wrinkle::editor

@@ -81,36 +81,32 @@ void save_picture(State& state) {
 }
 
 constexpr Command preview_table[] = {
-    {"preview-node", "Preview node", "P", "Preview", one_node, preview_node,
+    {"preview-node", "Preview node", "P", one_node, preview_node,
      [](const State& s) { return !s.view.preview_request.node.empty(); }},
-    {"shaded", "Shaded", "1", "Preview", always, show<gpu::View::shaded>, shown<gpu::View::shaded>},
-    {"normal", "Normal", "2", "Preview", always, show<gpu::View::normal>, shown<gpu::View::normal>},
-    {"gradient", "Gradient", "3", "Preview", always, show<gpu::View::gradient>,
-     shown<gpu::View::gradient>},
-    {"height", "Height", "4", "Preview", always, show<gpu::View::height>, shown<gpu::View::height>},
-    {"uv", "UV", "5", "Preview", always, show<gpu::View::uv>, shown<gpu::View::uv>},
-    {"wireframe", "Wireframe", "6", "Preview", always, show<gpu::View::wireframe>,
+    {"shaded", "Shaded", "1", always, show<gpu::View::shaded>, shown<gpu::View::shaded>},
+    {"normal", "Normal", "2", always, show<gpu::View::normal>, shown<gpu::View::normal>},
+    {"gradient", "Gradient", "3", always, show<gpu::View::gradient>, shown<gpu::View::gradient>},
+    {"height", "Height", "4", always, show<gpu::View::height>, shown<gpu::View::height>},
+    {"uv", "UV", "5", always, show<gpu::View::uv>, shown<gpu::View::uv>},
+    {"wireframe", "Wireframe", "6", always, show<gpu::View::wireframe>,
      shown<gpu::View::wireframe>},
-    {"bump-angle", "Angle of the bump", "", "Preview", always, show<gpu::View::difference>,
+    {"bump-angle", "Angle of the bump", "", always, show<gpu::View::difference>,
      shown<gpu::View::difference>},
-    {"save-picture", "Save picture...", "", "Preview", why_no_image, save_picture<false>},
-    {"export-picture", "Export picture in a size...", "", "Preview", why_no_image,
-     save_picture<true>},
-    {"displaced", "Displaced", "", "Preview", always, displaced,
+    {"save-picture", "Save picture...", "", why_no_image, save_picture<false>},
+    {"export-picture", "Export picture in a size...", "", why_no_image, save_picture<true>},
+    {"displaced", "Displaced", "", always, displaced,
      [](const State& s) { return s.view.preview_view.displaced; }},
-    {"frame-preview", "Show all of the object", "Shift+F", "Preview", always, frame},
-    {"compare-split", "Compare side by side", "S", "Preview", always,
-     compare<CompareView::Mode::split>, compares<CompareView::Mode::split>},
-    {"compare-flip", "Compare: turn to the other side", "X", "Preview", always, flip,
+    {"frame-preview", "Show all of the object", "Shift+F", always, frame},
+    {"compare-split", "Compare side by side", "S", always, compare<CompareView::Mode::split>,
+     compares<CompareView::Mode::split>},
+    {"compare-flip", "Compare: turn to the other side", "X", always, flip,
      compares<CompareView::Mode::flip>},
-    {"compare-difference", "Compare: degrees or picture", "Shift+X", "Preview", always, difference,
+    {"compare-difference", "Compare: degrees or picture", "Shift+X", always, difference,
      [](const State& s) { return s.view.compare.difference; }},
 };
 
 }  // namespace
 
-std::span<const Command> preview_commands() {
-    return preview_table;
-}
+const std::span<const Command> preview_commands = preview_table;
 
 }  // namespace wrinkle::editor

@@ -1,5 +1,3 @@
-#include <cstdio>
-
 #include "editor/view/canvas/layout.h"
 #include "editor/view/commands/groups.h"
 #include "editor/view/edit/edits.h"
@@ -35,10 +33,7 @@ bool is_used(const State& state) {
 template <int By>
 void rescale(State& state) {
     state.look.scale = next_scale(state.look.scale, By);
-    char text[48];
-    std::snprintf(text, sizeof text, "Interface at %.0f %%",
-                  static_cast<double>(state.look.scale) * 100);
-    state.status = text;
+    state.status = "Interface at " + percent(state.look.scale);
 }
 template <int By>
 std::string_view no_scale(const State& state) {
@@ -64,38 +59,34 @@ bool is_maximised(const State& state) {
 }
 
 constexpr Command view_table[] = {
-    {"commands", "Search commands", "Ctrl+P", "View", always, show_commands},
-    {"fit", "Show all", "Home", "View", always, [](State& s) { fit(s.view, s.layout, false); }},
-    {"fit-selection", "Show selection", "F", "View", wants_selection,
+    {"commands", "Search commands", "Ctrl+P", always, show_commands},
+    {"fit", "Show all", "Home", always, [](State& s) { fit(s.view, s.layout, false); }},
+    {"fit-selection", "Show selection", "F", wants_selection,
      [](State& s) { fit(s.view, s.layout, true); }},
-    {"next-problem", "Next problem", "F8", "View", no_problems, next_problem},
-    {"zoom-in", "Zoom in", "Ctrl+Up", "View", always, zoom<1>},
-    {"zoom-out", "Zoom out", "Ctrl+Down", "View", always, zoom<-1>},
-    {"trace", "Trace the selection", "T", "View", always,
+    {"next-problem", "Next problem", "F8", no_problems, next_problem},
+    {"zoom-in", "Zoom in", "Ctrl+Up", always, zoom<1>},
+    {"zoom-out", "Zoom out", "Ctrl+Down", always, zoom<-1>},
+    {"trace", "Trace the selection", "T", always,
      [](State& s) { s.view.tracing = !s.view.tracing; },
      [](const State& s) { return s.view.tracing; }},
-    {"heat", "Tint costs", "H", "View", always, [](State& s) { s.view.heat = !s.view.heat; },
+    {"heat", "Tint costs", "H", always, [](State& s) { s.view.heat = !s.view.heat; },
      [](const State& s) { return s.view.heat; }},
-    {"pictures", "Pictures on nodes", "Shift+V", "View", always,
+    {"pictures", "Pictures on nodes", "Shift+V", always,
      [](State& s) {
          s.view.pictures = !s.view.pictures;
          s.layout_stale = true;
      },
      [](const State& s) { return s.view.pictures; }},
-    {"side", "Preview and code", "F6", "View", always, toggle_side, shows_side},
-    {"maximise", "Maximise the panel under the pointer", "F11", "View", always, maximise,
-     is_maximised},
-    {"dark-theme", "Dark theme", "", "View", always, use_theme<Theme::dark>, is_used<Theme::dark>},
-    {"light-theme", "Light theme", "", "View", always, use_theme<Theme::light>,
-     is_used<Theme::light>},
-    {"larger", "Larger interface", "Ctrl+Shift+Up", "View", no_scale<1>, rescale<1>},
-    {"smaller", "Smaller interface", "Ctrl+Shift+Down", "View", no_scale<-1>, rescale<-1>},
+    {"side", "Preview and code", "F6", always, toggle_side, shows_side},
+    {"maximise", "Maximise the panel under the pointer", "F11", always, maximise, is_maximised},
+    {"dark-theme", "Dark theme", "", always, use_theme<Theme::dark>, is_used<Theme::dark>},
+    {"light-theme", "Light theme", "", always, use_theme<Theme::light>, is_used<Theme::light>},
+    {"larger", "Larger interface", "Ctrl+Shift+Up", no_scale<1>, rescale<1>},
+    {"smaller", "Smaller interface", "Ctrl+Shift+Down", no_scale<-1>, rescale<-1>},
 };
 
 }  // namespace
 
-std::span<const Command> view_commands() {
-    return view_table;
-}
+const std::span<const Command> view_commands = view_table;
 
 }  // namespace wrinkle::editor

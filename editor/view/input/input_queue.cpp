@@ -13,22 +13,37 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr std::pair<std::string_view, int> named_keys[] = {
+struct Key {
+    std::string_view name;
+    int code;
+    int imgui = ImGuiKey_COUNT;  // ImGui's navigation and editing key, if it is one
+};
+constexpr Key keys[] = {
     {"Ctrl", GLFW_KEY_LEFT_CONTROL},
     {"Shift", GLFW_KEY_LEFT_SHIFT},
     {"Alt", GLFW_KEY_LEFT_ALT},
-    {"Space", GLFW_KEY_SPACE},
-    {"Enter", GLFW_KEY_ENTER},
-    {"Escape", GLFW_KEY_ESCAPE},
-    {"Tab", GLFW_KEY_TAB},
-    {"Delete", GLFW_KEY_DELETE},
-    {"Backspace", GLFW_KEY_BACKSPACE},
-    {"Up", GLFW_KEY_UP},
-    {"Down", GLFW_KEY_DOWN},
-    {"Left", GLFW_KEY_LEFT},
-    {"Right", GLFW_KEY_RIGHT},
-    {"Home", GLFW_KEY_HOME},
-    {"End", GLFW_KEY_END},
+    {"Space", GLFW_KEY_SPACE, ImGuiKey_Space},
+    {"Enter", GLFW_KEY_ENTER, ImGuiKey_Enter},
+    {"KeypadEnter", GLFW_KEY_KP_ENTER, ImGuiKey_KeyPadEnter},
+    {"Escape", GLFW_KEY_ESCAPE, ImGuiKey_Escape},
+    {"Tab", GLFW_KEY_TAB, ImGuiKey_Tab},
+    {"Insert", GLFW_KEY_INSERT, ImGuiKey_Insert},
+    {"Delete", GLFW_KEY_DELETE, ImGuiKey_Delete},
+    {"Backspace", GLFW_KEY_BACKSPACE, ImGuiKey_Backspace},
+    {"Up", GLFW_KEY_UP, ImGuiKey_UpArrow},
+    {"Down", GLFW_KEY_DOWN, ImGuiKey_DownArrow},
+    {"Left", GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
+    {"Right", GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
+    {"PageUp", GLFW_KEY_PAGE_UP, ImGuiKey_PageUp},
+    {"PageDown", GLFW_KEY_PAGE_DOWN, ImGuiKey_PageDown},
+    {"Home", GLFW_KEY_HOME, ImGuiKey_Home},
+    {"End", GLFW_KEY_END, ImGuiKey_End},
+    {"A", GLFW_KEY_A, ImGuiKey_A},
+    {"C", GLFW_KEY_C, ImGuiKey_C},
+    {"V", GLFW_KEY_V, ImGuiKey_V},
+    {"X", GLFW_KEY_X, ImGuiKey_X},
+    {"Y", GLFW_KEY_Y, ImGuiKey_Y},
+    {"Z", GLFW_KEY_Z, ImGuiKey_Z},
 };
 
 // Kinds of events applied in a frame, as bits.
@@ -98,14 +113,10 @@ void write(const InputEvent& event, ImGuiIO& io) {
 }
 
 bool is_valid(const InputEvent& event) {
-    switch (event.kind) {
-        case InputEvent::Kind::key:
-            return event.code >= 0 && event.code < 512;
-        case InputEvent::Kind::button:
-            return event.code >= 0 && event.code < 5;
-        default:
-            return true;
-    }
+    const int codes = event.kind == InputEvent::Kind::key ? 512 : 5;
+    const bool coded =
+        event.kind == InputEvent::Kind::key || event.kind == InputEvent::Kind::button;
+    return !coded || (event.code >= 0 && event.code < codes);
 }
 
 // Returns true for characters and key presses. A delayed key release would repeat the key.
@@ -117,8 +128,8 @@ bool is_typing(const InputEvent& event) {
 }  // namespace
 
 int key_named(std::string_view name) {
-    for (const auto& [each, code] : named_keys)
-        if (each == name) return code;
+    for (const Key& key : keys)
+        if (key.name == name) return key.code;
     if (name.size() == 1 && std::isalnum(static_cast<unsigned char>(name[0])))
         return std::toupper(static_cast<unsigned char>(name[0]));
     for (int number = 1; number <= 12; ++number)
@@ -170,32 +181,8 @@ void InputQueue::apply(ImGuiIO& io, bool typing_waits) {
 }
 
 void map_keys(ImGuiIO& io) {
-    constexpr std::pair<ImGuiKey, int> table[] = {
-        {ImGuiKey_Tab, GLFW_KEY_TAB},
-        {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
-        {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
-        {ImGuiKey_UpArrow, GLFW_KEY_UP},
-        {ImGuiKey_DownArrow, GLFW_KEY_DOWN},
-        {ImGuiKey_PageUp, GLFW_KEY_PAGE_UP},
-        {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN},
-        {ImGuiKey_Home, GLFW_KEY_HOME},
-        {ImGuiKey_End, GLFW_KEY_END},
-        {ImGuiKey_Insert, GLFW_KEY_INSERT},
-        {ImGuiKey_Delete, GLFW_KEY_DELETE},
-        {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
-        {ImGuiKey_Space, GLFW_KEY_SPACE},
-        {ImGuiKey_Enter, GLFW_KEY_ENTER},
-        {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
-        {ImGuiKey_KeyPadEnter, GLFW_KEY_KP_ENTER},
-        {ImGuiKey_A, GLFW_KEY_A},
-        {ImGuiKey_C, GLFW_KEY_C},
-        {ImGuiKey_V, GLFW_KEY_V},
-        {ImGuiKey_X, GLFW_KEY_X},
-        {ImGuiKey_Y, GLFW_KEY_Y},
-        {ImGuiKey_Z, GLFW_KEY_Z},
-    };
-    for (const auto& [key, code] : table)
-        io.KeyMap[key] = code;
+    for (const Key& key : keys)
+        if (key.imgui != ImGuiKey_COUNT) io.KeyMap[key.imgui] = key.code;
 }
 
 }  // namespace wrinkle::editor

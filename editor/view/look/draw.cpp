@@ -9,20 +9,15 @@
 namespace wrinkle::editor {
 namespace {
 
+// An outline that is not convex is two convex halves, split between its first and middle corner.
 void draw_outline(ImDrawList& list, std::span<const ImVec2> corners, ImVec2 center, float unit,
                   ImU32 color, bool filled, ImU32 ground, bool convex) {
     ImVec2 points[8];
-    for (size_t i = 0; i < corners.size(); ++i)
-        points[i] = center + corners[i] * unit;
-    const int count = static_cast<int>(corners.size());
-    if (convex) {
-        list.AddConvexPolyFilled(points, count, filled ? color : ground);
-    } else {  // two convex halves, split between the first and third corner
-        const ImVec2 upper[] = {points[0], points[1], points[2]};
-        list.AddConvexPolyFilled(upper, 3, filled ? color : ground);
-        const ImVec2 lower[] = {points[2], points[3], points[0]};
-        if (count == 4) list.AddConvexPolyFilled(lower, 3, filled ? color : ground);
-    }
+    const int count = static_cast<int>(corners.size()), half = convex ? count - 1 : count / 2;
+    for (int i = 0; i <= count; ++i)
+        points[i] = center + corners[static_cast<size_t>(i % count)] * unit;
+    list.AddConvexPolyFilled(points, half + 1, filled ? color : ground);
+    if (!convex) list.AddConvexPolyFilled(points + half, count - half + 1, filled ? color : ground);
     if (!filled) list.AddPolyline(points, count, color, ImDrawFlags_Closed, 1.8F);
 }
 
@@ -34,17 +29,8 @@ const ImVec2 diamond[] = {{0, -1.1F}, {1, 0}, {0, 1.1F}, {-1, 0}};
 const ImVec2 dome[] = {{-1.05F, 0.65F}, {-0.9F, 0}, {-0.45F, -0.5F}, {0, -0.65F},
                        {0.45F, -0.5F},  {0.9F, 0},  {1.05F, 0.65F}};
 
-void draw_hourglass(ImDrawList& list, ImVec2 c, float u, ImU32 color, bool filled, ImU32 ground) {
-    const ImVec2 upper[] = {c + ImVec2(-0.9F, -1) * u, c + ImVec2(0.9F, -1) * u,
-                            c + ImVec2(0.28F, 0) * u, c + ImVec2(-0.28F, 0) * u};
-    const ImVec2 lower[] = {c + ImVec2(-0.28F, 0) * u, c + ImVec2(0.28F, 0) * u,
-                            c + ImVec2(0.9F, 1) * u, c + ImVec2(-0.9F, 1) * u};
-    list.AddConvexPolyFilled(upper, 4, filled ? color : ground);
-    list.AddConvexPolyFilled(lower, 4, filled ? color : ground);
-    if (filled) return;
-    const ImVec2 around[] = {upper[0], upper[1], upper[2], lower[2], lower[3], upper[3]};
-    list.AddPolyline(around, 6, color, ImDrawFlags_Closed, 1.8F);
-}
+const ImVec2 hourglass[] = {{-0.28F, 0}, {-0.9F, -1}, {0.9F, -1},
+                            {0.28F, 0},  {0.9F, 1},   {-0.9F, 1}};
 
 // Glyphs are sharp at their baked size, so a baked size near `size` is used as it is.
 float baked_size(ImFont* font, float size) {
@@ -77,7 +63,7 @@ void draw_pin(ImDrawList& list, PortType type, ImVec2 c, float unit, ImU32 color
             outline(square);
             break;
         case PortType::color_:
-            draw_hourglass(list, c, unit, color, filled, ground);
+            outline(hourglass, false);
             break;
         case PortType::height_:
             outline(dome);

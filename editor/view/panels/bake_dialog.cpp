@@ -155,24 +155,14 @@ void draw_bake_dialog(State& state) {
     BakeDialog& dialog = state.bake_dialog;
     if (!dialog.open || state.question.open() || state.browser.purpose != Browser::Purpose::none)
         return;
-    if (!ImGui::IsPopupOpen("##bake")) ImGui::OpenPopup("##bake");
-    const ImVec2 room = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({room.x / 2, room.y / 2}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSizeConstraints({bake_wide, 0}, {bake_wide, room.y - 16});
-    ImGui::SetNextWindowSize({bake_wide, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(bake_padding, 20));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-    const bool shown =
-        ImGui::BeginPopupModal("##bake", nullptr,
-                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
-    ImGui::PopStyleVar(2);  // not for the dialog's lists and tooltips
+    const float room = ImGui::GetIO().DisplaySize.y;
+    ImGui::SetNextWindowSizeConstraints({bake_wide, 0}, {bake_wide, room - 16});
+    const Dialog shown("##bake", {bake_wide, 0}, {bake_padding, 20}, 8);
     if (!shown) return;
     const bool done = draw_bake_rows(state);
     dialog.opening = false;
     if (done) dialog = {};
     if (done || state.browser.purpose != Browser::Purpose::none) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
 }
 
 }  // namespace wrinkle::editor

@@ -22,63 +22,44 @@ namespace {
 constexpr float label_wide = 96, bake_row_tall = 36;
 constexpr float control_wide = bake_wide - 2 * bake_padding - label_wide - preview_side - 16;
 constexpr float half_wide = (bake_wide - 2 * bake_padding - 16) / 2 - label_wide;
+constexpr float right_half = bake_padding + label_wide + half_wide + 16;
 constexpr float map_tall = 28, max_map_rows = 4;
 constexpr const char* packs_tip =
     "Maps of others' channels, with a ; between two: orm: r=occlusion g=roughness b=metalness";
 
-// A row with a label, which has a tooltip, and a control; ended by the destructor.
-class BakeRow {
-public:
-    BakeRow(const State& state, const char* label, const char* tip = nullptr)
-        : state_(state), top_(ImGui::GetCursorPosY()) {
-        draw_label(label, tip);
-    }
-    BakeRow(const BakeRow&) = delete;
-    BakeRow& operator=(const BakeRow&) = delete;
-    ~BakeRow() { ImGui::SetCursorPosY(std::max(top_ + bake_row_tall, ImGui::GetCursorPosY())); }
-
-    float top() const { return top_; }
-    // Begins the right one of two controls.
-    void begin_beside(const char* label, const char* tip = nullptr) const {
-        ImGui::SetCursorPos({bake_padding + label_wide + half_wide + 16, top_});
-        draw_label(label, tip);
-    }
-
-private:
-    // The cursor is then at the control.
-    void draw_label(const char* label, const char* tip) const {
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        const ImVec2 end = at + ImVec2(label_wide, bake_row_tall - 4);
-        draw_text(*ImGui::GetWindowDrawList(), state_.fonts.regular(16), 16, at + ImVec2(0, 4),
-                  theme::text_dim, label);
-        if (tip && ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(at, end))
-            show_tooltip({at, end}, tip);
-        ImGui::SetCursorScreenPos(at + ImVec2(label_wide, 0));
-    }
-
-    const State& state_;
-    float top_;
-};
+// Begins a row, or at `x` the right one of two controls, with a label that has a tooltip; the
+// control is next.
+void begin_control(const State& state, const char* label, const char* tip = nullptr, float x = 0) {
+    if (x > 0) ImGui::SameLine(x);
+    const ImVec2 size(label_wide, bake_row_tall - ImGui::GetStyle().ItemSpacing.y);
+    ImGui::Dummy(size);
+    const About area = last_item();
+    draw_text(*ImGui::GetWindowDrawList(), state.fonts.regular(16), 16, area.low + ImVec2(0, 4),
+              theme::text_dim, label);
+    if (tip && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
+        show_tooltip(area, tip);
+    ImGui::SameLine(0, 0);
+}
 
 void draw_mesh_row(State& state) {
-    const BakeRow row(state, "Mesh");
+    begin_control(state, "Mesh");
     std::string& mesh = state.bake_dialog.choices.mesh;
-    Choices all = mesh_choices(mesh);
-    for (std::string& target : all.targets)
-        target.insert(0, "bake:");
+    std::vector<Item> items = mesh_items();
+    for (Item& item : items)
+        item.target.insert(0, "bake:");
     const std::string& shown = state.view.preview_view.mesh;
-    const size_t shapes_end = all.labels.size();
+    const size_t shapes_end = items.size();
     // A mesh file follows the shapes: the preview's, or the chosen one.
     for (const std::string& each : {shown, mesh})
-        if (!make_shape(each) && all.labels.size() == shapes_end)
-            all.add(mesh_label(each), "bake:mesh:file", each == mesh);
-    all.add("Choose a file...", "bake:mesh:browse");
-    const int picked = choose(state, "bake:mesh", mesh_label(mesh), all, control_wide);
+        if (!make_shape(each) && items.size() == shapes_end)
+            items.push_back({mesh_label(each), "bake:mesh:file"});
+    items.push_back({"Choose a file...", "bake:mesh:browse"});
+    const int picked = choose(state, "bake:mesh", mesh_label(mesh), items, control_wide);
     if (picked < 0) return;
     const auto index = static_cast<size_t>(picked);
     if (index < shapes_end)
         mesh = shapes()[index].name;
-    else if (index + 1 < all.labels.size())
+    else if (index + 1 < items.size())
         mesh = make_shape(shown) ? mesh : shown;
     else
         browse(state, Browser::Purpose::bake_mesh,
@@ -100,21 +81,22 @@ bool draw_box(State& state, const std::string& label, const std::string& target,
     return draw_control(state, target, 0, [&] { return ImGui::Checkbox(label.c_str(), on); });
 }
 
+bool is_ticked(const BakeChoices& choices, const std::string& map) {
+    return std::ranges::find(choices.maps, map) != choices.maps.end();
+}
+
 // Toggles `map` in the chosen maps, which stay in the order of `all`.
 void tick(BakeChoices& choices, const std::vector<std::string>& all, const std::string& map) {
     std::vector<std::string> ticked;
-    for (const std::string& each : all) {
-        const bool was =
-            std::find(choices.maps.begin(), choices.maps.end(), each) != choices.maps.end();
-        if (was != (each == map)) ticked.push_back(each);
-    }
+    for (const std::string& each : all)
+        if (is_ticked(choices, each) != (each == map)) ticked.push_back(each);
     choices.maps = std::move(ticked);
 }
 
 void draw_maps_row(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
     const std::vector<std::string> all = maps_of(state.document());
-    const BakeRow row(state, "Maps", bake_words::map);
+    begin_control(state, "Maps", bake_words::map);
     const auto rows = static_cast<float>((all.size() + 1) / 2);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::BeginChild("##maps", {control_wide, std::min(rows, max_map_rows) * map_tall}, false);
@@ -122,7 +104,7 @@ void draw_maps_row(State& state) {
     const float column = control_wide / 2;
     for (size_t i = 0; i < all.size(); ++i) {
         ImGui::SetCursorPos({i % 2 == 0 ? 0 : column, static_cast<float>(i / 2) * map_tall});
-        bool on = std::find(choices.maps.begin(), choices.maps.end(), all[i]) != choices.maps.end();
+        bool on = is_ticked(choices, all[i]);
         ImFont* font = state.fonts.regular(16);
         const std::string label = fitting(font, 16, all[i], column - 44) + "##" + all[i];
         if (draw_box(state, label, "bake:map:" + all[i], &on)) tick(choices, all, all[i]);
@@ -134,10 +116,10 @@ void draw_maps_row(State& state) {
 template <class Numbers, class Word>
 void draw_numbers(State& state, const std::string& target, const Numbers& numbers, uint32_t& chosen,
                   float wide, Word word) {
-    Choices all;
+    std::vector<Item> items;
     for (const uint32_t each : numbers)
-        all.add(word(each), target + ":" + std::to_string(each), each == chosen);
-    const int picked = choose(state, target, word(chosen), all, wide);
+        items.push_back({word(each), target + ":" + std::to_string(each)});
+    const int picked = choose(state, target, word(chosen), items, wide);
     if (picked >= 0) chosen = numbers[static_cast<size_t>(picked)];
 }
 
@@ -145,10 +127,10 @@ void draw_numbers(State& state, const std::string& target, const Numbers& number
 void draw_size_row(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
     constexpr float gap = 8, each_wide = (control_wide - gap) / 2;
-    const BakeRow row(state, "Size", "Width and height of a map, in texels");
+    begin_control(state, "Size", "Width and height of a map, in texels");
     draw_numbers(state, "bake:size", bake_sizes, choices.width, each_wide,
                  [](uint32_t texels) { return grouped(texels) + " px"; });
-    ImGui::SetCursorPos({bake_padding + label_wide + each_wide + gap, row.top()});
+    ImGui::SameLine(0, gap);
     std::vector<uint32_t> heights(std::begin(bake_sizes), std::end(bake_sizes));
     heights.insert(heights.begin(), 0);
     draw_numbers(
@@ -157,31 +139,31 @@ void draw_size_row(State& state) {
 }
 
 // Two segments that set a flag.
-void draw_ways(State& state, const Segment& off, const Segment& on, bool& way) {
-    const Segment both[] = {off, on};
+void draw_ways(State& state, const Item& off, const Item& on, bool& way) {
+    const Item both[] = {off, on};
     const int picked = segments(state, both, way ? 1 : 0, half_wide);
     if (picked >= 0) way = picked == 1;
 }
 
 void draw_normal_rows(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
-    const BakeRow row(state, "Space", "Of normals");
+    begin_control(state, "Space", "Of normals");
     draw_ways(state, {"Tangent", "bake:tangent", "The frame of the mesh's uvs"},
               {"Object", "bake:object", "The mesh's own axes"}, choices.object_space);
-    row.begin_beside("Green", "Of normals");
+    begin_control(state, "Green", "Of normals", right_half);
     draw_ways(state, {"Up (gl)", "bake:gl", "OpenGL, Blender, Unity, glTF"},
               {"Down (dx)", "bake:dx", "DirectX, Unreal"}, choices.green_down);
 }
 
 void draw_scale_row(State& state) {
-    const BakeRow row(state, "Scale", bake_words::scale);
+    begin_control(state, "Scale", bake_words::scale);
     draw_control(state, "bake:scale", control_wide, [&] {
         return ImGui::InputDouble("##scale", &state.bake_dialog.choices.tuning.scale, 0, 0, "%g");
     });
 }
 
 void draw_packs_row(State& state) {
-    const BakeRow row(state, "Packed", packs_tip);
+    begin_control(state, "Packed", packs_tip);
     draw_control(state, "bake:packs", bake_wide - 2 * bake_padding - label_wide, [&] {
         return ImGui::InputTextWithHint("##packs", "orm: r=occlusion g=roughness b=metalness",
                                         &state.bake_dialog.choices.packs);
@@ -190,10 +172,10 @@ void draw_packs_row(State& state) {
 
 void draw_edge_rows(State& state) {
     BakeTuning& tuning = state.bake_dialog.choices.tuning;
-    const BakeRow row(state, "Samples", bake_words::samples);
+    begin_control(state, "Samples", bake_words::samples);
     draw_numbers(state, "bake:samples", bake_sample_counts, tuning.samples, half_wide,
                  [](uint32_t count) { return std::to_string(count); });
-    row.begin_beside("Dilation", bake_words::dilate);
+    begin_control(state, "Dilation", bake_words::dilate, right_half);
     auto texels = static_cast<int>(tuning.dilate);
     draw_control(state, "bake:dilate", half_wide,
                  [&] { return ImGui::InputInt("##dilate", &texels, 0, 0); });
@@ -202,12 +184,12 @@ void draw_edge_rows(State& state) {
 
 void draw_stored(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
-    Choices all;
-    for (const StoredAs& each : stored_kinds())
-        all.add(std::string(each.label), "bake:stored:" + each.key, &each == choices.stored);
-    for (std::string& target : all.targets)
-        std::replace(target.begin(), target.end(), ' ', '-');
-    const int picked = choose(state, "bake:stored", choices.stored->label, all, half_wide);
+    std::vector<Item> items;
+    for (const StoredAs& each : stored_kinds()) {
+        items.push_back({each.label, "bake:stored:" + each.key});
+        std::ranges::replace(items.back().target, ' ', '-');
+    }
+    const int picked = choose(state, "bake:stored", choices.stored->label, items, half_wide);
     if (picked >= 0) choices.stored = &stored_kinds()[static_cast<size_t>(picked)];
 }
 
@@ -216,40 +198,39 @@ void draw_compression(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
     const std::vector<std::string_view> known = compressions_of(*choices.stored);
     const std::string own = choices.compression_in(*choices.stored);
-    Choices all;
-    all.add("Usual", "bake:compression:usual", true);
+    std::vector<Item> items{{"Usual", "bake:compression:usual"}};
     for (const std::string_view each : known)
-        all.add(std::string(each), "bake:compression:" + std::string(each), each == own);
+        items.push_back({std::string(each), "bake:compression:" + std::string(each)});
     ImGui::BeginDisabled(known.empty());
     const int picked =
-        choose(state, "bake:compression", own.empty() ? "Usual" : own, all, half_wide);
+        choose(state, "bake:compression", own.empty() ? "Usual" : own, items, half_wide);
     ImGui::EndDisabled();
     if (picked >= 0) choices.tuning.compression = picked == 0 ? "" : known[picked - 1];
 }
 
 void draw_stored_row(State& state) {
-    const BakeRow row(state, "Stored as", bake_words::type);
+    begin_control(state, "Stored as", bake_words::type);
     draw_stored(state);
-    row.begin_beside("Compression", bake_words::compression);
+    begin_control(state, "Compression", bake_words::compression, right_half);
     draw_compression(state);
 }
 
 void draw_tiles_row(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
-    const BakeRow row(state, "Tiled", bake_words::tile);
+    begin_control(state, "Tiled", bake_words::tile);
     const bool tiles = choices.tile_in(*choices.stored) == choices.tuning.tile;
     ImGui::BeginDisabled(!tiles || compressions_of(*choices.stored).empty());
     draw_numbers(state, "bake:tile", bake_tiles, choices.tuning.tile, half_wide,
                  [](uint32_t side) { return side ? std::to_string(side) + " px" : "In rows"; });
     ImGui::EndDisabled();
-    row.begin_beside("UDIM", bake_words::udim);
+    begin_control(state, "UDIM", bake_words::udim, right_half);
     draw_box(state, "All tiles", "bake:udim", &choices.udim);
 }
 
 // Returns true on Enter.
 bool draw_place_row(State& state) {
     BakeDialog& dialog = state.bake_dialog;
-    const BakeRow row(state, "Into", "A folder, or of one map its file; ~ is the home folder");
+    begin_control(state, "Into", "A folder, or of one map its file; ~ is the home folder");
     std::string text = dialog.choices.into.string();
     const float wide = bake_wide - 2 * bake_padding - label_wide - 112;
     const bool entered = draw_control(state, "bake:into", wide, [&] {

@@ -11,14 +11,8 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr const char* menus[] = {"File", "Edit", "View", "Node", "Preview", "Help"};
 constexpr float wordless = 1100;   // below this width toolbar buttons have no label
 constexpr float min_search = 640;  // below this one neither has the search field
-
-bool is_used(std::string_view menu) {
-    return std::any_of(commands().begin(), commands().end(),
-                       [&](const Command& command) { return command.menu == menu; });
-}
 
 // Tooltip of a command: its title, its keys, and why it cannot be run now.
 void explain(const State& state, const Command& command, const About& about) {
@@ -43,15 +37,16 @@ void draw_menu_item(State& state, const Command& command) {
     if (chosen) command.run(state);
 }
 
-void draw_menu(State& state, const char* menu) {
+void draw_menu(State& state, std::string_view name) {
+    const std::string menu(name);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8, 8));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(10, 10));
-    const bool open = ImGui::BeginMenu(menu);
-    name_item(state, std::string("menu:") + menu);
+    const bool open = ImGui::BeginMenu(menu.c_str());
+    name_item(state, "menu:" + menu);
     if (open) {
         for (const Command& command : commands())
             if (command.menu == menu) draw_menu_item(state, command);
-        if (std::string_view(menu) == "File") draw_recent_files(state);
+        if (menu == "File") draw_recent_files(state);
         ImGui::EndMenu();
     }
     ImGui::PopStyleVar(2);
@@ -71,18 +66,16 @@ float draw_command_search(State& state) {
     const float wide = search_room() - 16, left = window - wide - 8;
     if (!search) return left;
     ImGui::SetCursorPos({left, 3});
-    const ImVec2 low = ImGui::GetCursorScreenPos(), high = low + ImVec2(wide, 22);
-    const bool pressed = ImGui::InvisibleButton("search", high - low);
-    name_item(state, "search");
+    const auto [low, high, pressed, hovered] = area_button(state, "search", {wide, 22});
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, theme::field, 4);
-    list.AddRect(low, high, ImGui::IsItemHovered() ? theme::accent : theme::control, 4);
+    list.AddRect(low, high, hovered ? theme::accent : theme::control, 4);
     draw_icon(list, "find", low + ImVec2(15, 11), theme::text_dim);
     ImFont* font = state.fonts.regular(14);
     if (words) draw_text(list, font, 14, low + ImVec2(30, 4), theme::text_dim, "Search commands");
     if (window >= wordless)
         draw_text(list, font, 14, {high.x - 8, low.y + 4}, theme::text_dim, search->keys, true);
-    if (ImGui::IsItemHovered() && window < wordless) explain(state, *search, last_item());
+    if (window < wordless) explain(state, *search, last_item());
     if (pressed) search->run(state);
     return left;
 }
@@ -119,9 +112,9 @@ float width_of(const State& state, const Tool& tool, const Command& command, boo
 }
 
 void paint_tool(const State& state, const Tool& tool, const Command& command, bool words,
-                bool enabled) {
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    const bool hovered = enabled && ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+                bool enabled, const Area& area) {
+    const ImVec2 low = area.low, high = area.high;
+    const bool hovered = enabled && area.hovered, held = ImGui::IsItemActive();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (tool.primary || hovered || held)
         list.AddRectFilled(low, high,
@@ -143,12 +136,11 @@ void draw_tool(State& state, const Tool& tool, bool words) {
     const bool enabled = command->enabled(state);
     const ImVec2 size(width_of(state, tool, *command, words), 28);
     ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::InvisibleButton(tool.id, size);
+    const Area area = area_button(state, std::string("tool:") + tool.id, size);
     ImGui::EndDisabled();
-    name_item(state, std::string("tool:") + tool.id);
-    paint_tool(state, tool, *command, words, enabled);
+    paint_tool(state, tool, *command, words, enabled, area);
     explain(state, *command, last_item());
-    if (pressed) command->run(state);
+    if (area.pressed) command->run(state);
     ImGui::SameLine(0, 4);
 }
 
@@ -168,8 +160,9 @@ void draw_menu_bar(State& state) {
                       ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar);
     float end = 0;
     if (ImGui::BeginMenuBar()) {
-        for (const char* menu : menus)
-            if (is_used(menu)) draw_menu(state, menu);
+        std::string_view last;
+        for (const Command& command : commands())
+            if (command.menu != std::exchange(last, command.menu)) draw_menu(state, command.menu);
         end = ImGui::GetCursorPosX();
         ImGui::EndMenuBar();
     }

@@ -44,23 +44,16 @@ void draw_box_text(State& state) {
     const Extent extent = extent_of(state, entry.box, *box);
     const ImVec2 low = to_screen(state.view, extent.low), high = to_screen(state.view, extent.high);
     const ImVec2 size(std::max(high.x - low.x, 160.0F), std::max(high.y - low.y, 64.0F));
-    ImGui::SetNextWindowPos(low);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(4, 4));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    ImGui::PushStyleColor(ImGuiCol_Border, theme::accent);
-    if (entry.opening) ImGui::SetNextWindowFocus();
-    ImGui::Begin("##box-text", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    const FixedWindow window("##box-text", low, {0, 0},
+                             {.padding = {4, 4},
+                              .ground = theme::panel,
+                              .border = theme::accent,
+                              .opening = entry.opening});
     const bool done = draw_entry(state, size - ImVec2(8, 8));
-    const bool away = !entry.opening && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
     entry.opening = false;
-    ImGui::End();
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(2);
     if (is_pressed(ImGuiKey_Escape))
         entry = {};
-    else if (done || away)
+    else if (done || window.has_lost_focus())
         accept_box_text(state);
 }
 

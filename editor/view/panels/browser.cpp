@@ -98,8 +98,13 @@ void take(State& state, const fs::path& file) {
     }
 }
 
-const Entry& chosen_entry(const Browser& browser) {
-    return browser.listing.entries[browser.shown[static_cast<size_t>(browser.chosen)]];
+// Opens the chosen folder or takes the chosen file. Returns true when the browser is to be closed.
+bool enter_chosen(State& state) {
+    Browser& browser = state.browser;
+    const Entry entry = browser.listing.entries[browser.shown[static_cast<size_t>(browser.chosen)]];
+    const fs::path path = browser.folder / entry.name;
+    entry.folder ? go_to(browser, path) : take(state, path);
+    return !entry.folder;
 }
 
 // Uses the typed path or the chosen entry. Returns true when the browser is to be closed.
@@ -120,12 +125,7 @@ bool enter(State& state) {
         take(state, with_extension(state, typed.string()));
         return true;
     }
-    const Entry entry = chosen_entry(browser);
-    if (entry.folder)
-        go_to(browser, browser.folder / entry.name);
-    else
-        take(state, browser.folder / entry.name);
-    return !entry.folder;
+    return enter_chosen(state);
 }
 
 bool draw_field(State& state) {
@@ -195,7 +195,7 @@ void draw_places(State& state) {
     ImGui::EndChild();
 }
 
-void draw_entry(State& state, const Entry& entry, ImVec2 low, ImVec2 high, bool chosen) {
+void paint_entry(State& state, const Entry& entry, ImVec2 low, ImVec2 high, bool chosen) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool has_thumbnail = state.browser.purpose == Purpose::image && !entry.folder;
     const uint32_t thumbnail =
@@ -215,6 +215,20 @@ void draw_entry(State& state, const Entry& entry, ImVec2 low, ImVec2 high, bool 
               fitting(font, 16, entry.name, high.x - low.x - 44));
 }
 
+// Returns true if the entry was clicked and is a folder, or was double-clicked.
+bool draw_entry(State& state, int index) {
+    Browser& browser = state.browser;
+    const Entry& entry = browser.listing.entries[browser.shown[static_cast<size_t>(index)]];
+    const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0F), file_tall);
+    const Area area = area_button(state, "file:" + entry.name, size);
+    if (area.pressed) {
+        browser.chosen = index;
+        if (saves(browser) && !entry.folder) browser.text = entry.name;
+    }
+    paint_entry(state, entry, area.low, area.high, index == browser.chosen);
+    return (area.pressed && entry.folder) || (area.hovered && ImGui::IsMouseDoubleClicked(0));
+}
+
 // Returns true if a folder was clicked or a file double-clicked; it is then the chosen entry.
 bool draw_list(State& state) {
     Browser& browser = state.browser;
@@ -228,24 +242,8 @@ bool draw_list(State& state) {
     }
     if (browser.scroll) ImGui::SetScrollY(static_cast<float>(browser.chosen - 5) * file_tall);
     browser.scroll = false;
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(browser.shown.size()), file_tall);
-    while (clipper.Step())
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            const Entry& entry = browser.listing.entries[browser.shown[static_cast<size_t>(i)]];
-            ImGui::PushID(i);
-            const ImVec2 low = ImGui::GetCursorScreenPos();
-            const ImVec2 size(std::max(ImGui::GetContentRegionAvail().x, 1.0F), file_tall);
-            if (ImGui::InvisibleButton("entry", size)) {
-                browser.chosen = i;
-                if (saves(browser) && !entry.folder) browser.text = entry.name;
-                taken |= entry.folder;
-            }
-            taken |= ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0);
-            name_area(state, "file:" + entry.name, low, low + size);
-            draw_entry(state, entry, low, low + size, i == browser.chosen);
-            ImGui::PopID();
-        }
+    draw_rows(browser.shown.size(), file_tall,
+              [&](size_t row) { taken |= draw_entry(state, static_cast<int>(row)); });
     ImGui::EndChild();
     return taken;
 }
@@ -256,24 +254,15 @@ void move_choice(Browser& browser) {
     browser.scroll |= browser.chosen != before;
 }
 
-// Opens the clicked entry; a folder even if the field holds the name of a file to save.
-bool enter_chosen(State& state) {
-    const Entry entry = chosen_entry(state.browser);
-    if (!entry.folder) return enter(state);
-    go_to(state.browser, state.browser.folder / entry.name);
-    return false;
-}
-
 void draw_sizes(State& state) {
-    Choices choices;
+    std::vector<Item> items;
     for (const ImageSize& size : image_sizes(state))
-        choices.add(grouped(static_cast<size_t>(size.width)) + " \u00D7 " +
-                        grouped(static_cast<size_t>(size.height)) + " px",
-                    "size:" + std::to_string(choices.labels.size()));
+        items.push_back({grouped(static_cast<size_t>(size.width)) + " \u00D7 " +
+                             grouped(static_cast<size_t>(size.height)) + " px",
+                         "size:" + std::to_string(items.size())});
     size_t& chosen = state.browser.size;
-    chosen = std::min(chosen, choices.labels.size() - 1);
-    choices.chosen = static_cast<int>(chosen);
-    const int picked = choose(state, "browser:size", choices.labels[chosen], choices, 176);
+    chosen = std::min(chosen, items.size() - 1);
+    const int picked = choose(state, "browser:size", items[chosen].label, items, 176);
     if (picked >= 0) chosen = static_cast<size_t>(picked);
     ImGui::SameLine();
 }
@@ -340,21 +329,12 @@ void take_question(State& state) {
 void draw_browser(State& state) {
     if (state.question.wants_path()) take_question(state);
     if (state.browser.purpose == Purpose::none) return;
-    if (!ImGui::IsPopupOpen("##browser")) ImGui::OpenPopup("##browser");
     const ImVec2 room = ImGui::GetIO().DisplaySize;
     const ImVec2 size(std::min(760.0F, room.x - 32), std::min(560.0F, room.y - 32));
-    ImGui::SetNextWindowPos({(room.x - size.x) / 2, (room.y - size.y) / 2});
-    ImGui::SetNextWindowSize(size);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24, 20));
-    if (ImGui::BeginPopupModal("##browser", nullptr,
-                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
-        const bool done = draw_content(state);
-        if (done) ImGui::CloseCurrentPopup();
-        ImGui::EndPopup();
-        if (done) state.browser = {};
-    }
-    ImGui::PopStyleVar();
+    const Dialog dialog("##browser", size, {24, 20}, 0);
+    if (!dialog || !draw_content(state)) return;
+    ImGui::CloseCurrentPopup();
+    state.browser = {};
 }
 
 void open_chosen(State& state, const fs::path& file) {

@@ -73,13 +73,13 @@ std::string label_of(const std::string& item) {
 }
 
 // Combo box; scripts name it `target` and its items `target`:item. Returns the chosen index.
-int draw_choice(State& state, const std::string& target, std::span<const std::string> items,
+int draw_choice(State& state, const std::string& target, std::span<const std::string> names,
                 int chosen, float width) {
-    Choices choices{{}, {}, chosen};
-    for (const std::string& item : items)
-        choices.add(label_of(item), target + ":" + item);
-    const std::string& shown = choices.labels[static_cast<size_t>(chosen)];
-    const int picked = choose(state, target, shown, choices, width);
+    std::vector<Item> items;
+    for (const std::string& name : names)
+        items.push_back({label_of(name), target + ":" + name});
+    const std::string& shown = items[static_cast<size_t>(chosen)].label;
+    const int picked = choose(state, target, shown, items, width);
     return picked < 0 ? chosen : picked;
 }
 
@@ -147,22 +147,18 @@ void draw_head(State& state) {
 void draw_row(State& state, size_t index, float width) {
     const CodeText& text = state.code.text;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string& node = text.node(index);
-    ImGui::PushID(static_cast<int>(index));
-    const ImVec2 size(width, line_height);
-    const bool clicked = ImGui::InvisibleButton("line", size);
-    ImGui::PopID();
-    const bool hovered = ImGui::IsItemHovered();
+    const std::string number = std::to_string(index + 1);
+    const auto [at, end, clicked, hovered] =
+        area_button(state, "line:" + number, {width, line_height});
     if (!node.empty() && state.view.selected.contains(node)) {
-        list.AddRectFilled(at, at + size, theme::code_highlight);
+        list.AddRectFilled(at, end, theme::code_highlight);
         list.AddRectFilled(at, at + ImVec2(3, line_height), theme::accent);
     }
-    if (hovered) list.AddRect(at, at + size, theme::border);
+    if (hovered) list.AddRect(at, end, theme::border);
     if (hovered) state.code.hovered = node;
-    name_area(state, "line:" + std::to_string(index + 1), at, at + size);
     draw_text(list, state.fonts.regular(14), 14, at + ImVec2(number_right, 1), theme::text_off,
-              std::to_string(index + 1), true);
+              number, true);
     draw_line(list, state.fonts.code(), at + ImVec2(text_left, 0), text.line(index));
     if (!clicked || !state.document().find(node)) return;
     state.view.selected = {node};
@@ -184,25 +180,13 @@ void scroll_to_selected(State& state) {
 }
 
 // One-line message above the source.
-void draw_strip(State& state, ImU32 color, const std::string& text) {
+void draw_message(const State& state, ImU32 color, const std::string& text) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, at + ImVec2(width, 28), theme::bar);
-    list.AddRectFilled(at, at + ImVec2(4, 28), color);
-    ImFont* font = state.fonts.regular(14);
-    const std::string shown = fitting(font, 14, text, width - 20);
-    draw_text(list, font, 14, at + ImVec2(12, 7), theme::text, shown);
-    if (shown != text && ImGui::IsMouseHoveringRect(at, at + ImVec2(width, 28)))
-        show_tooltip({at, at + ImVec2(width, 28)}, text);
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 28);
-}
-
-void draw_problem(State& state) {
-    draw_strip(
-        state, theme::warn,
-        (state.code.text.starts.empty() ? "No text yet. " : "The last text that could be made. ") +
-            sentence(state.code.problem));
+    const ImVec2 end = at + ImVec2(width, strip_tall);
+    const bool whole = draw_strip(state.fonts, at, width, theme::bar, color, text);
+    if (!whole && ImGui::IsMouseHoveringRect(at, end)) show_tooltip({at, end}, text);
+    ImGui::SetCursorPosY(ImGui::GetCursorPosY() + strip_tall);
 }
 
 }  // namespace
@@ -213,26 +197,27 @@ void draw_code(State& state) {
     draw_head(state);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::code);
-    const bool empty = state.code.text.starts.empty() && holds_nothing(state.document());
-    if (!state.code.problem.empty() && !empty) draw_problem(state);
-    if (const std::string why = why_no_line(state, state.view.selected);
-        !why.empty() && state.code.problem.empty()) {
+    const CodeText& text = state.code.text;
+    const std::string& problem = state.code.problem;
+    const std::string why = why_no_line(state, state.view.selected);
+    if (!problem.empty()) {
+        const bool none = text.starts.empty();
+        if (!none || !holds_nothing(state.document()))
+            draw_message(state, theme::warn,
+                         (none ? "No text yet. " : "The last text that could be made. ") +
+                             sentence(problem));
+    } else if (!why.empty()) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        draw_strip(state, theme::accent, why);
+        draw_message(state, theme::accent, why);
         name_area(state, "code:why", at, at + ImVec2(28, 28));
     }
-    const CodeText& text = state.code.text;
     ImGui::BeginChild("##lines", {0, 0}, false,
                       ImGuiWindowFlags_NoNavInputs | ImGuiWindowFlags_HorizontalScrollbar);
     const float advance = state.fonts.code()->GetCharAdvance('m');
     const float width = std::max(ImGui::GetContentRegionAvail().x,
                                  text_left + 8 + advance * static_cast<float>(text.longest));
     scroll_to_selected(state);
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(text.starts.size()), line_height);
-    while (clipper.Step())
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-            draw_row(state, static_cast<size_t>(i), width);
+    draw_rows(text.starts.size(), line_height, [&](size_t line) { draw_row(state, line, width); });
     ImGui::EndChild();
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();

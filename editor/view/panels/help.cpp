@@ -205,15 +205,14 @@ void draw_help(State& state) {
     if (!state.help.open) return;
     const ImVec2 room = ImGui::GetIO().DisplaySize;
     const ImVec2 size(std::min(560.0F, room.x - 32), std::min(640.0F, room.y - 96));
-    ImGui::SetNextWindowPos({(room.x - size.x) / 2, (room.y - size.y) / 2});
-    ImGui::SetNextWindowSize(size);
-    if (state.help.opening) ImGui::SetNextWindowFocus();
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(24, 20));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    ImGui::Begin("##help", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings);
+    const ImVec2 low((room.x - size.x) / 2, (room.y - size.y) / 2);
+    const FixedWindow window("##help", low, size,
+                             {.padding = {24, 20},
+                              .ground = theme::panel,
+                              .border = theme::border,
+                              .rounding = 8,
+                              .flags = 0,
+                              .opening = state.help.opening});
     ImGui::PushTextWrapPos(0);
     const NodeType* type = help_type(state);
     if (type)
@@ -221,13 +220,9 @@ void draw_help(State& state) {
     else
         draw_shortcuts(state);
     ImGui::PopTextWrapPos();
-    const ImVec2 low = ImGui::GetWindowPos();
     name_area(state, type ? "help:" + type->id : "help:shortcuts", low, low + size);
-    const bool away = !state.help.opening && !ImGui::IsWindowFocused();
     state.help.opening = false;
-    ImGui::End();
-    ImGui::PopStyleVar(3);
-    if (away || is_pressed(ImGuiKey_Escape)) state.help = {};
+    if (window.has_lost_focus() || is_pressed(ImGuiKey_Escape)) state.help = {};
 }
 
 // Draws a tooltip after the pointer has rested (0.6 s) on a node, a pin or a value.

@@ -36,28 +36,20 @@ void draw_offer(State& state) {
     Offer& offer = state.offer;
     if (!offer.open) return;
     const ImVec2 room = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({std::clamp(offer.at.x + 12, 0.0F, std::max(room.x - width, 0.0F)),
-                             std::clamp(offer.at.y + 12, 0.0F, std::max(room.y - 160, 0.0F))});
-    ImGui::SetNextWindowSize({width, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12, 8));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::node);
-    ImGui::PushStyleColor(ImGuiCol_Border, theme::line);
-    if (offer.opening) ImGui::SetNextWindowFocus();
-    ImGui::Begin("##offer", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
+    const ImVec2 at(std::clamp(offer.at.x + 12, 0.0F, std::max(room.x - width, 0.0F)),
+                    std::clamp(offer.at.y + 12, 0.0F, std::max(room.y - 160, 0.0F)));
+    const FixedWindow window("##offer", at, {width, 0},
+                             {.padding = {12, 8},
+                              .ground = theme::node,
+                              .border = theme::line,
+                              .rounding = 8,
+                              .opening = offer.opening});
     write_paragraph(theme::text, offer.why, width - 12);
     const int taken = draw_offered(state);
-    const bool away = !offer.opening && !ImGui::IsWindowFocused();
-    ImGui::End();
-    ImGui::PopStyleColor(2);
-    ImGui::PopStyleVar(3);
     offer.opening = false;
     if (taken >= 0)
         accept_offer(state, static_cast<size_t>(taken));
-    else if (away || is_pressed(ImGuiKey_Escape))
+    else if (window.has_lost_focus() || is_pressed(ImGuiKey_Escape))
         offer = {};
 }
 

@@ -128,17 +128,17 @@ struct Popup {
     enum class Kind : uint8_t { none, text, rename, choice, file, color };
     Kind kind = Kind::none;
     bool opening = false;
-    std::string node;
+    std::string node = {};
     uint32_t port_index = 0;
     int lane = 0;
     ImVec2 at{0, 0};
     float width = 0;
-    std::string text;
-    std::vector<std::string> files;  // for kind file: listed when the popup opened
-    std::string query;               // filters a list
-    int chosen = 0;                  // index into the filtered list
-    int next = 0;                    // next field to open: 1 (Tab), -1 (Shift+Tab), 0: none
-    std::string merge;               // merge key of the undo steps of a color edit
+    std::string text = {};
+    std::vector<std::string> files = {};  // for kind file: listed when the popup opened
+    std::string query = {};               // filters a list
+    int chosen = 0;                       // index into the filtered list
+    int next = 0;                         // next field to open: 1 (Tab), -1 (Shift+Tab), 0: none
+    std::string merge = {};               // merge key of the undo steps of a color edit
 };
 
 }  // namespace wrinkle::editor

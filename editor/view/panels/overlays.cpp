@@ -1,6 +1,5 @@
 // Overlays on the canvas: breadcrumb of open graphs, zoom, minimap.
 #include <algorithm>
-#include <cstdio>
 
 #include "editor/model/document/levels.h"
 #include "editor/view/canvas/layout.h"
@@ -19,7 +18,8 @@ const ImVec2 map_size(168, 112);
 // Window on the canvas with the background of a bar.
 class Overlay : FixedWindow {
 public:
-    Overlay(const char* id, ImVec2 at, ImVec2 size) : FixedWindow(id, at, size, overlay_flags) {
+    Overlay(const char* id, ImVec2 at, ImVec2 size)
+        : FixedWindow(id, at, size, {.flags = overlay_flags}) {
         list().AddRectFilled(at, at + size, theme::bar, 5);
         list().AddRect(at, at + size, theme::border, 5);
     }
@@ -61,17 +61,6 @@ std::vector<Crumb> find_crumbs(const State& state, float room) {
     return crumbs;
 }
 
-bool draw_crumb_ground(State& state, const Crumb& crumb, ImVec2 at) {
-    const ImVec2 low = at - ImVec2(6, 5), size(crumb.width + 12, tall - 2);
-    ImGui::SetCursorScreenPos(low);
-    const std::string id = "crumb:" + std::to_string(crumb.depth);
-    const bool pressed = ImGui::InvisibleButton(id.c_str(), size);
-    name_item(state, id);
-    if (ImGui::IsItemHovered())
-        Overlay::list().AddRectFilled(low, low + size, theme::accent_soft, 4);
-    return pressed;
-}
-
 // Draws the open files from the outermost to the one on the canvas; a click returns to that file.
 void draw_crumbs(State& state) {
     const View& view = state.view;
@@ -91,7 +80,13 @@ void draw_crumbs(State& state) {
     for (const Crumb& crumb : crumbs) {
         const bool leads = crumb.depth < state.parent_graphs.size();
         const bool here = crumb.depth == state.parent_graphs.size();
-        if (leads && draw_crumb_ground(state, crumb, at)) pressed = crumb.depth;
+        if (leads) {
+            ImGui::SetCursorScreenPos(at - ImVec2(6, 5));
+            const Area area = area_button(state, "crumb:" + std::to_string(crumb.depth),
+                                          {crumb.width + 12, tall - 2});
+            if (area.hovered) list.AddRectFilled(area.low, area.high, theme::accent_soft, 4);
+            if (area.pressed) pressed = crumb.depth;
+        }
         draw_text(list, font, 16, at, here ? theme::text : theme::text_dim, crumb.text);
         at.x += crumb.width + crumb_gap;
         if (&crumb != &crumbs.back())
@@ -100,15 +95,15 @@ void draw_crumbs(State& state) {
     if (pressed) request_action(state, {PendingAction::Kind::leave, {}, *pressed});
 }
 
-bool draw_part(State& state, const char* id, ImVec2 at, float width) {
+// Draws a button that runs a command, with its icon centered `icon` pixels from the left.
+void draw_part(State& state, const char* id, ImVec2 at, float width, float icon) {
     ImGui::SetCursorScreenPos(at);
-    const bool pressed = ImGui::InvisibleButton(id, {width, tall});
-    name_item(state, std::string("canvas:") + id);
-    if (ImGui::IsItemHovered())
-        Overlay::list().AddRectFilled(at + ImVec2(1, 1), at + ImVec2(width - 1, tall - 1),
+    const Area area = area_button(state, std::string("canvas:") + id, {width, tall});
+    if (area.hovered)
+        Overlay::list().AddRectFilled(area.low + ImVec2(1, 1), area.high - ImVec2(1, 1),
                                       theme::accent_soft, 4);
-    if (pressed) run_command(state, id);
-    return pressed;
+    if (area.pressed) run_command(state, id);
+    draw_icon(Overlay::list(), id, at + ImVec2(icon, 14), theme::text_dim);
 }
 
 void draw_zoom(State& state) {
@@ -116,19 +111,16 @@ void draw_zoom(State& state) {
     const float y = view.corner.y + view.extent.y - margin - tall;
     const ImVec2 at(view.corner.x + margin, y);
     const Overlay overlay("##zoom", at, {188, tall});
-    ImDrawList& list = Overlay::list();
     ImFont* font = state.fonts.regular(16);
-    draw_part(state, "fit", at, 64);
-    draw_icon(list, "fit", at + ImVec2(18, 14), theme::text_dim);
-    draw_text(list, font, 16, at + ImVec2(33, 6), theme::text, "Fit");
-    draw_part(state, "zoom-out", at + ImVec2(68, 0), 32);
-    draw_icon(list, "zoom-out", at + ImVec2(84, 14), theme::text_dim);
-    char text[16];
-    std::snprintf(text, sizeof text, "%.0f %%", static_cast<double>(view.zoom) * 100);
-    const float middle = at.x + 126 - text_width(font, 16, text) / 2;
-    draw_text(list, font, 16, {middle, at.y + 6}, theme::text, text);
-    draw_part(state, "zoom-in", at + ImVec2(152, 0), 32);
-    draw_icon(list, "zoom-in", at + ImVec2(168, 14), theme::text_dim);
+    const auto write = [&](float x, const std::string& text) {
+        draw_text(Overlay::list(), font, 16, at + ImVec2(x, 6), theme::text, text);
+    };
+    draw_part(state, "fit", at, 64, 18);
+    write(33, "Fit");
+    draw_part(state, "zoom-out", at + ImVec2(68, 0), 32, 16);
+    const std::string zoom = percent(view.zoom);
+    write(126 - text_width(font, 16, zoom) / 2, zoom);
+    draw_part(state, "zoom-in", at + ImVec2(152, 0), 32, 16);
 }
 
 struct Map {
@@ -179,8 +171,7 @@ void draw_minimap(State& state) {
     list.AddRect(low, high, theme::text_dim, 2);
     list.PopClipRect();
     ImGui::SetCursorScreenPos(at);
-    ImGui::InvisibleButton("map", map_size);
-    name_item(state, "minimap");
+    area_button(state, "minimap", map_size);
     if (!ImGui::IsItemActive() && !ImGui::IsItemDeactivated()) return;
     if (!ImGui::IsMousePosValid()) return;  // the pointer left the window
     const ImVec2 canvas = (ImGui::GetIO().MousePos - map.origin) * (1 / map.scale);

@@ -109,21 +109,18 @@ void move_choice(Palette& palette, int count) {
 }
 
 // Returns the index of the chosen row, or -1.
-int draw_rows(State& state, const std::vector<PaletteRow>& rows) {
+int draw_palette_rows(State& state, const std::vector<PaletteRow>& rows) {
     Palette& palette = state.palette;
     int taken = -1;
     const int last = std::min(palette.first + rows_shown, static_cast<int>(rows.size()));
     for (int i = palette.first; i < last; ++i) {
-        ImGui::PushID(i);
-        const ImVec2 low = ImGui::GetCursorScreenPos();
-        const ImVec2 high = low + ImVec2(width_of(palette) - 2 * padding, row_tall(palette));
-        if (ImGui::InvisibleButton("row", high - low)) taken = i;
-        const ImVec2 moved = ImGui::GetIO().MouseDelta;
-        if (ImGui::IsItemHovered() && (moved.x != 0 || moved.y != 0)) palette.chosen = i;
         const PaletteRow& row = rows[static_cast<size_t>(i)];
-        draw_row(state, row, low, high, i == palette.chosen);
-        name_area(state, row.target, low, high);
-        ImGui::PopID();
+        const Area area =
+            area_button(state, row.target, {width_of(palette) - 2 * padding, row_tall(palette)});
+        if (area.pressed) taken = i;
+        const ImVec2 moved = ImGui::GetIO().MouseDelta;
+        if (area.hovered && (moved.x != 0 || moved.y != 0)) palette.chosen = i;
+        draw_row(state, row, area.low, area.high, i == palette.chosen);
     }
     return taken;
 }
@@ -207,48 +204,32 @@ ImVec2 place_of(const Palette& palette) {
             std::clamp(palette.at.y, 0.0F, std::max(room.y - tall, 0.0F))};
 }
 
-// Returns the index of the chosen row, or -1; sets `away` if the palette has lost focus.
-int draw_window(State& state, std::vector<PaletteRow>& rows, bool& away) {
-    Palette& palette = state.palette;
-    ImGui::Begin("##palette", nullptr,
-                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize);
-    const bool enter = draw_query(state);
-    rows = palette_rows(state);
-    move_choice(palette, static_cast<int>(rows.size()));
-    int taken = draw_rows(state, rows);
-    if (rows.empty()) draw_nothing(state);
-    draw_footer(state);
-    if (enter && !rows.empty()) taken = palette.chosen;
-    away = !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) && !palette.opening;
-    ImGui::End();
-    // ImGui unfocuses the field on Enter; focus it again if Enter had no effect.
-    palette.opening = enter && (taken < 0 || !rows[static_cast<size_t>(taken)].off.empty());
-    return taken;
-}
-
 }  // namespace
 
 void draw_palette(State& state) {
-    if (!state.palette.open) return;
-    ImGui::SetNextWindowPos(place_of(state.palette));
-    ImGui::SetNextWindowSize({width_of(state.palette), 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(padding, padding));
+    Palette& palette = state.palette;
+    if (!palette.open) return;
+    const FixedWindow window("##palette", place_of(palette), {width_of(palette), 0},
+                             {.padding = {padding, padding},
+                              .ground = theme::node,
+                              .border = theme::line,
+                              .rounding = 8,
+                              .opening = palette.opening});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, theme::node);
-    ImGui::PushStyleColor(ImGuiCol_Border, theme::line);
-    if (state.palette.opening) ImGui::SetNextWindowFocus();
-    std::vector<PaletteRow> rows;
-    bool away = false;
-    const int taken = draw_window(state, rows, away);
-    ImGui::PopStyleColor(2);
-    ImGui::PopStyleVar(4);
+    const bool enter = draw_query(state);
+    const std::vector<PaletteRow> rows = palette_rows(state);
+    move_choice(palette, static_cast<int>(rows.size()));
+    int taken = draw_palette_rows(state, rows);
+    if (rows.empty()) draw_nothing(state);
+    draw_footer(state);
+    ImGui::PopStyleVar();
+    if (enter && !rows.empty()) taken = palette.chosen;
+    // ImGui unfocuses the field on Enter; focus it again if Enter had no effect.
+    palette.opening = enter && (taken < 0 || !rows[static_cast<size_t>(taken)].off.empty());
     if (taken >= 0)
         choose(state, rows[static_cast<size_t>(taken)]);
-    else if (away || is_pressed(ImGuiKey_Escape))
-        state.palette = {};
+    else if (window.has_lost_focus() || is_pressed(ImGuiKey_Escape))
+        palette = {};
 }
 
 }  // namespace wrinkle::editor

@@ -32,29 +32,78 @@ std::filesystem::path samples_folder();
 // Returns the samples sorted by name; skips graphs that cannot be read.
 std::vector<Sample> list_samples(const std::filesystem::path& folder);
 
-// ImGui window without decoration at a fixed position, ended by the destructor.
+struct WindowStyle {
+    ImVec2 padding{0, 0};
+    ImU32 ground = 0, border = 0;  // border 0: none
+    float rounding = 0;
+    ImGuiWindowFlags flags = ImGuiWindowFlags_NoScrollbar;
+    bool opening = false;  // takes focus
+};
+
+// ImGui window without decoration at a fixed position, ended by the destructor. A size of 0 is that
+// of the content.
 class FixedWindow {
 public:
-    FixedWindow(const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags flags, ImU32 color = 0,
-                ImVec2 padding = {0, 0});
+    FixedWindow(const char* id, ImVec2 at, ImVec2 size, const WindowStyle& style);
     FixedWindow(const FixedWindow&) = delete;
     FixedWindow& operator=(const FixedWindow&) = delete;
     ~FixedWindow();
+    bool has_lost_focus() const;  // false while it opens
+
+private:
+    bool opening_;
 };
 // Flags of a window over a panel. It does not take focus, so that a drag on the panel continues.
-inline constexpr ImGuiWindowFlags overlay_flags = ImGuiWindowFlags_NoBackground |
-                                                  ImGuiWindowFlags_NoFocusOnAppearing |
-                                                  ImGuiWindowFlags_NoNavFocus;
+inline constexpr ImGuiWindowFlags overlay_flags =
+    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
+    ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNavInputs;
+
+// Modal window that is centered at the fraction `y` of the window's height, opened by the first
+// call and ended by the destructor. False if it is not shown. A height of 0 is that of the content.
+class Dialog {
+public:
+    Dialog(const char* id, ImVec2 size, ImVec2 padding, float rounding, float y = 0.5F);
+    Dialog(const Dialog&) = delete;
+    Dialog& operator=(const Dialog&) = delete;
+    ~Dialog();
+    explicit operator bool() const { return shown_; }
+
+private:
+    bool shown_;
+};
 
 // Registers a rectangle, or the ImGui item drawn last, as `target` for scripts.
 void name_area(Interface& interface, const std::string& target, ImVec2 low, ImVec2 high);
 void name_item(Interface& interface, const std::string& target);
 
+// Invisible button at the cursor, in screen pixels; `target` is its id and its name for scripts.
+struct Area {
+    ImVec2 low, high;
+    bool pressed, hovered;
+};
+Area area_button(Interface& interface, const std::string& target, ImVec2 size);
+
+// Calls `draw` with the index of each row in sight; all rows have the same height.
+template <class Draw>
+void draw_rows(size_t count, float height, Draw draw) {
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(count), height);
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            draw(static_cast<size_t>(i));
+}
+
 bool is_pressed(ImGuiKey key, bool repeat = true);
 // Moves the index by the arrow keys, and by the page keys if `page` is not 0; stays in [0, count).
 int moved_choice(int chosen, size_t count, int page = 0);
+std::string percent(float part);  // "125 %" for 1.25
 // Writes a paragraph, wrapped at `wrap` (0: at the right border of the window).
 void write_paragraph(ImU32 color, const std::string& text, float wrap = 0);
+
+inline constexpr float strip_tall = 28;
+// Draws a one-line message with a mark at its left; returns false if the text is cut.
+bool draw_strip(const Fonts& fonts, ImVec2 at, float width, ImU32 ground, ImU32 mark,
+                const std::string& text);
 
 // Button, named `target` for scripts; `chosen` highlights it. Returns true if pressed.
 bool button(Interface& interface, const char* label, const std::string& target, bool chosen = false,
@@ -63,26 +112,15 @@ bool button(Interface& interface, const char* label, const std::string& target, 
 bool icon_button(Interface& interface, const char* icon, const std::string& target,
                  const std::string& tooltip, bool enabled = true);
 
-// Row of segments, of which `chosen` is active. Returns the index that was clicked, or -1.
-struct Segment {
+// Item of a combo box or a row of segments; `target` is its name for scripts.
+struct Item {
     std::string label, target, tooltip = {};
 };
-int segments(Interface& interface, std::span<const Segment> all, int chosen, float width);
-
-// Items of a combo box: labels and script targets by index; `chosen` is the current one, or -1.
-struct Choices {
-    std::vector<std::string> labels, targets;
-    int chosen = -1;
-
-    void add(std::string label, std::string target, bool is_chosen = false) {
-        if (is_chosen) chosen = static_cast<int>(labels.size());
-        labels.push_back(std::move(label));
-        targets.push_back(std::move(target));
-    }
-};
-// Combo box that shows `shown` while it is closed. Returns the index that was picked, or -1.
+// Row of segments, of which `chosen` is active. Returns the index that was clicked, or -1.
+int segments(Interface& interface, std::span<const Item> items, int chosen, float width);
+// Combo box with the current label, `shown`. Returns the index of the item that was picked, or -1.
 int choose(Interface& interface, const std::string& target, const std::string& shown,
-           const Choices& choices, float width);
+           std::span<const Item> items, float width);
 
 // Requests keyboard focus for the text field that is drawn next; call note_field() after drawing
 // it. ImGui focuses a field some frames after the request; the input queue holds back typed keys

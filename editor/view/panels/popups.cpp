@@ -96,8 +96,8 @@ bool draw_query(State& state, bool field) {
     return entered;
 }
 
-// `field`: draw a query field that filters the list. Returns true if a name was chosen (`taken`).
-bool draw_list(State& state, const std::vector<std::string>& names, bool field, size_t& taken) {
+// `field`: draw a query field that filters the list. Returns the index of the chosen name.
+std::optional<size_t> draw_list(State& state, const std::vector<std::string>& names, bool field) {
     Popup& popup = state.popup;
     const bool entered = draw_query(state, field);
     const std::vector<size_t> shown = find_matches(names, std::identity(), popup.query);
@@ -109,26 +109,22 @@ bool draw_list(State& state, const std::vector<std::string>& names, bool field, 
     if (popup.chosen != before)
         ImGui::SetScrollY((static_cast<float>(popup.chosen) - rows / 2) * choice_tall);
     if (shown.empty()) ImGui::TextDisabled("No name matches.");
-    int clicked = -1;
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(shown.size()), choice_tall);
-    while (clipper.Step())
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            const std::string& name = names[shown[static_cast<size_t>(i)]];
-            ImGui::PushID(i);
-            if (ImGui::Selectable("##name", i == popup.chosen, 0, {0, choice_tall})) clicked = i;
-            ImGui::PopID();
-            name_item(state, "choice:" + name);
-            const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-            ImFont* font = state.fonts.regular(16);
-            draw_text(*ImGui::GetWindowDrawList(), font, 16, low + ImVec2(8, 4), theme::text,
-                      fitting(font, 16, name, high.x - low.x - 16));
-        }
+    std::optional<size_t> taken;
+    if (entered && !shown.empty()) taken = shown[static_cast<size_t>(popup.chosen)];
+    draw_rows(shown.size(), choice_tall, [&](size_t row) {
+        const std::string& name = names[shown[row]];
+        const bool chosen = static_cast<int>(row) == popup.chosen;
+        if (ImGui::Selectable(("##" + name).c_str(), chosen, 0, {0, choice_tall}))
+            taken = shown[row];
+        name_item(state, "choice:" + name);
+        const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+        ImFont* font = state.fonts.regular(16);
+        draw_text(*ImGui::GetWindowDrawList(), font, 16, low + ImVec2(8, 4), theme::text,
+                  fitting(font, 16, name, high.x - low.x - 16));
+    });
     ImGui::EndChild();
-    const int chosen = clicked >= 0 ? clicked : entered && !shown.empty() ? popup.chosen : -1;
-    if (chosen >= 0) taken = shown[static_cast<size_t>(chosen)];
-    if (entered && chosen < 0) popup.opening = true;  // focus the field again
-    return chosen >= 0;
+    if (entered && !taken) popup.opening = true;  // focus the field again
+    return taken;
 }
 
 bool draw_choices(State& state) {
@@ -138,13 +134,12 @@ bool draw_choices(State& state) {
     const bool flag = port->kind == Port::Kind::flag;
     const std::vector<std::string> names =
         flag ? std::vector<std::string>{"no", "yes"} : port->choices;
-    size_t taken = 0;
-    if (!draw_list(state, names, names.size() > max_without_field, taken))
-        return state.popup.next != 0;
+    const auto taken = draw_list(state, names, names.size() > max_without_field);
+    if (!taken) return state.popup.next != 0;
     const Document& now = state.document();
     state.commit(node + ": " + port->name,
-                 flag ? with_flag(now, node, *port, taken == 1)
-                      : with_choice(now, node, *port, static_cast<uint32_t>(taken)));
+                 flag ? with_flag(now, node, *port, *taken == 1)
+                      : with_choice(now, node, *port, static_cast<uint32_t>(*taken)));
     return true;
 }
 
@@ -160,13 +155,12 @@ bool draw_files(State& state) {
         browse_image(state, node, name);
         return true;
     }
-    size_t taken = 0;
-    if (!draw_list(state, files, true, taken)) return state.popup.next != 0;
+    const auto taken = draw_list(state, files, true);
+    if (!taken) return state.popup.next != 0;
     if (adds)
-        add_image(state, files[taken]);
+        add_image(state, files[*taken]);
     else
-        state.commit(state.popup.node + ": " + port->name,
-                     with_file(state.document(), state.popup.node, *port, files[taken]));
+        state.commit(node + ": " + name, with_file(state.document(), node, *port, files[*taken]));
     return true;
 }
 
@@ -238,26 +232,6 @@ void open_next(State& state, const Popup& popup) {
     }
 }
 
-bool is_list(Popup::Kind kind) {
-    return kind == Popup::Kind::choice || kind == Popup::Kind::file;
-}
-
-// Returns true when the popup is to be closed.
-bool draw_window(State& state) {
-    const Popup::Kind kind = state.popup.kind;
-    ImGui::Begin("##popup", nullptr,
-                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings |
-                     (kind == Popup::Kind::color ? ImGuiWindowFlags_AlwaysAutoResize : 0));
-    const bool was_opening = state.popup.opening;
-    const bool done = draw_popup_content(state);
-    if (was_opening) state.popup.opening = false;
-    const bool away = !was_opening && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows) &&
-                      !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    ImGui::End();
-    return done || away;
-}
-
 }  // namespace
 
 void open_field(State& state, const Card& card, const Field& field) {
@@ -277,37 +251,36 @@ void edit_values(State& state) {
 }
 
 void choose_image(State& state) {
-    Popup popup;
-    popup.kind = Popup::Kind::file;
-    popup.opening = true;
-    popup.width = 360;
+    constexpr float width = 360;
     const View& view = state.view;
-    popup.at = view.corner + ImVec2((view.extent.x - popup.width) / 2, 64);
-    popup.files = image_files(state.folder());
-    state.popup = std::move(popup);
+    state.popup = {.kind = Popup::Kind::file,
+                   .opening = true,
+                   .at = view.corner + ImVec2((view.extent.x - width) / 2, 64),
+                   .width = width,
+                   .files = image_files(state.folder())};
 }
 
 void draw_popup(State& state) {
     if (state.popup.kind == Popup::Kind::none) return;
-    const bool list = is_list(state.popup.kind), color = state.popup.kind == Popup::Kind::color;
-    const float width = std::max(state.popup.width, list ? 240.0F : 0.0F);
+    const Popup::Kind kind = state.popup.kind;
+    const bool list = kind == Popup::Kind::choice || kind == Popup::Kind::file;
+    const bool color = kind == Popup::Kind::color, opening = state.popup.opening;
+    const float width = color ? 0 : std::max(state.popup.width, list ? 240.0F : 0.0F);
+    const float padding = list || color ? 6 : 0;
     ImVec2 at = state.popup.at;
     if (list) at.x = std::min(at.x, ImGui::GetIO().DisplaySize.x - width - 8);
-    ImGui::SetNextWindowPos(at);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, list || color ? ImVec2(6, 6) : ImVec2(0, 0));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    ImGui::PushStyleColor(ImGuiCol_Border, theme::accent);
-    if (state.popup.opening) ImGui::SetNextWindowFocus();
-    if (!color) ImGui::SetNextWindowSize({width, 0});
-    const bool done = draw_window(state);
-    ImGui::PopStyleColor();
-    ImGui::PopStyleVar(3);
+    const FixedWindow window("##popup", at, {width, 0},
+                             {.padding = {padding, padding},
+                              .ground = theme::panel,
+                              .border = theme::accent,
+                              .opening = opening});
+    bool done = draw_popup_content(state);
+    if (opening) state.popup.opening = false;
+    done |= window.has_lost_focus() && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     const bool escape = is_pressed(ImGuiKey_Escape);
     if (!done && !escape) return;
-    const Popup closed = std::move(state.popup);
-    state.popup = {};
-    if (escape && closed.kind == Popup::Kind::color) state.history.cancel(closed.merge);
+    const Popup closed = std::exchange(state.popup, {});
+    if (escape && color) state.history.cancel(closed.merge);
     if (closed.next != 0 && !escape) open_next(state, closed);
 }
 

@@ -38,11 +38,10 @@ std::vector<PreviewRequest> others(const State& state) {
 void choose_other(State& state, float width) {
     PreviewRequest& request = state.view.preview_request;
     const std::vector<PreviewRequest> all = others(state);
-    Choices choices;
+    std::vector<Item> items;
     for (const PreviewRequest& other : all)
-        choices.add(against_label(other), "against:" + other.name,
-                    other.against == request.against && other.name == request.name);
-    const int picked = choose(state, "compare:against", against_label(request), choices, width);
+        items.push_back({against_label(other), "against:" + other.name});
+    const int picked = choose(state, "compare:against", against_label(request), items, width);
     if (picked < 0) return;
     request.against = all[static_cast<size_t>(picked)].against;
     request.name = all[static_cast<size_t>(picked)].name;
@@ -58,9 +57,9 @@ void word(const State& state, const char* text) {
 
 void draw_modes(State& state) {
     CompareView& compare = state.view.compare;
-    static const Segment all[] = {{"Off", "compare:off"},
-                                  {"Split", "compare:split", "Side by side  S"},
-                                  {"Flip", "compare:flip", "Turn to the other side  X"}};
+    static const Item all[] = {{"Off", "compare:off"},
+                               {"Split", "compare:split", "Side by side  S"},
+                               {"Flip", "compare:flip", "Turn to the other side  X"}};
     const int picked = segments(state, all, static_cast<int>(compare.mode), 156);
     ImGui::SameLine(0, 12);
     if (picked < 0) return;
@@ -95,9 +94,8 @@ void draw_compare(State& state, ImVec2 at, float width) {
     choose_other(state, std::max(left * 0.55F, 60.0F));
     ImGui::SameLine(0, 8);
     word(state, "as");
-    const Choices as{
-        {"Picture", "Difference"}, {"as:picture", "as:difference"}, compare.difference ? 1 : 0};
-    const int picked = choose(state, "compare:as", as.labels[compare.difference ? 1 : 0], as,
+    static const Item as[] = {{"Picture", "as:picture"}, {"Difference", "as:difference"}};
+    const int picked = choose(state, "compare:as", as[compare.difference ? 1 : 0].label, as,
                               std::max(left * 0.45F, 60.0F));
     if (picked >= 0) compare.difference = picked == 1;
     ImGui::EndDisabled();

@@ -16,11 +16,6 @@ namespace {
 
 constexpr float pi = 3.14159265F;
 
-struct Area {
-    ImVec2 at, size;
-    ImVec2 end() const { return at + size; }
-};
-
 void turn_light(PreviewView& view, ImVec2 delta) {
     view.light_yaw += delta.x * 0.01F;
     view.light_pitch = std::clamp(view.light_pitch - delta.y * 0.01F, -pi / 2, pi / 2);
@@ -28,7 +23,7 @@ void turn_light(PreviewView& view, ImVec2 delta) {
 
 // Left drag: orbit; with Shift: pan; with L: turn the light. Middle drag: pan. Right drag: turn the
 // light; with Shift: turn the environment. Wheel: camera distance.
-void handle(CanvasState& canvas, const Area& area) {
+void handle(CanvasState& canvas, const Rect& area) {
     PreviewView& view = canvas.view.preview_view;
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActive()) {
@@ -56,19 +51,18 @@ bool splits(const CanvasState& canvas, const PreviewImage& image) {
 }
 
 // Returns true while the line between the sides is hovered or dragged.
-bool drag_split(State& state, const Area& area) {
+bool drag_split(State& state, const Rect& area) {
     float& split = state.view.compare.split;
     const float x = area.at.x + area.size.x * split;
     ImGui::SetCursorScreenPos({x - 7, area.at.y});
-    ImGui::InvisibleButton("split", {14, area.size.y});
-    name_item(state, "compare:line");
-    if (ImGui::IsItemActive())
-        split = std::clamp(split + ImGui::GetIO().MouseDelta.x / area.size.x, 0.02F, 0.98F);
-    return ImGui::IsItemActive() || ImGui::IsItemHovered();
+    const bool hovered = area_button(state, "compare:line", {14, area.size.y}).hovered;
+    if (!ImGui::IsItemActive()) return hovered;
+    split = std::clamp(split + ImGui::GetIO().MouseDelta.x / area.size.x, 0.02F, 0.98F);
+    return true;
 }
 
 // Background gradient: #282A2D in the middle, #1A1C1E in the corners.
-void draw_ground(ImDrawList& list, const Area& area) {
+void draw_ground(ImDrawList& list, const Rect& area) {
     const ImU32 middle = theme::rgb(0x282A2D), corner = theme::rgb(0x1A1C1E);
     const ImVec2 center = area.at + area.size * 0.5F;
     const ImVec2 a = area.at, b = area.end();
@@ -79,13 +73,13 @@ void draw_ground(ImDrawList& list, const Area& area) {
     list.AddRectFilledMultiColor(center, b, middle, edge, corner, edge);
 }
 
-void draw_image(ImDrawList& list, const Area& area, uint32_t texture, float from, float to) {
+void draw_image(ImDrawList& list, const Rect& area, uint32_t texture, float from, float to) {
     if (!texture || from >= to) return;
     list.AddImage(texture_id(texture), {area.at.x + area.size.x * from, area.at.y},
                   {area.at.x + area.size.x * to, area.end().y}, {from, 1}, {to, 0});
 }
 
-void draw_line(ImDrawList& list, const Area& area, float split) {
+void draw_line(ImDrawList& list, const Rect& area, float split) {
     const float x = std::round(area.at.x + area.size.x * split);
     const float y = area.at.y + area.size.y / 2;
     list.AddRectFilled({x - 1, area.at.y}, {x + 1, area.end().y}, theme::text);
@@ -94,7 +88,7 @@ void draw_line(ImDrawList& list, const Area& area, float split) {
         list.AddRectFilled({x + dx, y - 6}, {x + dx + 1.5F, y + 6}, theme::canvas);
 }
 
-void draw_sides(State& state, const Area& area, const PreviewImage& image) {
+void draw_sides(State& state, const Rect& area, const PreviewImage& image) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const CompareView& compare = state.view.compare;
     const bool other = compare.mode == CompareView::Mode::flip && compare.flipped && image.other;
@@ -127,7 +121,7 @@ void draw_scale(ImDrawList& list, ImVec2 at, float width) {
     }
 }
 
-void draw_legend(State& state, const Area& area, const AngleFigures& angles) {
+void draw_legend(State& state, const Rect& area, const AngleFigures& angles) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 size(196, 66), at = area.end() - size - ImVec2(12, 12);
     list.AddRectFilled(at, at + size, theme::with_alpha(theme::canvas, 0.88F), 4);
@@ -154,7 +148,7 @@ void draw_legend(State& state, const Area& area, const AngleFigures& angles) {
 }
 
 // Draws the angle at the pointer if side B shows angles.
-void draw_angle_here(State& state, const Area& area, const PreviewImage& image) {
+void draw_angle_here(State& state, const Rect& area, const PreviewImage& image) {
     const ImVec2 mouse = ImGui::GetIO().MousePos - area.at;
     const auto& list = image.angles.degrees;
     if (!list || image.width < 1 || mouse.x < 0 || mouse.y < 0 || mouse.x >= area.size.x ||
@@ -173,41 +167,31 @@ void draw_angle_here(State& state, const Area& area, const PreviewImage& image) 
 std::string first_reason(const State& state) {
     for (const Diagnostics* list :
          {&state.built.live, &state.built.problems, &state.preview_problems})
-        for (const Diagnostic& problem : list->list())
-            if (problem.severity == Severity::error)
-                return sentence((problem.node.empty() ? "" : problem.node + ": ") +
-                                problem.message);
+        if (const std::string error = first_error(*list); !error.empty()) return sentence(error);
     return state.document().outputs.empty() ? "The graph has no outputs." : "";
 }
 
-void draw_stale(const State& state, const Area& area, const std::string& text) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 end = area.at + ImVec2(area.size.x, 28);
-    list.AddRectFilled(area.at, end, theme::with_alpha(theme::canvas, 0.88F));
-    list.AddRectFilled(area.at, area.at + ImVec2(4, 28), theme::warn);
-    ImFont* font = state.fonts.regular(14);
-    draw_text(list, font, 14, area.at + ImVec2(12, 7), theme::text,
-              fitting(font, 14, text, area.size.x - 20));
+// Returns the reason why the image is not that of the document; "" if it is.
+std::string why_stale(const State& state, const PreviewImage& image) {
+    if (!state.preview_stale)
+        return state.preview_problems.has_errors() ? first_reason(state)
+                                                   : state.built.why_not_shown;
+    return (image.texture ? "Showing the last good picture. " : "No picture yet. ") +
+           first_reason(state);
 }
 
-void draw_notes(const State& state, const Area& area, const PreviewImage& image) {
+void draw_notes(const State& state, const Rect& area, const PreviewImage& image) {
     const PreviewView& view = state.view.preview_view;
-    const std::string mesh = std::filesystem::path(view.mesh).stem().string();
+    const std::string mesh = capitalised(std::filesystem::path(view.mesh).stem().string());
     char text[96];
     std::snprintf(text, sizeof text, "%.40s %.2f m", mesh.c_str(), static_cast<double>(view.scale));
-    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     const std::string time = image.first ? "" : ", frame " + milliseconds(image.milliseconds);
     if (image.texture) draw_chip(state, {area.at.x + 12, area.end().y - 38}, text + time);
-    const std::string reason = first_reason(state);
     if (!image.texture && holds_nothing(state.document())) return;
-    if (state.preview_stale)
-        draw_stale(
-            state, area,
-            (image.texture ? "Showing the last good picture. " : "No picture yet. ") + reason);
-    else if (state.preview_problems.has_errors())
-        draw_stale(state, area, first_reason(state));
-    else if (!state.built.why_not_shown.empty())
-        draw_stale(state, area, state.built.why_not_shown);
+    const std::string why = why_stale(state, image);
+    if (!why.empty())
+        draw_strip(state.fonts, area.at, area.size.x, theme::with_alpha(theme::canvas, 0.88F),
+                   theme::warn, why);
 }
 
 }  // namespace
@@ -224,7 +208,7 @@ float draw_chip(const State& state, ImVec2 at, const std::string& text, bool rig
 }
 
 void draw_preview_image(State& state, ImVec2 at, ImVec2 size) {
-    const Area area{at, size};
+    const Rect area{at, size};
     static const PreviewImage none;
     const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
     if (state.preview)

@@ -19,19 +19,12 @@ namespace {
 
 constexpr float preview_head = 34, strip_height = 32;
 
-std::string capitalised(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
-        text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
-}
-
-Choices lights(const PreviewView& view) {
-    Choices choices{{"Studio", "Phong"}, {"light:studio", "light:phong"}, 0};
+std::vector<Item> lights(const PreviewView& view) {
+    std::vector<Item> items{{"Studio", "light:studio"}, {"Phong", "light:phong"}};
     if (!view.environment.empty())
-        choices.add(std::filesystem::path(view.environment).filename().string(), "light:file",
-                    true);
-    if (view.lighting == gpu::Lighting::phong) choices.chosen = 1;
-    return choices;
+        items.push_back(
+            {std::filesystem::path(view.environment).filename().string(), "light:file"});
+    return items;
 }
 
 void choose_light(PreviewView& view, int picked) {
@@ -112,17 +105,21 @@ void draw_head_icons(State& state) {
 
 }  // namespace
 
+std::string capitalised(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+        text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
 std::string mesh_label(const std::string& mesh) {
     return make_shape(mesh) ? capitalised(mesh) : std::filesystem::path(mesh).filename().string();
 }
 
-Choices mesh_choices(const std::string& mesh) {
-    Choices choices;
-    for (const Shape& shape : shapes()) {
-        const std::string name(shape.name);
-        choices.add(capitalised(name), "mesh:" + name, mesh == name);
-    }
-    return choices;
+std::vector<Item> mesh_items() {
+    std::vector<Item> items;
+    for (const Shape& shape : shapes())
+        items.push_back({capitalised(std::string(shape.name)), "mesh:" + std::string(shape.name)});
+    return items;
 }
 
 void draw_preview_head(State& state) {
@@ -140,13 +137,13 @@ void draw_preview_head(State& state) {
     PreviewView& view = state.view.preview_view;
     const float room = std::floor((controls - icons - 16) / 2);
     ImGui::SetCursorPos({width - controls, 5});
-    const int mesh =
-        choose(state, "preview:mesh", mesh_label(view.mesh), mesh_choices(view.mesh), room);
+    const int mesh = choose(state, "preview:mesh", mesh_label(view.mesh), mesh_items(), room);
     if (mesh >= 0) view.mesh = std::string(shapes()[static_cast<size_t>(mesh)].name);
     ImGui::SameLine(0, 6);
-    const Choices all = lights(view);
-    const int light =
-        choose(state, "preview:light", all.labels[static_cast<size_t>(all.chosen)], all, room);
+    const std::vector<Item> items = lights(view);
+    const bool phong = view.lighting == gpu::Lighting::phong;
+    const Item& shown = phong ? items[1] : view.environment.empty() ? items[0] : items[2];
+    const int light = choose(state, "preview:light", shown.label, items, room);
     if (light >= 0) choose_light(view, light);
     ImGui::SameLine(0, 8);
     draw_head_icons(state);
@@ -157,7 +154,7 @@ void draw_preview_strip(State& state) {
                                    gpu::View::height, gpu::View::uv,     gpu::View::wireframe};
     PreviewView& view = state.view.preview_view;
     const float width = ImGui::GetWindowWidth() - 24;
-    std::vector<Segment> all;
+    std::vector<Item> all;
     int chosen = -1;
     for (const gpu::View each : views) {
         const std::string name(gpu::view_names()[static_cast<size_t>(each)]);
@@ -167,17 +164,9 @@ void draw_preview_strip(State& state) {
         all.push_back({label, "view:" + name, label + "  " + key});
     }
     ImGui::SetCursorPos({12, preview_head + 2});
-    int picked = -1;
-    if (width >= 496) {
-        picked = segments(state, all, chosen, width);
-    } else {  // too narrow for one row of segments
-        Choices choices{{}, {}, chosen};
-        for (const Segment& each : all)
-            choices.add(each.label, each.target);
-        const std::string shown =
-            chosen < 0 ? "Difference" : all[static_cast<size_t>(chosen)].label;
-        picked = choose(state, "preview:view", shown, choices, width);
-    }
+    const std::string shown = chosen < 0 ? "Difference" : all[static_cast<size_t>(chosen)].label;
+    const int picked = width >= 496 ? segments(state, all, chosen, width)
+                                    : choose(state, "preview:view", shown, all, width);
     if (picked >= 0) view.view = views[picked];
 }
 

@@ -14,9 +14,10 @@ void draw_compare(State& state, ImVec2 at, float width);
 // Returns the label of the method or value on side B of the comparison: "UDN blend".
 std::string against_label(const PreviewRequest& request);
 
-// Returns the shapes of the preview. `mesh`, the current one: a shape's name or a file's path.
-Choices mesh_choices(const std::string& mesh);
+std::vector<Item> mesh_items();                   // the shapes of the preview
 std::string mesh_label(const std::string& mesh);  // "Sphere", "teapot.glb"
+
+std::string capitalised(std::string text);  // ASCII
 
 // Draws small text on a background that is readable over any image. `at` is the upper left corner,
 // the upper right one if `right_aligned`; color 0 is theme::text. Returns the width in pixels.

@@ -1,7 +1,6 @@
 // List of problems, one row each: node, message, location in the file, and a button for a fix that
 // is certain to help. A click frames the node.
 #include <algorithm>
-#include <optional>
 
 #include "editor/model/images/remarks.h"
 #include "editor/view/canvas/layout.h"
@@ -20,42 +19,41 @@ constexpr float fix_wide = 132;
 constexpr float opened = 0.25F;    // panel height opened by a click, fraction of the work area
 constexpr float low_window = 800;  // lower windows show only the header until it is clicked
 
-// Returns the warnings of background tasks for the open graph.
-const std::vector<Diagnostic>& told(const State& state) {
-    static const std::vector<Diagnostic> none;
-    return state.tasks.warnings_of == state.path ? state.tasks.warnings.list() : none;
-}
+struct Row {
+    const Diagnostic* problem;
+    const ImageWarning* remark = nullptr;  // set for a remark on an image
+    bool of_task = false;                  // a warning of a background task
+
+    bool can_go() const { return remark || of_task; }  // without a fix
+};
 
 // Returns the problems of the graph, or of the preview if the graph has none, then those of the
-// plugins, the remarks on images, and the warnings of background tasks.
-std::vector<const Diagnostic*> shown(const State& state) {
+// plugins, the remarks on images, and the warnings of background tasks on this graph.
+std::vector<Row> rows_of(const State& state) {
     const Diagnostics& own =
         state.built.problems.list().empty() ? state.preview_problems : state.built.problems;
-    std::vector<const Diagnostic*> all;
-    for (const Diagnostic& problem : own.list())
-        all.push_back(&problem);
-    for (const Diagnostic& problem : state.plugins.problems.list())
-        all.push_back(&problem);
+    std::vector<Row> rows;
+    for (const Diagnostics* each : {&own, &state.plugins.problems})
+        for (const Diagnostic& problem : each->list())
+            rows.push_back({&problem});
     for (const ImageWarning& remark : state.images.remarks)
-        all.push_back(&remark.problem);
-    for (const Diagnostic& problem : told(state))
-        all.push_back(&problem);
-    return all;
+        rows.push_back({&remark.problem, &remark});
+    if (state.tasks.warnings_of == state.path)
+        for (const Diagnostic& problem : state.tasks.warnings.list())
+            rows.push_back({&problem, nullptr, true});
+    return rows;
 }
 
 bool is_open(const State& state) {
-    return !shown(state).empty() &&
+    return !rows_of(state).empty() &&
            (state.panes.problems > 0 || ImGui::GetIO().DisplaySize.y >= low_window);
 }
 
-std::string counts(const std::vector<const Diagnostic*>& problems) {
-    const size_t all = problems.size();
-    const auto errors =
-        static_cast<size_t>(std::count_if(problems.begin(), problems.end(), [](const auto* each) {
-            return each->severity == Severity::error;
-        }));
-    if (all == 0) return "No problems.";
-    return counted(all - errors, "warning") + ", " + counted(errors, "error");
+std::string counts(const std::vector<Row>& rows) {
+    if (rows.empty()) return "No problems.";
+    const auto errors = static_cast<size_t>(std::ranges::count(
+        rows, Severity::error, [](const Row& row) { return row.problem->severity; }));
+    return counted(rows.size() - errors, "warning") + ", " + counted(errors, "error");
 }
 
 std::string evidence(const Diagnostic& problem) {
@@ -86,19 +84,14 @@ struct Fix {
     std::string label = {};      // "": there is no certain fix
     bool chooses_image = false;  // true: choose an image; false: disconnect the wire
     std::string node = {}, port = {};
-    const ImageWarning* remark = nullptr;  // if set, the fix is its remedy
-    bool can_go = false;                   // the row can be dismissed without a fix
-
-    int buttons() const { return (label.empty() ? 0 : 1) + (can_go ? 1 : 0); }
 };
 enum class Pressed : uint8_t { nothing, fix, dismissal };
 
-// Removes the warning at this index of the background tasks' warnings.
-void dismiss(State& state, size_t index) {
+void dismiss(State& state, const Row& row) {
+    if (row.remark) return dismiss_remark(state, *row.remark);
     Diagnostics rest;
-    const std::vector<Diagnostic>& all = state.tasks.warnings.list();
-    for (size_t i = 0; i < all.size(); ++i)
-        if (i != index) rest.add(all[i]);
+    for (const Diagnostic& each : state.tasks.warnings.list())
+        if (&each != row.problem) rest.add(each);
     state.tasks.warnings = std::move(rest);
 }
 
@@ -109,12 +102,14 @@ bool is_wrong_wire(const State& state, const Node& node, const Port& port) {
     return !given || conversion(*given, port.type) == Conversion::illegal;
 }
 
-Fix fix_of(const State& state, const Diagnostic& problem) {
+Fix fix_of(const State& state, const Row& row) {
+    if (row.remark) return {row.remark->remedy.label};
+    const Diagnostic& problem = *row.problem;
     const Node* node = state.document().find(problem.node);
     const NodeType* type = node ? state.type_of(node->id) : nullptr;
     const std::string name = port_of(problem);
     const uint32_t index = type ? type->find_input(name) : NodeType::none;
-    if (index == NodeType::none || problem.severity != Severity::error) return {};
+    if (index == NodeType::none || problem.severity != Severity::error || row.of_task) return {};
     const Port& port = type->ports[index];
     if (is_wrong_wire(state, *node, port)) return {"Disconnect", false, node->id, name};
     const Input* input = node->find(name);
@@ -124,19 +119,8 @@ Fix fix_of(const State& state, const Diagnostic& problem) {
     return {};
 }
 
-// Returns the fix of the problem at this index; `own`: number of rows before the remarks.
-Fix fix_at(const State& state, const Diagnostic& problem, size_t index, size_t own) {
-    if (index < own) return fix_of(state, problem);
-    Fix fix;
-    fix.can_go = true;
-    if (index - own >= state.images.remarks.size()) return fix;
-    fix.remark = &state.images.remarks[index - own];
-    fix.label = fix.remark->remedy.label;
-    return fix;
-}
-
-void apply(State& state, const Fix& fix) {
-    if (fix.remark) return apply_remedy(state, *fix.remark);
+void apply(State& state, const Row& row, const Fix& fix) {
+    if (row.remark) return apply_remedy(state, *row.remark);
     if (!fix.chooses_image) {
         state.commit("Disconnect " + fix.node + "." + fix.port,
                      without_wire(state.document(), fix.node, fix.port));
@@ -152,7 +136,7 @@ void apply(State& state, const Fix& fix) {
 }
 
 void show_problem(State& state, size_t index) {
-    const Diagnostic& problem = *shown(state)[index];
+    const Diagnostic& problem = *rows_of(state)[index].problem;
     state.problems.current = index;
     const std::string id = top_of(problem.node);
     state.status = sentence(problem.message);
@@ -182,9 +166,9 @@ float draw_chip(const State& state, ImDrawList& list, ImVec2 at, const std::stri
 }
 
 // Draws the buttons from right to left, from the right border of the row.
-Pressed draw_fixes(State& state, const Fix& fix, ImVec2 right, size_t index) {
+Pressed draw_fixes(State& state, const Row& row, const Fix& fix, ImVec2 right,
+                   const std::string& number) {
     const ImVec2 next = ImGui::GetCursorPos();
-    const std::string number = std::to_string(index + 1);
     Pressed pressed = Pressed::nothing;
     const auto draw = [&](const std::string& label, const char* target, Pressed means) {
         right.x -= fix_wide;
@@ -192,53 +176,55 @@ Pressed draw_fixes(State& state, const Fix& fix, ImVec2 right, size_t index) {
         if (button(state, label.c_str(), target + number, false, {fix_wide, 28})) pressed = means;
         right.x -= 8;
     };
-    if (fix.can_go) draw("Dismiss", "dismiss:", Pressed::dismissal);
+    if (row.can_go()) draw("Dismiss", "dismiss:", Pressed::dismissal);
     if (!fix.label.empty()) draw(fix.label, "fix:", Pressed::fix);
     ImGui::SetCursorPos(next);
     return pressed;
 }
 
-Pressed draw_problem(State& state, const Diagnostic& problem, size_t index, const Fix& fix) {
+// Draws the message and the evidence; `right`: the x offset of the buttons.
+void draw_words(const State& state, const Area& area, const Diagnostic& problem, float right) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0F);
-    const ImVec2 size(width, problem_tall - 6);
-    const std::string message = sentence(problem.message);
-    ImGui::PushID(static_cast<int>(index));
-    const bool clicked = ImGui::InvisibleButton("problem", size, ImGuiButtonFlags_None);
-    ImGui::SetItemAllowOverlap();
-    const std::string target = "problem:" + std::to_string(index + 1);
-    name_area(state, target, at, at + size);
-    const bool current = index == state.problems.current;
-    list.AddRect(at, at + size,
-                 ImGui::IsItemHovered() ? theme::accent
-                 : current              ? theme::text_dim
-                                        : theme::border,
-                 6);
-    draw_severity(list, at + ImVec2(22, 28), problem.severity == Severity::error);
-    const Fonts& fonts = state.fonts;
-    const float right = width - 12 - (fix_wide + 8) * static_cast<float>(fix.buttons());
+    const ImVec2 at = area.low;
+    const std::string message = sentence(problem.message), more = evidence(problem);
+    ImFont *font = state.fonts.regular(16), *small = state.fonts.regular(14);
     const float x = draw_chip(state, list, at, problem.node);
-    draw_text(list, fonts.regular(16), 16, at + ImVec2(x, 11), theme::text,
-              fitting(fonts.regular(16), 16, message, right - x));
-    draw_text(list, fonts.regular(14), 14, at + ImVec2(44, 35), theme::text_dim,
-              fitting(fonts.regular(14), 14, evidence(problem), right - 44));
+    const std::string first = fitting(font, 16, message, right - x);
+    const std::string second = fitting(small, 14, more, right - 44);
+    draw_text(list, font, 16, at + ImVec2(x, 11), theme::text, first);
+    draw_text(list, small, 14, at + ImVec2(44, 35), theme::text_dim, second);
     const ImVec2 corner = ImGui::GetWindowPos();
-    const About panel{corner, corner + ImGui::GetWindowSize()};
-    const bool cut = text_width(fonts.regular(16), 16, message) > right - x ||
-                     text_width(fonts.regular(14), 14, evidence(problem)) > right - 44;
-    if (ImGui::IsItemHovered() && cut) show_tooltip(panel, message + "\n" + evidence(problem));
-    const Pressed pressed = draw_fixes(state, fix, at + ImVec2(width - 8, 14), index);
-    ImGui::PopID();
+    if (area.hovered && (first != message || second != more))
+        show_tooltip({corner, corner + ImGui::GetWindowSize()}, message + "\n" + more);
+}
+
+// Returns true if the problem is to be dismissed.
+bool draw_problem(State& state, const Row& row, size_t index) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0F);
+    const std::string number = std::to_string(index + 1);
+    const Area area = area_button(state, "problem:" + number, {width, problem_tall - 6});
+    ImGui::SetItemAllowOverlap();
+    list.AddRect(area.low, area.high,
+                 area.hovered                      ? theme::accent
+                 : index == state.problems.current ? theme::text_dim
+                                                   : theme::border,
+                 6);
+    draw_severity(list, area.low + ImVec2(22, 28), row.problem->severity == Severity::error);
+    const Fix fix = fix_of(state, row);
+    const int buttons = !fix.label.empty() + row.can_go();
+    draw_words(state, area, *row.problem,
+               width - 12 - (fix_wide + 8) * static_cast<float>(buttons));
+    const Pressed pressed = draw_fixes(state, row, fix, area.low + ImVec2(width - 8, 14), number);
     if (pressed == Pressed::fix)
-        apply(state, fix);
-    else if (clicked && pressed == Pressed::nothing)
+        apply(state, row, fix);
+    else if (area.pressed && pressed == Pressed::nothing)
         show_problem(state, index);
-    return pressed;
+    return pressed == Pressed::dismissal;
 }
 
 void draw_problems_head(State& state) {
-    const std::vector<const Diagnostic*> problems = shown(state);
+    const std::vector<Row> rows = rows_of(state);
     const ImVec2 at = ImGui::GetWindowPos();
     const float width = ImGui::GetWindowWidth();
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -246,27 +232,26 @@ void draw_problems_head(State& state) {
     const float name = text_width(state.fonts.bold(18), 18, "Problems");
     draw_text(list, state.fonts.bold(18), 18, at + ImVec2(12, y), theme::text, "Problems");
     draw_text(list, state.fonts.regular(14), 14, at + ImVec2(name + 26, y + 3), theme::text_dim,
-              counts(problems));
-    if (problems.empty()) return;
+              counts(rows));
+    if (rows.empty()) return;
     ImGui::SetCursorPos({0, 0});
-    if (ImGui::InvisibleButton("head", {width - 150, is_open(state) ? open_head : closed_height}))
+    const float tall = is_open(state) ? open_head : closed_height;
+    if (area_button(state, "problems", {width - 150, tall}).pressed)
         state.panes.problems = state.panes.problems > 0 ? 0 : opened;
-    name_item(state, "problems");
     draw_text(list, state.fonts.regular(14), 14, at + ImVec2(width - 14, y + 3), theme::text_dim,
               "Next problem  F8", true);
     ImGui::SetCursorPos({width - 150, 0});
-    if (ImGui::InvisibleButton("next", {150, closed_height})) next_problem(state);
-    name_item(state, "problems:next");
+    if (area_button(state, "problems:next", {150, closed_height}).pressed) next_problem(state);
 }
 
 }  // namespace
 
 std::string_view no_problems(const State& state) {
-    return shown(state).empty() ? "There are no problems." : "";
+    return rows_of(state).empty() ? "There are no problems." : "";
 }
 
 void next_problem(State& state) {
-    const size_t count = shown(state).size();
+    const size_t count = rows_of(state).size();
     if (count == 0) return;
     if (ImGui::GetIO().DisplaySize.y < low_window && state.panes.problems <= 0)
         state.panes.problems = opened;
@@ -278,15 +263,13 @@ void next_problem(State& state) {
 
 float problems_height(const State& state) {
     if (!is_open(state)) return closed_height;
-    return open_head + problem_tall * static_cast<float>(shown(state).size()) + foot;
+    return open_head + problem_tall * static_cast<float>(rows_of(state).size()) + foot;
 }
 
 void draw_problems(State& state) {
-    const std::vector<const Diagnostic*> problems = shown(state);
-    const size_t remarks = state.images.remarks.size();
-    const size_t own = problems.size() - told(state).size() - remarks;
+    const std::vector<Row> rows = rows_of(state);
     draw_problems_head(state);
-    if (problems.empty()) state.problems = {};
+    if (rows.empty()) state.problems = {};
     if (!is_open(state)) return;
     ImGui::SetCursorPosY(open_head);
     ImGui::BeginChild("##problems", {0, 0}, false, ImGuiWindowFlags_NoNavInputs);
@@ -294,20 +277,11 @@ void draw_problems(State& state) {
     if (state.problems.scroll)
         ImGui::SetScrollY(static_cast<float>(state.problems.current) * problem_tall);
     state.problems.scroll = false;
-    ImGuiListClipper clipper;
-    clipper.Begin(static_cast<int>(problems.size()), problem_tall);
-    std::optional<size_t> dismissed;
-    while (clipper.Step())
-        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-            const auto index = static_cast<size_t>(i);
-            const Fix fix = fix_at(state, *problems[index], index, own);
-            if (draw_problem(state, *problems[index], index, fix) == Pressed::dismissal)
-                dismissed = index - own;
-        }
-    if (dismissed && *dismissed < remarks)
-        dismiss_remark(state, state.images.remarks[*dismissed]);
-    else if (dismissed)
-        dismiss(state, *dismissed - remarks);
+    const Row* dismissed = nullptr;
+    draw_rows(rows.size(), problem_tall, [&](size_t index) {
+        if (draw_problem(state, rows[index], index)) dismissed = &rows[index];
+    });
+    if (dismissed) dismiss(state, *dismissed);
     ImGui::PopStyleVar();
     ImGui::EndChild();
 }

@@ -165,24 +165,15 @@ const Answer* draw_answers(State& state, const Sheet& sheet) {
 void draw_question(State& state) {
     if (!state.question.open() || state.question.wants_path()) return;
     const Sheet sheet = sheet_of(state);
-    if (!ImGui::IsPopupOpen("##question")) ImGui::OpenPopup("##question");
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({size.x / 2, size.y * 0.4F}, ImGuiCond_Always, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize({dialog_width, 0});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(dialog_padding, dialog_padding));
+    const Dialog dialog("##question", {dialog_width, 0}, {dialog_padding, dialog_padding}, 8, 0.4F);
+    if (!dialog) return;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 8));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8);
-    if (ImGui::BeginPopupModal("##question", nullptr,
-                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
-                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings)) {
-        draw_words(state, sheet);
-        const Answer* taken = draw_answers(state, sheet);
-        state.question.opening = false;
-        if (taken) taken->take(state);
-        if (!state.question.open() || state.question.wants_path()) ImGui::CloseCurrentPopup();
-        ImGui::EndPopup();
-    }
-    ImGui::PopStyleVar(3);
+    draw_words(state, sheet);
+    const Answer* taken = draw_answers(state, sheet);
+    ImGui::PopStyleVar();
+    state.question.opening = false;
+    if (taken) taken->take(state);
+    if (!state.question.open() || state.question.wants_path()) ImGui::CloseCurrentPopup();
 }
 
 void draw_recent_files(State& state) {

@@ -31,9 +31,9 @@ struct Panes {
 
 struct Rect {
     ImVec2 at{0, 0}, size{0, 0};
+    ImVec2 end() const { return {at.x + size.x, at.y + size.y}; }
     bool contains(ImVec2 point) const {
-        return point.x >= at.x && point.y >= at.y && point.x < at.x + size.x &&
-               point.y < at.y + size.y;
+        return point.x >= at.x && point.y >= at.y && point.x < end().x && point.y < end().y;
     }
 };
 

@@ -84,14 +84,11 @@ bool draw_recent(State& state, float width) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 0));
     std::filesystem::path taken;
     for (size_t i = 0; i < std::min(recent.size(), recent_shown); ++i) {
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        ImGui::PushID(static_cast<int>(i));
-        if (ImGui::InvisibleButton("recent", {width, recent_tall})) taken = recent[i];
-        ImGui::PopID();
-        name_item(state, "start:recent" + std::to_string(i + 1));
+        const std::string target = "start:recent" + std::to_string(i + 1);
+        const auto [at, end, pressed, hovered] = area_button(state, target, {width, recent_tall});
+        if (pressed) taken = recent[i];
         ImDrawList& list = *ImGui::GetWindowDrawList();
-        if (ImGui::IsItemHovered())
-            list.AddRectFilled(at, at + ImVec2(width, recent_tall), theme::accent_soft, 4);
+        if (hovered) list.AddRectFilled(at, end, theme::accent_soft, 4);
         ImFont *font = state.fonts.regular(16), *small = state.fonts.regular(14);
         const std::string name = fitting(font, 16, recent[i].filename().string(), width / 2);
         draw_text(list, font, 16, at + ImVec2(8, 4), theme::text, name);
@@ -118,14 +115,12 @@ void draw_thumbnail(State& state, ImDrawList& list, ImVec2 at, const Sample& sam
 
 // Returns true if the card was clicked.
 bool draw_card(State& state, const Sample& sample) {
-    const ImVec2 at = ImGui::GetCursorScreenPos(), size(card_width, card_tall);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const bool clicked = ImGui::InvisibleButton("card", size);
-    name_area(state, "sample:" + sample.file.stem().string(), at, at + size);
-    const bool hovered = ImGui::IsItemHovered();
-    list.AddRectFilled(at, at + size, theme::node, 6);
+    const auto [at, end, clicked, hovered] =
+        area_button(state, "sample:" + sample.file.stem().string(), {card_width, card_tall});
+    list.AddRectFilled(at, end, theme::node, 6);
     draw_thumbnail(state, list, at, sample);
-    list.AddRect(at, at + size, hovered ? theme::accent : theme::border, 6, 0, hovered ? 2 : 1);
+    list.AddRect(at, end, hovered ? theme::accent : theme::border, 6, 0, hovered ? 2 : 1);
     ImFont* bold = state.fonts.bold(14);
     float y = thumbnail_tall + 3;
     for (const std::string& line : wrapped(bold, 14, sample.name, card_width - 20, name_lines)) {
@@ -134,7 +129,7 @@ bool draw_card(State& state, const Sample& sample) {
     }
     draw_text(list, state.fonts.regular(14), 14, at + ImVec2(card_width - 8, thumbnail_tall - 17),
               on_thumbnail, counted(sample.nodes, "node"), true);
-    if (hovered) show_tooltip({at, at + size}, sample.name);
+    if (hovered) show_tooltip({at, end}, sample.name);
     return clicked;
 }
 
@@ -148,10 +143,8 @@ void draw_samples(State& state, int columns) {
     write_wrapped(state, "Samples", theme::text, true, 18);
     std::filesystem::path taken;
     for (size_t i = 0; i < samples.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
         if (static_cast<int>(i) % columns != 0) ImGui::SameLine(0, gap);
         if (draw_card(state, samples[i])) taken = samples[i].file;
-        ImGui::PopID();
     }
     if (!taken.empty()) open_chosen(state, taken);
 }

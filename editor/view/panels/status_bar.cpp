@@ -1,7 +1,6 @@
 // Status bar: result of the last compile, last action, hint, selection; under the side column the
 // cost of the material, the preview's time and the save state.
 #include <algorithm>
-#include <cstdio>
 
 #include "editor/model/document/recovery.h"
 #include "editor/view/commands/commands.h"
@@ -66,12 +65,11 @@ float draw_action(State& state, const Writer& w, float x, float room) {
     x = w.write(x, theme::text_dim, text);
     if (!state.history.can_undo() || state.status != state.history.undo_name()) return x;
     ImGui::SetCursorScreenPos({x + 6, w.y - 4});
-    const bool pressed = ImGui::InvisibleButton("undo", {w.width("Undo") + 8, 22});
-    state.targets.add("status:undo", {x + 6, w.y - 4, x + 14 + w.width("Undo"), w.y + 18});
-    if (ImGui::IsItemHovered())
+    const Area area = area_button(state, "status:undo", {w.width("Undo") + 8, 22});
+    if (area.hovered)
         w.list.AddLine({x + 10, w.y + 15}, {x + 10 + w.width("Undo"), w.y + 15}, theme::accent);
     x = w.write(x + 10, theme::accent, "Undo");
-    if (pressed) run_command(state, "undo");
+    if (area.pressed) run_command(state, "undo");
     return x;
 }
 
@@ -80,10 +78,8 @@ std::string sizes(const State& state) {
     std::string text;
     if (selected.size() == 1) text = *selected.begin() + " selected     ";
     if (selected.size() > 1) text = std::to_string(selected.size()) + " selected     ";
-    char zoom[24];
-    std::snprintf(zoom, sizeof zoom, "     %.0f %%", static_cast<double>(state.view.zoom) * 100);
     return text + counted(state.document().nodes.size(), "node") + ", " +
-           counted(state.layout.wires.size(), "wire") + zoom;
+           counted(state.layout.wires.size(), "wire") + "     " + percent(state.view.zoom);
 }
 
 Note save_state(const State& state) {

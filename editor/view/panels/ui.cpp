@@ -34,15 +34,6 @@ void draw_question(State& state);
 
 namespace {
 
-// Window of a panel.
-class Region : FixedWindow {
-public:
-    Region(const char* id, const Rect& rect, ImU32 color, ImVec2 padding = {0, 0})
-        : FixedWindow(id, rect.at, rect.size,
-                      ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse,
-                      color, padding) {}
-};
-
 void draw_graph_pane(State& state) {
     is_at_start(state) ? draw_start_page(state) : draw_canvas(state);
 }
@@ -65,6 +56,10 @@ const DockedPanel docked_panels[] = {
     {"##preview", &Regions::preview, &theme::panel, {0, 0}, draw_preview},
     {"##code", &Regions::code, &theme::code, {0, 0}, draw_code},
 };
+constexpr ImGuiWindowFlags docked_flags =
+    ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |
+    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNavInputs;
+
 // Open their own windows and popups above the others while they are shown, in this order.
 constexpr void (*floating_panels[])(State&) = {
     draw_overlays, draw_splitters,  draw_palette,       draw_offer,
@@ -77,7 +72,9 @@ void draw_panels(State& state) {
     for (const DockedPanel& panel : docked_panels) {
         const Rect& rect = regions.*panel.rect;
         if (rect.size.x <= 0 || rect.size.y <= 0) continue;
-        const Region region(panel.window, rect, *panel.background, panel.padding);
+        const FixedWindow window(
+            panel.window, rect.at, rect.size,
+            {.padding = panel.padding, .ground = *panel.background, .flags = docked_flags});
         panel.draw(state);
     }
     for (const auto draw : floating_panels)

@@ -10,24 +10,47 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr float icon_side = 24;
+constexpr ImGuiWindowFlags frameless = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                       ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
 
 }  // namespace
 
-FixedWindow::FixedWindow(const char* id, ImVec2 at, ImVec2 size, ImGuiWindowFlags flags,
-                         ImU32 color, ImVec2 padding) {
+FixedWindow::FixedWindow(const char* id, ImVec2 at, ImVec2 size, const WindowStyle& style)
+    : opening_(style.opening) {
     ImGui::SetNextWindowPos(at);
     ImGui::SetNextWindowSize(size);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    if (opening_) ImGui::SetNextWindowFocus();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, style.padding);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1, 1));
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, color);
-    ImGui::Begin(id, nullptr,
-                 flags | ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavInputs);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, style.rounding);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, style.border ? 1.0F : 0.0F);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, style.ground);
+    ImGui::PushStyleColor(ImGuiCol_Border, style.border ? style.border : theme::border);
+    ImGui::Begin(id, nullptr, style.flags | frameless);
 }
 
 FixedWindow::~FixedWindow() {
     ImGui::End();
-    ImGui::PopStyleColor();
+    ImGui::PopStyleColor(2);
+    ImGui::PopStyleVar(4);
+}
+
+bool FixedWindow::has_lost_focus() const {
+    return !opening_ && !ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows);
+}
+
+Dialog::Dialog(const char* id, ImVec2 size, ImVec2 padding, float rounding, float y) {
+    if (!ImGui::IsPopupOpen(id)) ImGui::OpenPopup(id);
+    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({room.x / 2, room.y * y}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, rounding);
+    shown_ = ImGui::BeginPopupModal(id, nullptr, frameless);
+}
+
+Dialog::~Dialog() {
+    if (shown_) ImGui::EndPopup();
     ImGui::PopStyleVar(2);
 }
 
@@ -37,6 +60,13 @@ void name_area(Interface& interface, const std::string& target, ImVec2 low, ImVe
 
 void name_item(Interface& interface, const std::string& target) {
     name_area(interface, target, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+}
+
+Area area_button(Interface& interface, const std::string& target, ImVec2 size) {
+    const bool pressed = ImGui::InvisibleButton(target.c_str(), size);
+    name_item(interface, target);
+    return {ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), pressed,
+            ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)};
 }
 
 bool is_pressed(ImGuiKey key, bool repeat) {
@@ -49,6 +79,10 @@ int moved_choice(int chosen, size_t count, int page) {
     return std::clamp(chosen, 0, std::max(static_cast<int>(count) - 1, 0));
 }
 
+std::string percent(float part) {
+    return std::to_string(std::lround(part * 100)) + " %";
+}
+
 void write_paragraph(ImU32 color, const std::string& text, float wrap) {
     if (text.empty()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, color);
@@ -56,6 +90,17 @@ void write_paragraph(ImU32 color, const std::string& text, float wrap) {
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
+}
+
+bool draw_strip(const Fonts& fonts, ImVec2 at, float width, ImU32 ground, ImU32 mark,
+                const std::string& text) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, at + ImVec2(width, strip_tall), ground);
+    list.AddRectFilled(at, at + ImVec2(4, strip_tall), mark);
+    ImFont* font = fonts.regular(14);
+    const std::string shown = fitting(font, 14, text, width - 20);
+    draw_text(list, font, 14, at + ImVec2(12, 7), theme::text, shown);
+    return shown == text;
 }
 
 bool button(Interface& interface, const char* label, const std::string& target, bool chosen,
@@ -73,52 +118,45 @@ bool button(Interface& interface, const char* label, const std::string& target, 
 bool icon_button(Interface& interface, const char* icon, const std::string& target,
                  const std::string& tooltip, bool enabled) {
     ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::InvisibleButton(target.c_str(), {icon_side, icon_side});
+    const Area area = area_button(interface, target, {icon_side, icon_side});
     ImGui::EndDisabled();
-    name_item(interface, target);
-    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (enabled && (hovered || ImGui::IsItemActive()))
-        list.AddRectFilled(low, high,
+    if (enabled && (area.hovered || ImGui::IsItemActive()))
+        list.AddRectFilled(area.low, area.high,
                            ImGui::IsItemActive() ? theme::accent_fill : theme::accent_soft, 5);
-    draw_icon(list, icon, (low + high) * 0.5F, enabled ? theme::text : theme::text_off);
-    if (hovered) show_tooltip(last_item(), tooltip);
-    return pressed;
+    draw_icon(list, icon, (area.low + area.high) * 0.5F, enabled ? theme::text : theme::text_off);
+    if (area.hovered) show_tooltip(last_item(), tooltip);
+    return area.pressed;
 }
 
-int segments(Interface& interface, std::span<const Segment> all, int chosen, float width) {
+int segments(Interface& interface, std::span<const Item> items, int chosen, float width) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const float each = std::floor(width / static_cast<float>(all.size()));
+    const float each = std::floor(width / static_cast<float>(items.size()));
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 whole(each * static_cast<float>(all.size()), icon_side);
+    const ImVec2 whole(each * static_cast<float>(items.size()), icon_side);
     list.AddRectFilled(at, at + whole, theme::field, 5);
     list.AddRect(at, at + whole, theme::border, 5);
     int picked = -1;
-    for (size_t i = 0; i < all.size(); ++i) {
-        const ImVec2 low = at + ImVec2(each * static_cast<float>(i), 0);
-        const ImVec2 high = low + ImVec2(each, icon_side);
-        ImGui::SetCursorScreenPos(low);
-        if (ImGui::InvisibleButton(all[i].target.c_str(), high - low)) picked = static_cast<int>(i);
-        name_item(interface, all[i].target);
-        const bool own = static_cast<int>(i) == chosen, hovered = ImGui::IsItemHovered();
+    for (int i = 0; i < static_cast<int>(items.size()); ++i) {
+        const Item& item = items[static_cast<size_t>(i)];
+        if (i > 0) ImGui::SameLine(0, 0);
+        const auto [low, high, pressed, hovered] =
+            area_button(interface, item.target, {each, icon_side});
+        if (pressed) picked = i;
+        const bool own = i == chosen;
         if (own || hovered) list.AddRectFilled(low, high, theme::accent_soft, 5);
         if (own) list.AddRect(low, high, theme::accent, 5);
-        if (hovered && !all[i].tooltip.empty()) show_tooltip({low, high}, all[i].tooltip);
+        if (hovered && !item.tooltip.empty()) show_tooltip({low, high}, item.tooltip);
         ImFont* font = own ? interface.fonts.bold(16) : interface.fonts.regular(16);
-        const std::string label = fitting(font, 16, all[i].label, each - 4);
+        const std::string label = fitting(font, 16, item.label, each - 4);
         const float x = low.x + (each - text_width(font, 16, label)) / 2;
         draw_text(list, font, 16, {x, low.y + 4}, own ? theme::text : theme::text_dim, label);
     }
     return picked;
 }
 
-namespace {
-
-// Returns true while the list of the combo box is open: then add the items and call
-// ImGui::EndCombo().
-bool begin_choice(Interface& interface, const std::string& target, const std::string& shown,
-                  float width) {
+int choose(Interface& interface, const std::string& target, const std::string& shown,
+           std::span<const Item> items, float width) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high = low + ImVec2(width, ImGui::GetFrameHeight());
     const bool enabled = ImGui::GetStyle().Alpha > 0.99F;
@@ -134,21 +172,14 @@ bool begin_choice(Interface& interface, const std::string& target, const std::st
     draw_icon(list, "down", {high.x - 14, (low.y + high.y) / 2},
               enabled ? theme::text_dim : theme::text_off);
     name_area(interface, target, low, high);
-    return open;
-}
-
-}  // namespace
-
-int choose(Interface& interface, const std::string& target, const std::string& shown,
-           const Choices& choices, float width) {
+    if (!open) return -1;
     int picked = -1;
-    if (!begin_choice(interface, target, shown, width)) return picked;
-    for (size_t i = 0; i < choices.labels.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Selectable(choices.labels[i].c_str(), choices.chosen == static_cast<int>(i)))
-            picked = static_cast<int>(i);
+    for (int i = 0; i < static_cast<int>(items.size()); ++i) {
+        const Item& item = items[static_cast<size_t>(i)];
+        ImGui::PushID(i);
+        if (ImGui::Selectable(item.label.c_str(), item.label == shown)) picked = i;
         ImGui::PopID();
-        name_item(interface, choices.targets[i]);
+        name_item(interface, item.target);
     }
     ImGui::EndCombo();
     return picked;
