@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
+#include <set>
 
 namespace wrinkle::editor {
 namespace {
@@ -56,17 +57,14 @@ ImFont* add(const Face* face, float pixels, float scale) {
     return font;
 }
 
-std::vector<float> wanted_sizes(float scale) {
-    std::vector<float> wanted;
-    const float largest = largest_text * max_zoom * scale;
-    for (const float size : sizes) {
-        wanted.push_back(size);
-        if (size >= largest) break;
-    }
+std::set<float> wanted_sizes(float scale) {
+    std::set<float> wanted;
     for (const float size : interface_sizes)
-        wanted.push_back(size * scale);
-    std::sort(wanted.begin(), wanted.end());
-    wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
+        wanted.insert(size * scale);
+    for (const float size : sizes) {
+        wanted.insert(size);
+        if (size >= largest_text * max_zoom * scale) break;
+    }
     return wanted;
 }
 

@@ -51,57 +51,39 @@ constexpr Icon icons[] = {
 const char* strokes_of(std::string_view name) {
     for (const Icon& icon : icons)
         if (icon.name == name) return icon.strokes;
-    return nullptr;
+    return "";
 }
-
-// Parses the strokes of an icon and draws them.
-class Pen {
-public:
-    Pen(ImDrawList& list, ImVec2 center, ImU32 color)
-        : list_(list), center_(center), color_(color) {}
-
-    void draw(const char* strokes) {
-        for (at_ = strokes; *at_;) {
-            const char what = *at_++;
-            if (what == 'M') end(false);
-            if (what == 'M' || what == 'L') list_.PathLineTo(point());
-            if (what == 'Z') end(true);
-            if (what == 'O') arc();
-        }
-        end(false);
-    }
-
-private:
-    float number() {
-        char* rest = nullptr;
-        const float value = std::strtof(at_, &rest);
-        at_ = rest;
-        return value;
-    }
-    ImVec2 point() {
-        const float x = number(), y = number();
-        return center_ + ImVec2(x, y);
-    }
-    void arc() {
-        end(false);
-        const ImVec2 middle = point();
-        const float radius = number(), degree = std::numbers::pi_v<float> / 180;
-        const float from = number() * degree, to = number() * degree;
-        list_.PathArcTo(middle, radius, from, to, 20);
-        end(false);
-    }
-    void end(bool closed) { list_.PathStroke(color_, closed ? ImDrawFlags_Closed : 0, 1.5F); }
-
-    ImDrawList& list_;
-    ImVec2 center_;
-    ImU32 color_;
-    const char* at_ = nullptr;
-};
 
 }  // namespace
 
 void draw_icon(ImDrawList& list, std::string_view name, ImVec2 center, ImU32 color) {
-    if (const char* strokes = strokes_of(name)) Pen(list, center, color).draw(strokes);
+    const char* at = strokes_of(name);
+    const auto number = [&] {
+        char* rest = nullptr;
+        const float value = std::strtof(at, &rest);
+        at = rest;
+        return value;
+    };
+    const auto point = [&] {
+        const float x = number(), y = number();
+        return center + ImVec2(x, y);
+    };
+    const auto end = [&](bool closed) {
+        list.PathStroke(color, closed ? ImDrawFlags_Closed : 0, 1.5F);
+    };
+    while (*at) {
+        const char what = *at++;
+        if (what == 'M' || what == 'O') end(false);
+        if (what == 'M' || what == 'L') list.PathLineTo(point());
+        if (what == 'Z') end(true);
+        if (what != 'O') continue;
+        const ImVec2 middle = point();
+        const float radius = number(), degree = std::numbers::pi_v<float> / 180;
+        const float from = number() * degree, to = number() * degree;
+        list.PathArcTo(middle, radius, from, to, 20);
+        end(false);
+    }
+    end(false);
 }
 
 }  // namespace wrinkle::editor

@@ -21,28 +21,14 @@ void draw_bar(ImDrawList& list, const TextStyle& style, float zoom, ImVec2 at, I
     list.AddRectFilled(low, low + ImVec2(width, tall), pale);
 }
 
-// Appends glyphs of one font.
-class Run {
-public:
-    Run(ImDrawList& list, ImFont* font, float drawn, float pixel)
-        : list_(list), font_(font), scale_(drawn / font->FontSize), pixel_(pixel) {}
-
-    void add(ImVec2 at, ImU32 color, unsigned code) {
-        const ImFontGlyph* glyph = font_->FindGlyph(static_cast<ImWchar>(code));
-        if (!glyph || !glyph->Visible) return;
-        const ImVec2 origin(std::round(at.x / pixel_) * pixel_, at.y);
-        const ImVec2 low = origin + ImVec2(glyph->X0, glyph->Y0) * scale_;
-        const ImVec2 high = origin + ImVec2(glyph->X1, glyph->Y1) * scale_;
-        if (high.x < list_.GetClipRectMin().x || low.x > list_.GetClipRectMax().x) return;
-        list_.PrimReserve(6, 4);
-        list_.PrimRectUV(low, high, {glyph->U0, glyph->V0}, {glyph->U1, glyph->V1}, color);
-    }
-
-private:
-    ImDrawList& list_;
-    ImFont* font_;
-    float scale_, pixel_;
-};
+void add_glyph(ImDrawList& list, const ImFontGlyph& glyph, ImVec2 origin, float scale,
+               ImU32 color) {
+    const ImVec2 low = origin + ImVec2(glyph.X0, glyph.Y0) * scale;
+    const ImVec2 high = origin + ImVec2(glyph.X1, glyph.Y1) * scale;
+    if (high.x < list.GetClipRectMin().x || low.x > list.GetClipRectMax().x) return;
+    list.PrimReserve(6, 4);
+    list.PrimRectUV(low, high, {glyph.U0, glyph.V0}, {glyph.U1, glyph.V1}, color);
+}
 
 }  // namespace
 
@@ -60,12 +46,13 @@ void draw_magnified(ImDrawList& list, const Fonts& fonts, const TextStyle& style
     ImFont* font = fonts.magnified(style.bold, tall, drawn);
     const float pixel = 1 / fonts.scale();
     at.y = std::round((at.y + (tall - drawn) / 2) / pixel) * pixel;
-    Run run(list, font, drawn, pixel);
     const float step = measure->Scale * zoom;
     for (const char *c = text.data(), *end = c + text.size(); c < end;) {
         unsigned code = 0;
         c += ImTextCharFromUtf8(&code, c, end);
-        run.add(at, color, code);
+        const ImFontGlyph* glyph = font->FindGlyph(static_cast<ImWchar>(code));
+        const ImVec2 origin(std::round(at.x / pixel) * pixel, at.y);
+        if (glyph && glyph->Visible) add_glyph(list, *glyph, origin, drawn / font->FontSize, color);
         at.x += measure->GetCharAdvance(static_cast<ImWchar>(code)) * step;
     }
 }

@@ -7,7 +7,6 @@ namespace {
 
 Theme current = Theme::dark;
 
-// By PortType.
 struct TypeColor {
     PortType type;
     ImU32 dark, light;
@@ -74,9 +73,8 @@ void style_shapes() {
 }  // namespace
 
 ImU32 of(PortType type) {
-    for (const TypeColor& color : type_colors)
-        if (color.type == type) return current == Theme::dark ? color.dark : color.light;
-    return text;
+    const auto& color = *std::ranges::find(type_colors, type, &TypeColor::type);
+    return current == Theme::dark ? color.dark : color.light;
 }
 
 void use(Theme theme) {

@@ -47,10 +47,7 @@ std::string what_is_replaced(const State& state) {
 
 void draw_consequences(State& state) {
     BakeDialog& dialog = state.bake_dialog;
-    if (!dialog.looked || *dialog.looked != dialog.choices) {
-        dialog.looked = dialog.choices;
-        dialog.replaces = what_is_replaced(state);
-    }
+    dialog.replaces = what_is_replaced(state);
     const std::string why = why_no_bake(state);
     constexpr float wrap = bake_wide - bake_padding;
     write_paragraph(why.empty() ? theme::text_dim : theme::warn,

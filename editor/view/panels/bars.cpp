@@ -60,11 +60,10 @@ float search_room() {
 
 // Draws the field at the right of the menu bar that opens the list of commands; returns its left x.
 float draw_command_search(State& state) {
-    const Command* search = find_command("commands");
+    const Command& search = *find_command("commands");
     const float window = ImGui::GetWindowSize().x;
     const bool words = window >= min_search;
     const float wide = search_room() - 16, left = window - wide - 8;
-    if (!search) return left;
     ImGui::SetCursorPos({left, 3});
     const auto [low, high, pressed, hovered] = area_button(state, "search", {wide, 22});
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -74,9 +73,9 @@ float draw_command_search(State& state) {
     ImFont* font = state.fonts.regular(14);
     if (words) draw_text(list, font, 14, low + ImVec2(30, 4), theme::text_dim, "Search commands");
     if (window >= wordless)
-        draw_text(list, font, 14, {high.x - 8, low.y + 4}, theme::text_dim, search->keys, true);
-    if (window < wordless) explain(state, *search, last_item());
-    if (pressed) search->run(state);
+        draw_text(list, font, 14, {high.x - 8, low.y + 4}, theme::text_dim, search.keys, true);
+    if (window < wordless) explain(state, search, last_item());
+    if (pressed) search.run(state);
     return left;
 }
 
@@ -97,22 +96,26 @@ void draw_title(const State& state, float from, float to) {
 }
 
 struct Tool {
-    const char* id;     // command id; skipped if there is no such command
+    const char* id;     // of its command
     const char* words;  // "": only the icon
     bool framed = false, primary = false;
 };
 
-float width_of(const State& state, const Tool& tool, const Command& command, bool words) {
-    float width = 28;
-    if (words && tool.words[0])
-        width += 8 + text_width(state.fonts.regular(16), 16, tool.words) + 4;
-    if (words && tool.framed && !tool.primary && !command.keys.empty())
-        width += 8 + text_width(state.fonts.regular(14), 14, command.keys);
-    return std::ceil(width);
+// Returns the keys that are drawn beside the words; "" for none.
+std::string_view keys_of(const Tool& tool) {
+    return tool.framed && !tool.primary ? find_command(tool.id)->keys : "";
 }
 
-void paint_tool(const State& state, const Tool& tool, const Command& command, bool words,
-                bool enabled, const Area& area) {
+float width_of(const Interface& interface, const Tool& tool, bool words) {
+    if (!words || !tool.words[0]) return 28;
+    const std::string_view keys = keys_of(tool);
+    const float width = text_width(interface.fonts.regular(16), 16, tool.words) +
+                        text_width(interface.fonts.regular(14), 14, keys);
+    return std::ceil(28 + 12 + width + (keys.empty() ? 0 : 8));
+}
+
+void paint_tool(const Interface& interface, const Tool& tool, bool words, bool enabled,
+                const Area& area) {
     const ImVec2 low = area.low, high = area.high;
     const bool hovered = enabled && area.hovered, held = ImGui::IsItemActive();
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -124,23 +127,21 @@ void paint_tool(const State& state, const Tool& tool, const Command& command, bo
     if (!enabled) color = theme::text_off;
     draw_icon(list, tool.id, {low.x + 14, (low.y + high.y) / 2}, color);
     if (!words || !tool.words[0]) return;
-    draw_text(list, state.fonts.regular(16), 16, low + ImVec2(28, 6), color, tool.words);
-    if (tool.framed && !tool.primary)
-        draw_text(list, state.fonts.regular(14), 14, {high.x - 10, low.y + 7}, theme::text_dim,
-                  command.keys, true);
+    draw_text(list, interface.fonts.regular(16), 16, low + ImVec2(28, 6), color, tool.words);
+    draw_text(list, interface.fonts.regular(14), 14, {high.x - 10, low.y + 7}, theme::text_dim,
+              keys_of(tool), true);
 }
 
 void draw_tool(State& state, const Tool& tool, bool words) {
-    const Command* command = find_command(tool.id);
-    if (!command) return;
-    const bool enabled = command->enabled(state);
-    const ImVec2 size(width_of(state, tool, *command, words), 28);
+    const Command& command = *find_command(tool.id);
+    const bool enabled = command.enabled(state);
+    const ImVec2 size(width_of(state, tool, words), 28);
     ImGui::BeginDisabled(!enabled);
     const Area area = area_button(state, std::string("tool:") + tool.id, size);
     ImGui::EndDisabled();
-    paint_tool(state, tool, *command, words, enabled, area);
-    explain(state, *command, last_item());
-    if (area.pressed) command->run(state);
+    paint_tool(state, tool, words, enabled, area);
+    explain(state, command, last_item());
+    if (area.pressed) command.run(state);
     ImGui::SameLine(0, 4);
 }
 
@@ -196,8 +197,7 @@ void draw_toolbar(State& state) {
         draw_tool(state, tool, words);
     float x = whole - 8;
     for (const Tool& tool : right)
-        if (const Command* command = find_command(tool.id))
-            x -= width_of(state, tool, *command, words) + 8;
+        x -= width_of(state, tool, words) + 8;
     ImGui::SetCursorPosX(std::max(x, ImGui::GetCursorPosX()));
     for (const Tool& tool : right)
         draw_tool(state, tool, words);

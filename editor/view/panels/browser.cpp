@@ -25,25 +25,47 @@ constexpr float file_tall = 28, places_width = 176;
 
 struct PurposeInfo {
     const char* title;
-    std::vector<std::string> extensions;  // files to list
-    const char* added = "";               // extension of a name without one, if it saves
+    void (*take)(State&, const fs::path& file);  // uses the chosen file
+    std::vector<std::string> extensions;         // files to list
+    const char* added = "";                      // extension of a name without one, if it saves
     bool saves = false;
 };
 
+void take_export_image(State& state, const fs::path& file) {
+    const std::vector<ImageSize> sizes = image_sizes(state);
+    start_image_export(state, file, sizes[std::min(state.browser.size, sizes.size() - 1)]);
+}
+
+void take_image(State& state, const fs::path& file) {
+    use_image(state, state.browser.node, state.browser.port, file.string());
+}
+
 const PurposeInfo& info(Purpose purpose) {
     static const PurposeInfo infos[] = {
-        {"", {}},
-        {"Open a graph", {".json"}},
-        {"Save the graph as", {".json"}, ".json", true},
-        {"Export GLSL", {".glsl", ".frag", ".vert"}, ".glsl", true},
+        {"", nullptr, {}},
+        {"Open a graph", open_chosen, {".json"}},
+        {"Save the graph as", save_chosen, {".json"}, ".json", true},
+        {"Export GLSL",
+         [](State& s, const fs::path& file) { start_code_export(s, file); },
+         {".glsl", ".frag", ".vert"},
+         ".glsl",
+         true},
         {"Save the picture of the preview",
+         take_export_image,
          {".png", ".jpg", ".jpeg", ".tif", ".tiff"},
          ".png",
          true},
         {"Choose an image",
+         take_image,
          {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr", ".pfm", ".pnm", ".ppm"}},
-        {"Choose a mesh", {".obj", ".gltf", ".glb"}},
-        {"Bake into a folder, or a file", {".png", ".tif", ".exr"}, "", true},
+        {"Choose a mesh",
+         [](State& s, const fs::path& file) { s.bake_dialog.choices.mesh = file.string(); },
+         {".obj", ".gltf", ".glb"}},
+        {"Bake into a folder, or a file",
+         [](State& s, const fs::path& file) { s.bake_dialog.choices.into = file; },
+         {".png", ".tif", ".exr"},
+         "",
+         true},
     };
     return infos[static_cast<size_t>(purpose)];
 }
@@ -70,40 +92,12 @@ std::string with_extension(const State& state, const std::string& name) {
     return stages || fs::path(name).has_extension() ? name : name + info(purpose).added;
 }
 
-// Uses the chosen file for the purpose.
-void take(State& state, const fs::path& file) {
-    const Browser browser = state.browser;
-    switch (browser.purpose) {
-        case Purpose::open_graph:
-            return open_chosen(state, file);
-        case Purpose::save_graph:
-            return save_chosen(state, file);
-        case Purpose::export_text:
-            start_code_export(state, file);
-            break;
-        case Purpose::export_image: {
-            const std::vector<ImageSize> sizes = image_sizes(state);
-            return start_image_export(state, file, sizes[std::min(browser.size, sizes.size() - 1)]);
-        }
-        case Purpose::image:
-            return use_image(state, browser.node, browser.port, file.string());
-        case Purpose::bake_mesh:
-            state.bake_dialog.choices.mesh = file.string();
-            break;
-        case Purpose::bake_into:
-            state.bake_dialog.choices.into = file;
-            break;
-        case Purpose::none:
-            break;
-    }
-}
-
 // Opens the chosen folder or takes the chosen file. Returns true when the browser is to be closed.
 bool enter_chosen(State& state) {
     Browser& browser = state.browser;
     const Entry entry = browser.listing.entries[browser.shown[static_cast<size_t>(browser.chosen)]];
     const fs::path path = browser.folder / entry.name;
-    entry.folder ? go_to(browser, path) : take(state, path);
+    entry.folder ? go_to(browser, path) : info(browser.purpose).take(state, path);
     return !entry.folder;
 }
 
@@ -122,7 +116,7 @@ bool enter(State& state) {
     if (named || browser.shown.empty()) {
         if (browser.text.empty() || (!named && browser.purpose != Purpose::open_graph))
             return false;
-        take(state, with_extension(state, typed.string()));
+        info(browser.purpose).take(state, with_extension(state, typed.string()));
         return true;
     }
     return enter_chosen(state);

@@ -1,6 +1,7 @@
 #include "editor/view/panels/help.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/text.h"
 #include "editor/view/canvas/canvas.h"
@@ -17,6 +18,10 @@ namespace {
 constexpr float rest = 0.6F;  // seconds until a tooltip shows
 constexpr float tip_width = 360;
 
+// A pointer gesture on the canvas and its effect; gestures are not commands.
+struct GestureHelp {
+    std::string_view hand, what;
+};
 constexpr GestureHelp table[] = {
     {"Drag from pin to pin", "connects; from a connected input takes the wire off"},
     {"Drag a pin into the open", "searches what fits there"},
@@ -33,39 +38,25 @@ constexpr GestureHelp table[] = {
 };
 
 std::string default_text(const Port& port) {
-    const auto value = [&](size_t i) {
-        return shortest(static_cast<float>(port.default_value[i]));
-    };
+    const double first = port.default_value[0];
     if (port.kind == Port::Kind::choice) {
-        const auto index = static_cast<size_t>(port.default_value[0]);
+        const auto index = static_cast<size_t>(first);
         return index < port.choices.size() ? port.choices[index] : "";
     }
-    if (port.kind == Port::Kind::flag) return port.default_value[0] != 0 ? "yes" : "no";
-    if (port.kind == Port::Kind::count) return value(0);
+    if (port.kind == Port::Kind::flag) return first != 0 ? "yes" : "no";
+    if (port.kind == Port::Kind::count) return shortest(static_cast<float>(first));
     if (port.default_kind == Port::Default::surface)
         return std::string(surface_properties()[port.default_surface].name);
     if (port.default_kind != Port::Default::constant) return {};
-    std::string text;
-    for (size_t i = 0; i < static_cast<size_t>(lanes_of(port.type)); ++i)
-        text += (i > 0 ? " " : "") + value(i);
-    return text;
+    const std::span lanes(port.default_value.data(), static_cast<size_t>(lanes_of(port.type)));
+    return joined(lanes, " ", [](double lane) { return shortest(static_cast<float>(lane)); });
 }
 
 std::string type_text(const Port& port) {
-    switch (port.kind) {
-        case Port::Kind::choice:
-            return "choice";
-        case Port::Kind::count:
-            return "count";
-        case Port::Kind::flag:
-            return "yes or no";
-        case Port::Kind::field:
-            return "any " + std::string(name_of(port.type));
-        case Port::Kind::input:
-        case Port::Kind::output:
-            break;
-    }
-    return std::string(name_of(port.type));
+    if (port.kind == Port::Kind::choice) return "choice";
+    if (port.kind == Port::Kind::count) return "count";
+    if (port.kind == Port::Kind::flag) return "yes or no";
+    return (port.kind == Port::Kind::field ? "any " : "") + std::string(name_of(port.type));
 }
 
 void draw_port(const State& state, const Port& port) {
@@ -123,13 +114,15 @@ const NodeType* help_type(const State& state) {
     return state.help.type.empty() ? nullptr : state.type_of(state.help.node);
 }
 
-// Returns the tooltip for the element under the pointer; false if there is none.
-bool hover_words(const State& state, std::string& name, std::string& title, std::string& facts,
-                 std::string& doc, std::string& image) {
+// Tooltip for the element under the pointer.
+struct HoverWords {
+    std::string target, title, doc, facts, image;
+};
+std::optional<HoverWords> hover_words(const State& state) {
     const Hit& hit = state.hovered;
-    if (!hit.on_card(state.layout)) return false;
+    if (!hit.on_card(state.layout)) return std::nullopt;
     const Card& card = state.layout.cards[hit.card];
-    if (!card.type) return false;
+    if (!card.type) return std::nullopt;
     const Port* port = nullptr;
     if (hit.kind == Hit::Kind::field && hit.part < card.fields.size())
         port = &card.type->ports[card.fields[hit.part].index];
@@ -138,14 +131,12 @@ bool hover_words(const State& state, std::string& name, std::string& title, std:
             if (each.name == card.pins[hit.part].port &&
                 (each.kind == Port::Kind::output) == card.pins[hit.part].output)
                 port = &each;
-    if (!port && hit.kind != Hit::Kind::header) return false;
-    name = port ? port->name : card.type->id;
-    title = port ? port->name : card.type->title;
-    facts = port ? port_facts(*port) : "F1 says more";
-    doc = port ? port->doc : card.type->doc;
-    if (port && port->is_value() && port->type == PortType::image_)
-        image = image_words(state, card.id, port->name);
-    return true;
+    if (!port && hit.kind != Hit::Kind::header) return std::nullopt;
+    if (!port)
+        return HoverWords{card.type->id, card.type->title, card.type->doc, "F1 says more", ""};
+    const bool image = port->is_value() && port->type == PortType::image_;
+    return HoverWords{port->name, port->name, port->doc, port_facts(*port),
+                      image ? image_words(state, card.id, port->name) : ""};
 }
 
 }  // namespace
@@ -164,10 +155,6 @@ std::string port_facts(const Port& port) {
     for (size_t i = 0; i < port.choices.size(); ++i)
         text += (i == 0 ? ": " : ", ") + port.choices[i];
     return text;
-}
-
-std::span<const GestureHelp> gesture_help() {
-    return table;
 }
 
 std::string shortcuts_markdown() {
@@ -232,17 +219,16 @@ void draw_hover_docs(State& state) {
                        state.gesture.kind == Gesture::Kind::none && !state.palette.open &&
                        !state.help.open && state.popup.kind == Popup::Kind::none;
     state.help.rested = still ? state.help.rested + io.DeltaTime : 0;
-    std::string name, title, facts, doc, image;
-    const bool any = still && hover_words(state, name, title, facts, doc, image);
-    state.help.waiting = any && state.help.rested < rest;
-    if (!any || state.help.waiting) return;
+    const auto words = still ? hover_words(state) : std::nullopt;
+    state.help.waiting = words && state.help.rested < rest;
+    if (!words || state.help.waiting) return;
     const Tooltip tip(about_hit(state, state.hovered), tip_width);
     if (!tip) return;
-    write_wrapped(state, title, theme::text, true);
-    write_wrapped(state, doc, theme::text);
-    write_wrapped(state, facts, theme::text_dim, false, 14);
-    if (!image.empty()) write_wrapped(state, image + " F1 says more.", theme::text);
-    name_area(state, "tip:" + name, io.MousePos, io.MousePos);
+    write_wrapped(state, words->title, theme::text, true);
+    write_wrapped(state, words->doc, theme::text);
+    write_wrapped(state, words->facts, theme::text_dim, false, 14);
+    if (!words->image.empty()) write_wrapped(state, words->image + " F1 says more.", theme::text);
+    name_area(state, "tip:" + words->target, io.MousePos, io.MousePos);
 }
 
 }  // namespace wrinkle::editor

@@ -2,9 +2,7 @@
 // the list of shortcuts from the table of commands.
 #pragma once
 
-#include <span>
 #include <string>
-#include <string_view>
 
 #include "editor/view/state.h"
 
@@ -20,12 +18,6 @@ void write_wrapped(const State& state, const std::string& text, ImU32 color, boo
 
 // Returns type, unit, default and range: "float, m, default 0.1, 0 to 1".
 std::string port_facts(const Port& port);
-
-// A pointer gesture on the canvas and its effect; gestures are not commands.
-struct GestureHelp {
-    std::string_view hand, what;
-};
-std::span<const GestureHelp> gesture_help();
 
 // Returns the tables of docs/editor.md; a test compares them.
 std::string shortcuts_markdown();

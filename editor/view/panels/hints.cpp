@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "editor/view/panels/panels.h"
 
 namespace wrinkle::editor {
@@ -5,11 +7,13 @@ namespace {
 
 using Gestures = Gesture::Kind;
 
-struct GestureHint {
-    Gestures kind;
+// Hints by the kind of a gesture or of the element under the pointer.
+template <class Kind>
+struct Hint {
+    Kind kind;
     std::string_view text;
 };
-constexpr GestureHint gesture_hints[] = {
+constexpr Hint<Gestures> gesture_hints[] = {
     {Gestures::wire,
      "Drop on a pin, or on empty ground for a node that fits   Esc to drop the wire"},
     {Gestures::value, "Ctrl is fine, Shift coarse   Esc gives the value back"},
@@ -23,6 +27,20 @@ constexpr GestureHint gesture_hints[] = {
     {Gestures::pan, "Let go where it shall stay"},
 };
 
+constexpr Hint<Hit::Kind> canvas_hints[] = {
+    {Hit::Kind::pin, "Drag to connect"},
+    {Hit::Kind::field, "Drag to change   double-click to type"},
+    {Hit::Kind::header, "Drag to move   double-click to rename"},
+    {Hit::Kind::card, "Drag to move"},
+    {Hit::Kind::wire, "Click to select   double-click to bend   Delete removes it"},
+};
+
+template <class Kind>
+std::string_view find_hint(std::span<const Hint<Kind>> hints, Kind kind) {
+    const auto found = std::ranges::find(hints, kind, &Hint<Kind>::kind);
+    return found == hints.end() ? "" : found->text;
+}
+
 // By Popup::Kind.
 constexpr std::string_view popup_hints[] = {
     "",
@@ -35,9 +53,7 @@ constexpr std::string_view popup_hints[] = {
 
 std::string_view hint_of_gesture(const Gesture& gesture) {
     if (gesture.under_wire) return "Let go to put it in this wire   Esc puts it back";
-    for (const GestureHint& hint : gesture_hints)
-        if (hint.kind == gesture.kind) return hint.text;
-    return {};
+    return find_hint<Gestures>(gesture_hints, gesture.kind);
 }
 
 std::string_view hint_of_open(const Dialogs& open) {
@@ -52,20 +68,8 @@ std::string_view hint_of_open(const Dialogs& open) {
 }
 
 std::string_view hint_of_canvas(const Hit& hovered) {
-    switch (hovered.kind) {
-        case Hit::Kind::pin:
-            return "Drag to connect";
-        case Hit::Kind::field:
-            return "Drag to change   double-click to type";
-        case Hit::Kind::header:
-            return "Drag to move   double-click to rename";
-        case Hit::Kind::card:
-            return "Drag to move";
-        case Hit::Kind::wire:
-            return "Click to select   double-click to bend   Delete removes it";
-        default:
-            return "Space adds a node   the wheel zooms   the middle button pans";
-    }
+    const std::string_view hint = find_hint<Hit::Kind>(canvas_hints, hovered.kind);
+    return hint.empty() ? "Space adds a node   the wheel zooms   the middle button pans" : hint;
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 
 #include "editor/model/images/facts.h"
 #include "editor/model/images/remarks.h"
+#include "editor/view/edit/layer.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/panels/help.h"
@@ -79,14 +80,10 @@ void draw_image_sections(State& state, const Node& node) {
     if (!type) return;
     const std::string id = node.id;  // a copy, as a remedy replaces the node
     std::vector<std::pair<std::string, std::string>> read;
-    for (const Input& input : node.inputs) {
-        const uint32_t index = type->find_input(input.port);
-        if (index == NodeType::none || input.kind != Input::Kind::literal) continue;
-        const Port& port = type->ports[index];
-        if (!port.is_value() || port.type != PortType::image_) continue;
-        const std::string_view file = literal_image(input.value).file;
-        if (!file.empty()) read.emplace_back(port.name, file);
-    }
+    for (const Input& input : node.inputs)
+        if (input.kind == Input::Kind::literal && image_port(*type, input.port))
+            if (const auto file = literal_image(input.value).file; !file.empty())
+                read.emplace_back(input.port, file);
     for (const auto& [port, file] : read)
         draw_section(state, id, port, file);
 }

@@ -1,8 +1,7 @@
 #include "editor/view/panels/listing.h"
 
 #include <algorithm>
-#include <cctype>
-
+#include <cstring>
 #include <deque>
 #include <set>
 #include "editor/view/panels/search.h"
@@ -10,18 +9,6 @@
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
-
-bool is_digit(char c) {
-    return std::isdigit(static_cast<unsigned char>(c));
-}
-
-// Returns the digits at `at` without leading zeros; moves `at` past them.
-std::string_view number_at(std::string_view text, size_t& at) {
-    const size_t begin = std::min(text.find_first_not_of('0', at), text.size());
-    while (at < text.size() && is_digit(text[at]))
-        ++at;
-    return text.substr(std::min(begin, at), at - std::min(begin, at));
-}
 
 bool has_extension(const std::string& name, std::span<const std::string> extensions) {
     const std::string own = lower_case(fs::path(name).extension().string());
@@ -32,21 +19,8 @@ bool has_extension(const std::string& name, std::span<const std::string> extensi
 }  // namespace
 
 bool name_before(std::string_view a, std::string_view b) {
-    const std::string x = lower_case(a), y = lower_case(b);
-    size_t i = 0, k = 0;
-    while (i < x.size() && k < y.size()) {
-        if (is_digit(x[i]) && is_digit(y[k])) {
-            const std::string_view m = number_at(x, i), n = number_at(y, k);
-            if (m.size() != n.size()) return m.size() < n.size();
-            if (m != n) return m < n;
-        } else {
-            if (x[i] != y[k]) return x[i] < y[k];
-            ++i;
-            ++k;
-        }
-    }
-    const bool x_ends = i == x.size(), y_ends = k == y.size();
-    return x_ends == y_ends ? a < b : x_ends;
+    const int order = strverscmp(lower_case(a).c_str(), lower_case(b).c_str());
+    return order == 0 ? a < b : order < 0;
 }
 
 Listing list_folder(const fs::path& folder, std::span<const std::string> extensions) {

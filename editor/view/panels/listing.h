@@ -28,7 +28,7 @@ Listing list_folder(const std::filesystem::path& folder, std::span<const std::st
 // Returns the indices of the entries with names that match the query, best first; all for "".
 std::vector<size_t> filtered(const Listing& listing, std::string_view query);
 
-// Natural order, case-insensitive; compares numbers by value: "wood2" before "wood10".
+// Natural order (strverscmp), case-insensitive: "wood2" before "wood10".
 bool name_before(std::string_view a, std::string_view b);
 
 // Returns the image files below `folder`, relative to it, sorted: at most `limit`. The search stops

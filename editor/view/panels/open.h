@@ -61,8 +61,7 @@ struct Browser {
 struct BakeDialog {
     bool open = false, opening = false;
     BakeChoices choices;
-    std::optional<BakeChoices> looked;  // choices for which `replaces` was computed
-    std::string replaces;               // one sentence on the files that would be overwritten
+    std::string replaces;  // one sentence on the files that would be overwritten
 };
 
 // Sample graph that is installed with the program.

@@ -34,30 +34,28 @@ struct Crumb {
     float width = 0;
 };
 
+float width_of(const std::vector<Crumb>& crumbs) {
+    float width = 0;
+    for (const Crumb& crumb : crumbs)
+        width += crumb.width + crumb_gap;
+    return width;
+}
+
 // Returns the crumbs that fit; drops those after the outermost file first, the innermost stays.
 std::vector<Crumb> find_crumbs(const State& state, float room) {
     ImFont* font = state.fonts.regular(16);
     std::vector<std::string> files = open_files(state);
     std::vector<Crumb> crumbs;
-    float total = 0;
     for (size_t i = 0; i < files.size(); ++i) {
         const bool dirty = i < state.parent_graphs.size() && state.parent_graphs[i].dirty();
         const float most = std::max(room / (files.size() > 1 ? 2 : 1) - 48, 60.0F);
         const std::string text = fitting(font, 16, files[i], most) + (dirty ? " *" : "");
         crumbs.push_back({i, text, text_width(font, 16, text)});
-        total += crumbs.back().width + crumb_gap;
     }
-    while (total > room && crumbs.size() > 2) {
-        const bool first = crumbs[1].depth != Crumb::gap;
-        if (!first && crumbs.size() == 3) break;
-        const auto dropped = crumbs.begin() + (first ? 1 : 2);
-        total -= dropped->width + crumb_gap;
-        crumbs.erase(dropped);
-        if (!first) continue;
-        const Crumb dots{Crumb::gap, "...", text_width(font, 16, "...")};
-        total += dots.width + crumb_gap;
-        crumbs.insert(crumbs.begin() + 1, dots);
-    }
+    if (width_of(crumbs) <= room || crumbs.size() < 3) return crumbs;
+    crumbs[1] = {Crumb::gap, "...", text_width(font, 16, "...")};
+    while (width_of(crumbs) > room && crumbs.size() > 3)
+        crumbs.erase(crumbs.begin() + 2);
     return crumbs;
 }
 
@@ -68,9 +66,7 @@ void draw_crumbs(State& state) {
     std::vector<Crumb> crumbs = find_crumbs(state, view.extent.x - 2 * margin);
     if (crumbs.size() == 1)
         crumbs.push_back({Crumb::gap, "Main graph", text_width(font, 16, "Main graph")});
-    float width = 0;
-    for (const Crumb& crumb : crumbs)
-        width += crumb.width + crumb_gap;
+    const float width = width_of(crumbs);
     const ImVec2 low = view.corner + ImVec2(margin, margin);
     const Overlay overlay("##crumbs", low, {width, tall});
     name_area(state, "crumbs", low, low + ImVec2(width, tall));

@@ -14,13 +14,13 @@ std::vector<const NodeType*> search_nodes(const State& state, std::string_view q
 
 // One row of the list.
 struct PaletteRow {
-    std::string title, doc, key;
-    std::string off;     // why it cannot be chosen; "" if it can
-    std::string target;  // its name for scripts
-    std::vector<size_t> letters;
+    std::string title, doc, key = {};
+    std::string off = {};  // why it cannot be chosen; "" if it can
+    std::string target;    // its name for scripts
+    std::vector<size_t> letters = {};
     const NodeType* type = nullptr;
     const struct Command* command = nullptr;
-    std::string node;  // id of a node of the graph to show
+    std::string node = {};  // id of a node of the graph to show
 };
 std::vector<PaletteRow> palette_rows(const State& state);
 

@@ -36,27 +36,13 @@ std::vector<PaletteRow> node_rows(const State& state, std::string_view query) {
         const size_t last = wanted.empty() ? order_of_family(type.family) : type.title.size();
         const Key key{matched->rank, !type_matches(type, wire),
                       order_of_use(state.recent.nodes, type.id), last};
-        PaletteRow row;
-        row.title = type.title;
-        row.doc = type.doc;
-        row.target = "palette:" + type.id;
-        row.letters = std::move(matched->letters);
-        row.type = &type;
-        found.emplace_back(key, std::move(row));
+        found.emplace_back(key, PaletteRow{.title = type.title,
+                                           .doc = type.doc,
+                                           .target = "palette:" + type.id,
+                                           .letters = std::move(matched->letters),
+                                           .type = &type});
     }
     return best_first(std::move(found));
-}
-
-PaletteRow row_of(const State& state, const Command& command, Match match) {
-    PaletteRow row;
-    row.title = command.title;
-    row.doc = command.menu;
-    row.key = command.keys;
-    row.off = command.why_not(state);
-    row.target = "palette:" + std::string(command.id);
-    row.letters = std::move(match.letters);
-    row.command = &command;
-    return row;
 }
 
 std::vector<PaletteRow> command_rows(const State& state) {
@@ -68,7 +54,13 @@ std::vector<PaletteRow> command_rows(const State& state) {
         if (!matched) continue;
         const Key key{matched->rank, !command.enabled(state),
                       order_of_use(state.recent.commands, command.id)};
-        found.emplace_back(key, row_of(state, command, std::move(*matched)));
+        found.emplace_back(key, PaletteRow{.title = std::string(command.title),
+                                           .doc = std::string(command.menu),
+                                           .key = std::string(command.keys),
+                                           .off = std::string(command.why_not(state)),
+                                           .target = "palette:" + std::string(command.id),
+                                           .letters = std::move(matched->letters),
+                                           .command = &command});
     }
     return best_first(std::move(found));
 }
@@ -82,13 +74,12 @@ std::vector<PaletteRow> graph_rows(const State& state) {
         const std::string title = type ? type->title : "unknown type";
         auto matched = match(node->id, node->type, title, query);
         if (!matched) continue;
-        PaletteRow row;
-        row.title = row.node = node->id;
-        row.doc = title;
-        row.target = "palette:" + node->id;
-        row.letters = std::move(matched->letters);
-        row.type = type;
-        found.emplace_back(matched->rank, std::move(row));
+        found.emplace_back(matched->rank, PaletteRow{.title = node->id,
+                                                     .doc = title,
+                                                     .target = "palette:" + node->id,
+                                                     .letters = std::move(matched->letters),
+                                                     .type = type,
+                                                     .node = node->id});
     }
     return best_first(std::move(found));
 }

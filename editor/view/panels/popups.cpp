@@ -190,22 +190,9 @@ bool draw_color(State& state) {
     return state.popup.next != 0 || is_pressed(ImGuiKey_Enter, false);
 }
 
-bool draw_popup_content(State& state) {
-    switch (state.popup.kind) {
-        case Popup::Kind::text:
-        case Popup::Kind::rename:
-            return draw_text_entry(state);
-        case Popup::Kind::choice:
-            return draw_choices(state);
-        case Popup::Kind::file:
-            return draw_files(state);
-        case Popup::Kind::color:
-            return draw_color(state);
-        case Popup::Kind::none:
-            break;
-    }
-    return true;
-}
+// By Popup::Kind. Each returns true when the popup is to be closed.
+constexpr bool (*draw_content_of[])(State&) = {nullptr,      draw_text_entry, draw_text_entry,
+                                               draw_choices, draw_files,      draw_color};
 
 Popup::Kind kind_of(const Port& port) {
     if (port.kind == Port::Kind::choice || port.kind == Port::Kind::flag)
@@ -274,7 +261,7 @@ void draw_popup(State& state) {
                               .ground = theme::panel,
                               .border = theme::accent,
                               .opening = opening});
-    bool done = draw_popup_content(state);
+    bool done = draw_content_of[static_cast<size_t>(kind)](state);
     if (opening) state.popup.opening = false;
     done |= window.has_lost_focus() && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     const bool escape = is_pressed(ImGuiKey_Escape);

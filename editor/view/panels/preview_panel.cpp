@@ -82,12 +82,11 @@ std::string what_is_shown(const State& state) {
 
 // Icon button of a command; the tooltip has its title and keys.
 void draw_command(State& state, const char* id, const char* icon, const char* target) {
-    const Command* command = find_command(id);
-    if (!command) return;
-    const std::string why(command->why_not(state));
-    std::string words = std::string(command->title) + "  " + std::string(command->keys);
+    const Command& command = *find_command(id);
+    const std::string why(command.why_not(state));
+    std::string words = std::string(command.title) + "  " + std::string(command.keys);
     if (!why.empty()) words += "\n" + why;
-    if (icon_button(state, icon, target, words, why.empty())) command->run(state);
+    if (icon_button(state, icon, target, words, why.empty())) command.run(state);
     ImGui::SameLine(0, 4);
 }
 
@@ -101,25 +100,6 @@ void draw_head_icons(State& state) {
         maximised = whole ? Pane::none : Pane::preview;
     ImGui::SameLine(0, 4);
     draw_more(state);
-}
-
-}  // namespace
-
-std::string capitalised(std::string text) {
-    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
-        text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
-}
-
-std::string mesh_label(const std::string& mesh) {
-    return make_shape(mesh) ? capitalised(mesh) : std::filesystem::path(mesh).filename().string();
-}
-
-std::vector<Item> mesh_items() {
-    std::vector<Item> items;
-    for (const Shape& shape : shapes())
-        items.push_back({capitalised(std::string(shape.name)), "mesh:" + std::string(shape.name)});
-    return items;
 }
 
 void draw_preview_head(State& state) {
@@ -168,6 +148,25 @@ void draw_preview_strip(State& state) {
     const int picked = width >= 496 ? segments(state, all, chosen, width)
                                     : choose(state, "preview:view", shown, all, width);
     if (picked >= 0) view.view = views[picked];
+}
+
+}  // namespace
+
+std::string capitalised(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+        text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
+std::string mesh_label(const std::string& mesh) {
+    return make_shape(mesh) ? capitalised(mesh) : std::filesystem::path(mesh).filename().string();
+}
+
+std::vector<Item> mesh_items() {
+    std::vector<Item> items;
+    for (const Shape& shape : shapes())
+        items.push_back({capitalised(std::string(shape.name)), "mesh:" + std::string(shape.name)});
+    return items;
 }
 
 void draw_preview(State& state) {

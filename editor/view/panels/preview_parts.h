@@ -5,8 +5,6 @@
 
 namespace wrinkle::editor {
 
-void draw_preview_head(State& state);
-void draw_preview_strip(State& state);
 void draw_preview_image(State& state, ImVec2 at, ImVec2 size);
 float compare_height(float width);
 void draw_compare(State& state, ImVec2 at, float width);

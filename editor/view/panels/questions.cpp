@@ -33,14 +33,11 @@ void cancel(Session& session) {
 }
 
 void discard(Session& session) {
-    const PendingAction then = session.question.then;
-    session.question = {};
-    carry_out(session, then);
+    carry_out(session, std::exchange(session.question, {}).then);
 }
 
 void take_theirs(Session& session) {
-    const PendingAction then = session.question.then;
-    session.question = {};
+    const PendingAction then = std::exchange(session.question, {}).then;
     reload_from_disk(session);
     save_and_carry_out(session, then);
 }

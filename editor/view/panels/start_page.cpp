@@ -69,10 +69,10 @@ void draw_buttons(State& state) {
     const std::pair<const char*, const char*> others[] = {{"open", "Open..."},
                                                           {"recover", recover.c_str()}};
     for (const auto& [id, title] : others) {
-        const Command* command = find_command(id);
-        if (!command || !command->enabled(state)) continue;
+        const Command& command = *find_command(id);
+        if (!command.enabled(state)) continue;
         ImGui::SameLine(0, 8);
-        if (button(state, title, std::string("start:") + id, false, {0, 28})) command->run(state);
+        if (button(state, title, std::string("start:") + id, false, {0, 28})) command.run(state);
     }
 }
 
