@@ -46,7 +46,7 @@ struct Dialogs {
     DropState dropped;
     Offer offer;
     BoxText box_text;
-    int field_wait = 0;  // frames left in which typing waits for a field (panels/fields.h)
+    int field_wait = 0;  // frames left in which typing waits for a field (panels/panels.h)
 };
 
 // Used by every panel to draw.

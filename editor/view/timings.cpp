@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/text.h"
+
 namespace wrinkle::editor {
 namespace {
 
@@ -17,10 +19,7 @@ std::string number(double value) {
 }
 
 std::string list(const std::vector<double>& values) {
-    std::string text = "[";
-    for (const double value : values)
-        text += (text.size() > 1 ? ", " : "") + number(value);
-    return text + "]";
+    return "[" + joined(values, ", ", number) + "]";
 }
 
 }  // namespace

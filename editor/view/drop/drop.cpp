@@ -18,10 +18,10 @@
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
-std::string path_in_graph(const State& state, const fs::path& file) {
-    const auto place = inside(state.folder(), file);
+std::string path_in_graph(const Session& session, const fs::path& file) {
+    const auto place = inside(session.folder(), file);
     std::error_code error;
-    const fs::path root = fs::canonical(state.folder(), error);
+    const fs::path root = fs::canonical(session.folder(), error);
     return place && !error ? place->lexically_relative(root).generic_string() : "";
 }
 
@@ -37,8 +37,8 @@ Kind kind_of_name(const fs::path& file) {
     return Kind::image;
 }
 
-bool on_preview(const State& state, const FileDrop& drop) {
-    const auto rect = state.targets.find("preview");
+bool on_preview(const Interface& interface, const FileDrop& drop) {
+    const auto rect = interface.targets.find("preview");
     return rect && drop.x >= rect->x0 && drop.x < rect->x1 && drop.y >= rect->y0 &&
            drop.y < rect->y1;
 }
@@ -104,8 +104,8 @@ bool add_on_ground(State& state, const NewImage& image) {
     return shown;
 }
 
-const Wire* wire_of_normal(const State& state) {
-    for (const Wire& wire : state.layout.wires)
+const Wire* wire_of_normal(const CanvasState& canvas) {
+    for (const Wire& wire : canvas.layout.wires)
         if (wire.ends_at({"", "normal"})) return &wire;
     return nullptr;
 }
@@ -205,25 +205,29 @@ void handle(State& state, const FileDrop& drop) {
     for (const std::string& file : drop.files) {
         const Kind kind = kind_of_name(file);
         if (kind == Kind::graph) return request_action(state, {PendingAction::Kind::open, file});
-        if (kind == Kind::mesh || (kind == Kind::environment && on_preview(state, drop)))
-            state.dropped.for_preview = file;
-        else
+        PreviewView& preview = state.view.preview_view;
+        if (kind == Kind::mesh) {
+            preview.mesh = file;
+        } else if (kind == Kind::environment && on_preview(state, drop)) {
+            preview.environment = file;
+            preview.lighting = gpu::Lighting::ggx;
+        } else {
             images.push_back(file);
+        }
     }
     const bool all_inside = std::all_of(images.begin(), images.end(), [&](const auto& file) {
         return !path_in_graph(state, file).empty();
     });
     if (all_inside) return add_images(state, drop, images);
     state.dropped.outside = {drop.x, drop.y, images};
-    state.dropped.asked = true;
     state.dropped.by_name = false;
 }
 
-void set_image(State& state, const std::string& id, const std::string& name,
+void set_image(Session& session, const std::string& id, const std::string& name,
                const std::string& file) {
-    const NodeType* type = state.type_of(id);
+    const NodeType* type = session.type_of(id);
     const Port* port = type ? image_port(*type, name) : nullptr;
-    if (port) state.commit(id + ": " + name, with_file(state.document(), id, *port, file));
+    if (port) session.commit(id + ": " + name, with_file(session.document(), id, *port, file));
 }
 
 }  // namespace
@@ -250,7 +254,7 @@ void use_image(State& state, const std::string& node, const std::string& port,
     if (!place.empty())
         return node.empty() ? add_image(state, place) : set_image(state, node, port, place);
     state.dropped.outside = {0, 0, {file}};
-    state.dropped.asked = state.dropped.by_name = true;
+    state.dropped.by_name = true;
     state.dropped.node = node;
     state.dropped.port = port;
 }

@@ -19,7 +19,11 @@ namespace wrinkle::editor {
 void handle_drops(State& state);
 
 // Returns the path as written in the graph; "" for a file outside its folder.
-std::string path_in_graph(const State& state, const std::filesystem::path& file);
+std::string path_in_graph(const Session& session, const std::filesystem::path& file);
+
+// Returns the folder for new images: the graph's `textures` folder if it exists, else the graph's
+// folder.
+std::filesystem::path image_folder(const Session& session);
 
 // Adds images of the graph's folder at the drop position.
 void add_images(State& state, const FileDrop& drop, const std::vector<std::string>& files);

@@ -22,12 +22,10 @@ struct DropEvent {
 
 struct DropState {
     std::vector<FileDrop> arrived;  // since the last frame
-    FileDrop outside;               // some files are outside the graph's folder: copy them?
-    bool asked = false;             // that dialog is open
-    bool by_name = false;           // chosen by name for `node` and `port`, "" for a new node
+    FileDrop outside;      // not empty: some files are outside the graph's folder. Copy them?
+    bool by_name = false;  // chosen by name for `node` and `port`, "" for a new node
     std::string node, port;
     std::vector<DropEvent> waiting;  // the first one is added first
-    std::string for_preview;         // a mesh or an environment; the preview takes it and clears it
 };
 
 }  // namespace wrinkle::editor

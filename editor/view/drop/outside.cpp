@@ -12,25 +12,24 @@
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
-namespace {
 
-// Returns the folder for copies: the graph's `textures` folder if it exists, else the graph's
-// folder.
-fs::path copy_folder(const State& state) {
+fs::path image_folder(const Session& session) {
     std::error_code ignored;
-    const fs::path textures = state.folder() / "textures";
-    return fs::is_directory(textures, ignored) ? textures : state.folder();
+    const fs::path textures = session.folder() / "textures";
+    return fs::is_directory(textures, ignored) ? textures : session.folder();
 }
 
+namespace {
+
 // Copies the file under a name that no other file has; returns "" on failure.
-std::string copied(State& state, const fs::path& file) {
-    const fs::path folder = copy_folder(state);
+std::string copied(Session& session, const fs::path& file) {
+    const fs::path folder = image_folder(session);
     fs::path to = folder / file.filename();
     std::error_code error, ignored;
     for (int i = 2; fs::exists(to, ignored); ++i)
         to = folder / (file.stem().string() + std::to_string(i) + file.extension().string());
     if (fs::copy_file(file, to, error)) return to.string();
-    state.status = file.filename().string() + " was not copied: " + disk_words(error) + ".";
+    session.status = file.filename().string() + " was not copied: " + disk_words(error) + ".";
     return {};
 }
 
@@ -51,18 +50,18 @@ void copy_and_add(State& state, const FileDrop& drop) {
     add_answered(state, drop, files);
 }
 
-bool names_files(const State& state) {
-    const Project project = project_with(state.model, state.document());
+bool names_files(const Session& session) {
+    const Project project = project_with(session.model, session.document());
     const Document& top = project.top();
-    return !named_images(project, *state.model.types, 0).empty() ||
+    return !named_images(project, *session.model.types, 0).empty() ||
            std::any_of(top.nodes.begin(), top.nodes.end(),
                        [](const NodePtr& node) { return node->subgraph().has_value(); });
 }
 
 // Returns the nearest folder that contains all of the files if the graph may adopt it and it is not
 // the root folder; otherwise "".
-fs::path folder_to_have(const State& state, const std::vector<std::string>& files) {
-    if (!state.path.empty() || files.empty() || names_files(state)) return {};
+fs::path folder_to_have(const Session& session, const std::vector<std::string>& files) {
+    if (!session.path.empty() || files.empty() || names_files(session)) return {};
     fs::path folder = real_path(files.front()).parent_path();
     for (const std::string& file : files)
         while (folder.has_relative_path() && !inside(folder, file))
@@ -70,10 +69,10 @@ fs::path folder_to_have(const State& state, const std::vector<std::string>& file
     return folder.has_relative_path() ? folder : fs::path();
 }
 
-void have_folder(State& state, const fs::path& folder) {
-    state.unsaved_folder = folder;
-    state.recovery_file.remove();  // it refers to the other folder
-    state.is_synced = false;
+void have_folder(Session& session, const fs::path& folder) {
+    session.unsaved_folder = folder;
+    session.recovery_file.remove();  // it refers to the other folder
+    session.is_synced = false;
 }
 
 bool may_write(const fs::path& folder) {
@@ -87,20 +86,20 @@ std::string name_of_folder(const fs::path& folder) {
 
 enum class Outside : uint8_t { asking, copy, refer, cancel };
 
-Outside draw_outside_answers(State& state, const fs::path& copies, const fs::path& theirs) {
+Outside draw_outside_answers(Interface& interface, const fs::path& copies, const fs::path& theirs) {
     Outside answer = Outside::asking;
     if (may_write(copies)) {
         const std::string label = "Copy into " + name_of_folder(copies);
-        if (button(state, label.c_str(), "copy:yes")) answer = Outside::copy;
+        if (button(interface, label.c_str(), "copy:yes")) answer = Outside::copy;
         ImGui::SameLine();
     }
     if (!theirs.empty()) {
         const std::string label = "Refer to " + name_of_folder(theirs);
-        if (button(state, label.c_str(), "copy:refer")) answer = Outside::refer;
+        if (button(interface, label.c_str(), "copy:refer")) answer = Outside::refer;
         ImGui::SameLine();
     }
     const bool escape = is_pressed(ImGuiKey_Escape);
-    return button(state, "Cancel", "copy:no") || escape ? Outside::cancel : answer;
+    return button(interface, "Cancel", "copy:no") || escape ? Outside::cancel : answer;
 }
 
 std::string words_on_outside(const State& state, const fs::path& copies, const fs::path& theirs) {
@@ -127,22 +126,22 @@ std::string words_on_outside(const State& state, const fs::path& copies, const f
 // folder the graph's.
 void draw_copy_question(State& state) {
     DropState& dropped = state.dropped;
-    if (dropped.asked && !ImGui::IsPopupOpen("##copy")) ImGui::OpenPopup("##copy");
+    if (!dropped.outside.files.empty() && !ImGui::IsPopupOpen("##copy")) ImGui::OpenPopup("##copy");
     if (!ImGui::BeginPopupModal("##copy", nullptr,
                                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize))
         return;
-    const fs::path copies = copy_folder(state);
+    const fs::path copies = image_folder(state);
     const fs::path theirs = folder_to_have(state, dropped.outside.files);
     write_paragraph(theme::text, words_on_outside(state, copies, theirs), 560);
     ImGui::Dummy({0, 8});
     const Outside answer = draw_outside_answers(state, copies, theirs);
     if (answer != Outside::asking) {
-        const FileDrop drop = std::move(dropped.outside);
-        dropped.outside = {};
-        dropped.asked = false;
+        const FileDrop drop = std::exchange(dropped.outside, {});
         ImGui::CloseCurrentPopup();
-        if (answer == Outside::refer) have_folder(state, theirs);
-        if (answer == Outside::refer) add_answered(state, drop, drop.files);
+        if (answer == Outside::refer) {
+            have_folder(state, theirs);
+            add_answered(state, drop, drop.files);
+        }
         if (answer == Outside::copy) copy_and_add(state, drop);
     }
     ImGui::EndPopup();

@@ -16,11 +16,11 @@ namespace {
 constexpr size_t max_names = 4;  // most files that are listed by name
 
 // Draws the central square of the current preview image.
-void draw_object(const State& state, ImVec2 at) {
+void draw_object(const PreviewState& preview, ImVec2 at) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end = at + ImVec2(preview_side, preview_side);
     list.AddRectFilled(at, end, theme::rgb(0x212326), 4);
-    const PreviewImage* shown = state.preview ? &state.preview->shown() : nullptr;
+    const PreviewImage* shown = preview.preview ? &preview.preview->shown() : nullptr;
     if (shown && shown->texture && shown->width > 0 && shown->height > 0) {
         const auto wide = static_cast<float>(shown->width),
                    tall = static_cast<float>(shown->height);

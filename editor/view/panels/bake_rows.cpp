@@ -29,12 +29,12 @@ constexpr const char* packs_tip =
 
 // Begins a row, or at `x` the right one of two controls, with a label that has a tooltip; the
 // control is next.
-void begin_control(const State& state, const char* label, const char* tip = nullptr, float x = 0) {
+void begin_control(const Fonts& fonts, const char* label, const char* tip = nullptr, float x = 0) {
     if (x > 0) ImGui::SameLine(x);
     const ImVec2 size(label_wide, bake_row_tall - ImGui::GetStyle().ItemSpacing.y);
     ImGui::Dummy(size);
     const About area = last_item();
-    draw_text(*ImGui::GetWindowDrawList(), state.fonts.regular(16), 16, area.low + ImVec2(0, 4),
+    draw_text(*ImGui::GetWindowDrawList(), fonts.regular(16), 16, area.low + ImVec2(0, 4),
               theme::text_dim, label);
     if (tip && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
         show_tooltip(area, tip);
@@ -42,7 +42,7 @@ void begin_control(const State& state, const char* label, const char* tip = null
 }
 
 void draw_mesh_row(State& state) {
-    begin_control(state, "Mesh");
+    begin_control(state.fonts, "Mesh");
     std::string& mesh = state.bake_dialog.choices.mesh;
     std::vector<Item> items = mesh_items();
     for (Item& item : items)
@@ -68,17 +68,17 @@ void draw_mesh_row(State& state) {
 
 // Draws a control with a visible border, named `target` for scripts; returns the result of `draw`.
 template <class Draw>
-bool draw_control(State& state, const std::string& target, float wide, Draw draw) {
+bool draw_control(Interface& interface, const std::string& target, float wide, Draw draw) {
     ImGui::SetNextItemWidth(wide);
     ImGui::PushStyleColor(ImGuiCol_Border, theme::control);
     const bool result = draw();
     ImGui::PopStyleColor();
-    name_item(state, target);
+    name_item(interface, target);
     return result;
 }
 
-bool draw_box(State& state, const std::string& label, const std::string& target, bool* on) {
-    return draw_control(state, target, 0, [&] { return ImGui::Checkbox(label.c_str(), on); });
+bool draw_box(Interface& interface, const std::string& label, const std::string& target, bool* on) {
+    return draw_control(interface, target, 0, [&] { return ImGui::Checkbox(label.c_str(), on); });
 }
 
 bool is_ticked(const BakeChoices& choices, const std::string& map) {
@@ -96,7 +96,7 @@ void tick(BakeChoices& choices, const std::vector<std::string>& all, const std::
 void draw_maps_row(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
     const std::vector<std::string> all = maps_of(state.document());
-    begin_control(state, "Maps", bake_words::map);
+    begin_control(state.fonts, "Maps", bake_words::map);
     const auto rows = static_cast<float>((all.size() + 1) / 2);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
     ImGui::BeginChild("##maps", {control_wide, std::min(rows, max_map_rows) * map_tall}, false);
@@ -114,12 +114,12 @@ void draw_maps_row(State& state) {
 
 // Combo box of numbers; `word` returns the label of each.
 template <class Numbers, class Word>
-void draw_numbers(State& state, const std::string& target, const Numbers& numbers, uint32_t& chosen,
-                  float wide, Word word) {
+void draw_numbers(Interface& interface, const std::string& target, const Numbers& numbers,
+                  uint32_t& chosen, float wide, Word word) {
     std::vector<Item> items;
     for (const uint32_t each : numbers)
         items.push_back({word(each), target + ":" + std::to_string(each)});
-    const int picked = choose(state, target, word(chosen), items, wide);
+    const int picked = choose(interface, target, word(chosen), items, wide);
     if (picked >= 0) chosen = numbers[static_cast<size_t>(picked)];
 }
 
@@ -127,7 +127,7 @@ void draw_numbers(State& state, const std::string& target, const Numbers& number
 void draw_size_row(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
     constexpr float gap = 8, each_wide = (control_wide - gap) / 2;
-    begin_control(state, "Size", "Width and height of a map, in texels");
+    begin_control(state.fonts, "Size", "Width and height of a map, in texels");
     draw_numbers(state, "bake:size", bake_sizes, choices.width, each_wide,
                  [](uint32_t texels) { return grouped(texels) + " px"; });
     ImGui::SameLine(0, gap);
@@ -139,31 +139,31 @@ void draw_size_row(State& state) {
 }
 
 // Two segments that set a flag.
-void draw_ways(State& state, const Item& off, const Item& on, bool& way) {
+void draw_ways(Interface& interface, const Item& off, const Item& on, bool& way) {
     const Item both[] = {off, on};
-    const int picked = segments(state, both, way ? 1 : 0, half_wide);
+    const int picked = segments(interface, both, way ? 1 : 0, half_wide);
     if (picked >= 0) way = picked == 1;
 }
 
 void draw_normal_rows(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
-    begin_control(state, "Space", "Of normals");
+    begin_control(state.fonts, "Space", "Of normals");
     draw_ways(state, {"Tangent", "bake:tangent", "The frame of the mesh's uvs"},
               {"Object", "bake:object", "The mesh's own axes"}, choices.object_space);
-    begin_control(state, "Green", "Of normals", right_half);
+    begin_control(state.fonts, "Green", "Of normals", right_half);
     draw_ways(state, {"Up (gl)", "bake:gl", "OpenGL, Blender, Unity, glTF"},
               {"Down (dx)", "bake:dx", "DirectX, Unreal"}, choices.green_down);
 }
 
 void draw_scale_row(State& state) {
-    begin_control(state, "Scale", bake_words::scale);
+    begin_control(state.fonts, "Scale", bake_words::scale);
     draw_control(state, "bake:scale", control_wide, [&] {
         return ImGui::InputDouble("##scale", &state.bake_dialog.choices.tuning.scale, 0, 0, "%g");
     });
 }
 
 void draw_packs_row(State& state) {
-    begin_control(state, "Packed", packs_tip);
+    begin_control(state.fonts, "Packed", packs_tip);
     draw_control(state, "bake:packs", bake_wide - 2 * bake_padding - label_wide, [&] {
         return ImGui::InputTextWithHint("##packs", "orm: r=occlusion g=roughness b=metalness",
                                         &state.bake_dialog.choices.packs);
@@ -172,10 +172,10 @@ void draw_packs_row(State& state) {
 
 void draw_edge_rows(State& state) {
     BakeTuning& tuning = state.bake_dialog.choices.tuning;
-    begin_control(state, "Samples", bake_words::samples);
+    begin_control(state.fonts, "Samples", bake_words::samples);
     draw_numbers(state, "bake:samples", bake_sample_counts, tuning.samples, half_wide,
                  [](uint32_t count) { return std::to_string(count); });
-    begin_control(state, "Dilation", bake_words::dilate, right_half);
+    begin_control(state.fonts, "Dilation", bake_words::dilate, right_half);
     auto texels = static_cast<int>(tuning.dilate);
     draw_control(state, "bake:dilate", half_wide,
                  [&] { return ImGui::InputInt("##dilate", &texels, 0, 0); });
@@ -209,28 +209,28 @@ void draw_compression(State& state) {
 }
 
 void draw_stored_row(State& state) {
-    begin_control(state, "Stored as", bake_words::type);
+    begin_control(state.fonts, "Stored as", bake_words::type);
     draw_stored(state);
-    begin_control(state, "Compression", bake_words::compression, right_half);
+    begin_control(state.fonts, "Compression", bake_words::compression, right_half);
     draw_compression(state);
 }
 
 void draw_tiles_row(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
-    begin_control(state, "Tiled", bake_words::tile);
+    begin_control(state.fonts, "Tiled", bake_words::tile);
     const bool tiles = choices.tile_in(*choices.stored) == choices.tuning.tile;
     ImGui::BeginDisabled(!tiles || compressions_of(*choices.stored).empty());
     draw_numbers(state, "bake:tile", bake_tiles, choices.tuning.tile, half_wide,
                  [](uint32_t side) { return side ? std::to_string(side) + " px" : "In rows"; });
     ImGui::EndDisabled();
-    begin_control(state, "UDIM", bake_words::udim, right_half);
+    begin_control(state.fonts, "UDIM", bake_words::udim, right_half);
     draw_box(state, "All tiles", "bake:udim", &choices.udim);
 }
 
 // Returns true on Enter.
 bool draw_place_row(State& state) {
     BakeDialog& dialog = state.bake_dialog;
-    begin_control(state, "Into", "A folder, or of one map its file; ~ is the home folder");
+    begin_control(state.fonts, "Into", "A folder, or of one map its file; ~ is the home folder");
     std::string text = dialog.choices.into.string();
     const float wide = bake_wide - 2 * bake_padding - label_wide - 112;
     const bool entered = draw_control(state, "bake:into", wide, [&] {

@@ -96,12 +96,12 @@ void draw_title(const State& state, float from, float to) {
 }
 
 struct Tool {
-    const char* id;     // of its command
+    const char* id;     // command id
     const char* words;  // "": only the icon
     bool framed = false, primary = false;
 };
 
-// Returns the keys that are drawn beside the words; "" for none.
+// Returns the keys that are drawn after the words; "" for none.
 std::string_view keys_of(const Tool& tool) {
     return tool.framed && !tool.primary ? find_command(tool.id)->keys : "";
 }

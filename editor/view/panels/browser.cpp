@@ -285,21 +285,17 @@ bool draw_content(State& state) {
 
 }  // namespace
 
-void browse(State& state, Purpose purpose, const fs::path& file) {
+void browse(Dialogs& dialogs, Purpose purpose, const fs::path& file) {
     Browser browser;
     browser.purpose = purpose;
-    browser.focus = true;
     if (saves(browser)) browser.text = file.filename().string();
     const fs::path folder = file.parent_path();
     go_to(browser, folder.empty() ? fs::path(".") : folder);
-    state.browser = std::move(browser);
+    dialogs.browser = std::move(browser);
 }
 
 void browse_image(State& state, const std::string& node, const std::string& port) {
-    std::error_code ignored;
-    const fs::path textures = state.folder() / "textures";
-    const bool there = fs::is_directory(textures, ignored);
-    browse(state, Purpose::image, (there ? textures : state.folder()) / "x");
+    browse(state, Purpose::image, image_folder(state) / "x");
     state.browser.node = node;
     state.browser.port = port;
 }

@@ -11,7 +11,7 @@
 namespace wrinkle::editor {
 
 // Opens the browser in the folder of `file`; if the purpose is to save, proposes its name.
-void browse(State& state, Browser::Purpose purpose, const std::filesystem::path& file);
+void browse(Dialogs& dialogs, Browser::Purpose purpose, const std::filesystem::path& file);
 // Opens the browser to choose an image for an input of a node; "" as `node` adds a node.
 void browse_image(State& state, const std::string& node, const std::string& port);
 

@@ -36,12 +36,12 @@ void take(Code& code, CodeText text) {
     if (text.problem.empty()) code.text = std::move(text);
 }
 
-bool is_asked(const State& state) {
-    const Code& code = state.code;
-    if (!code.requested || code.requested_file != state.follow.first) return false;
+bool is_asked(const Session& session) {
+    const Code& code = session.code;
+    if (!code.requested || code.requested_file != session.follow.first) return false;
     if (code.requested_options != code.options) return false;
-    if (same_document(code.requested_snapshot, state.document())) return true;
-    const Change difference = change(code.requested_snapshot, state.document());
+    if (same_document(code.requested_snapshot, session.document())) return true;
+    const Change difference = change(code.requested_snapshot, session.document());
     return !difference.renamed &&
            (difference.kind == Change::Kind::none || difference.kind == Change::Kind::cosmetic);
 }
@@ -66,52 +66,38 @@ void follow(State& state) {
         take(code, make_code(job));
 }
 
-// Returns the label of a target: "GLSL 3.30" for "glsl330". Other items are their own label.
-std::string label_of(const std::string& item) {
-    const Target* target = find_target(item);
-    return target ? std::string(target->label) : item;
-}
-
-// Combo box; scripts name it `target` and its items `target`:item. Returns the chosen index.
-int draw_choice(State& state, const std::string& target, std::span<const std::string> names,
-                int chosen, float width) {
-    std::vector<Item> items;
-    for (const std::string& name : names)
-        items.push_back({label_of(name), target + ":" + name});
-    const std::string& shown = items[static_cast<size_t>(chosen)].label;
-    const int picked = choose(state, target, shown, items, width);
-    return picked < 0 ? chosen : picked;
-}
-
 // Translated targets do not have the form "Function".
 void draw_forms(State& state, float width) {
     CodeOptions& options = state.code.options;
-    static const std::string all[] = {"Function", "Vertex", "Fragment"};
-    const Target* target = find_target(options.target);
-    const int first = target && is_translated(*target) ? 1 : 0;
+    static const Item forms[] = {{"Function", "code:form:Function"},
+                                 {"Vertex", "code:form:Vertex"},
+                                 {"Fragment", "code:form:Fragment"}};
+    const int first = is_translated(*find_target(options.target)) ? 1 : 0;
     const bool functions = first == 0 && options.form == Form::function;
-    const int form = functions ? 0 : options.vertex ? 1 : 2;
-    const auto forms = std::span(all).subspan(static_cast<size_t>(first));
-    const int wanted = first + draw_choice(state, "code:form", forms, form - first, width);
-    options.form = wanted == 0 ? Form::function : Form::shader;
-    options.vertex = wanted == 1;
+    int form = functions ? 0 : options.vertex ? 1 : 2;
+    const auto possible = std::span(forms).subspan(static_cast<size_t>(first));
+    const int picked = choose(state, "code:form", forms[form].label, possible, width);
+    if (picked >= 0) form = first + picked;
+    options.form = form == 0 ? Form::function : Form::shader;
+    options.vertex = form == 1;
 }
 
 void draw_options(State& state, float width) {
     CodeOptions& options = state.code.options;
-    std::vector<std::string> names;
-    int target = 0;
-    for (const Target& each : targets()) {
-        if (each.name == options.target) target = static_cast<int>(names.size());
-        names.emplace_back(each.name);
-    }
-    target = draw_choice(state, "code:target", names, target, width);
-    options.target = names[static_cast<size_t>(target)];
+    std::vector<Item> items;
+    for (const Target& each : targets())
+        items.push_back({std::string(each.label), "code:target:" + std::string(each.name)});
+    const std::string shown(find_target(options.target)->label);
+    const int target = choose(state, "code:target", shown, items, width);
+    if (target >= 0) options.target = targets()[static_cast<size_t>(target)].name;
     ImGui::SameLine(0, 4);
     draw_forms(state, width);
     ImGui::SameLine(0, 4);
-    static const std::string values[] = {"Baked", "Uniforms"};
-    options.uniforms = draw_choice(state, "code:parameters", values, options.uniforms, width) == 1;
+    static const Item values[] = {{"Baked", "code:parameters:Baked"},
+                                  {"Uniforms", "code:parameters:Uniforms"}};
+    const int picked =
+        choose(state, "code:parameters", values[options.uniforms ? 1 : 0].label, values, width);
+    if (picked >= 0) options.uniforms = picked == 1;
 }
 
 void draw_head(State& state) {
@@ -180,11 +166,11 @@ void scroll_to_selected(State& state) {
 }
 
 // One-line message above the source.
-void draw_message(const State& state, ImU32 color, const std::string& text) {
+void draw_message(const Fonts& fonts, ImU32 color, const std::string& text) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 end = at + ImVec2(width, strip_tall);
-    const bool whole = draw_strip(state.fonts, at, width, theme::bar, color, text);
+    const bool whole = draw_strip(fonts, at, width, theme::bar, color, text);
     if (!whole && ImGui::IsMouseHoveringRect(at, end)) show_tooltip({at, end}, text);
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + strip_tall);
 }
@@ -203,12 +189,12 @@ void draw_code(State& state) {
     if (!problem.empty()) {
         const bool none = text.starts.empty();
         if (!none || !holds_nothing(state.document()))
-            draw_message(state, theme::warn,
+            draw_message(state.fonts, theme::warn,
                          (none ? "No text yet. " : "The last text that could be made. ") +
                              sentence(problem));
     } else if (!why.empty()) {
         const ImVec2 at = ImGui::GetCursorScreenPos();
-        draw_message(state, theme::accent, why);
+        draw_message(state.fonts, theme::accent, why);
         name_area(state, "code:why", at, at + ImVec2(28, 28));
     }
     ImGui::BeginChild("##lines", {0, 0}, false,

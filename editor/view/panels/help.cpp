@@ -59,55 +59,56 @@ std::string type_text(const Port& port) {
     return (port.kind == Port::Kind::field ? "any " : "") + std::string(name_of(port.type));
 }
 
-void draw_port(const State& state, const Port& port) {
+void draw_port(const Fonts& fonts, const Port& port) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 at = ImGui::GetCursorScreenPos();
     if (!port.is_option())
         draw_pin(list, port.type, at + ImVec2(8, 9), 6, theme::of(port.type), true, theme::node);
     ImGui::Indent(24);
-    write_wrapped(state, port.name, theme::text, true);
+    write_wrapped(fonts, port.name, theme::text, true);
     ImGui::SameLine(0, 10);
-    write_wrapped(state, port_facts(port), theme::text_dim, false, 14);
-    write_wrapped(state, port.doc, theme::text_dim, false, 14);
+    write_wrapped(fonts, port_facts(port), theme::text_dim, false, 14);
+    write_wrapped(fonts, port.doc, theme::text_dim, false, 14);
     ImGui::Unindent(24);
     ImGui::Dummy({1, 2});
 }
 
 void draw_node_page(State& state, const NodeType& type) {
-    write_wrapped(state, type.title, theme::text, true, 24);
-    write_wrapped(state, type.id + "   " + type.family, theme::text_dim, false, 14);
-    write_wrapped(state, type.doc, theme::text);
+    write_wrapped(state.fonts, type.title, theme::text, true, 24);
+    write_wrapped(state.fonts, type.id + "   " + type.family, theme::text_dim, false, 14);
+    write_wrapped(state.fonts, type.doc, theme::text);
     if (const Node* node = state.document().find(state.help.node))
         draw_image_sections(state, *node);
     for (const bool outputs : {true, false}) {
         ImGui::Dummy({1, 6});
-        write_wrapped(state, outputs ? "Outputs" : "Inputs and values", theme::text, true, 18);
+        write_wrapped(state.fonts, outputs ? "Outputs" : "Inputs and values", theme::text, true,
+                      18);
         for (const Port& port : type.ports)
-            if ((port.kind == Port::Kind::output) == outputs) draw_port(state, port);
+            if ((port.kind == Port::Kind::output) == outputs) draw_port(state.fonts, port);
     }
 }
 
-void draw_pair(const State& state, std::string_view left, std::string_view right, float width) {
-    write_wrapped(state, std::string(left), theme::text);
+void draw_pair(const Fonts& fonts, std::string_view left, std::string_view right, float width) {
+    write_wrapped(fonts, std::string(left), theme::text);
     ImGui::SameLine(width);
-    write_wrapped(state, std::string(right), theme::text_dim);
+    write_wrapped(fonts, std::string(right), theme::text_dim);
 }
 
-void draw_shortcuts(const State& state) {
-    write_wrapped(state, "Shortcuts", theme::text, true, 24);
+void draw_shortcuts(const Fonts& fonts) {
+    write_wrapped(fonts, "Shortcuts", theme::text, true, 24);
     std::string menu;
     for (const Command& command : commands()) {
         if (menu != command.menu) {
             menu = command.menu;
             ImGui::Dummy({1, 6});
-            write_wrapped(state, menu, theme::text, true, 18);
+            write_wrapped(fonts, menu, theme::text, true, 18);
         }
-        draw_pair(state, command.title, command.keys, 260);
+        draw_pair(fonts, command.title, command.keys, 260);
     }
     ImGui::Dummy({1, 6});
-    write_wrapped(state, "By hand", theme::text, true, 18);
+    write_wrapped(fonts, "By hand", theme::text, true, 18);
     for (const GestureHelp& each : table)
-        draw_pair(state, each.hand, each.what, 260);
+        draw_pair(fonts, each.hand, each.what, 260);
 }
 
 const NodeType* help_type(const State& state) {
@@ -179,9 +180,9 @@ void show_help(State& state) {
         state.help = {true, true, node->id, type->id};
 }
 
-void write_wrapped(const State& state, const std::string& text, ImU32 color, bool bold,
+void write_wrapped(const Fonts& fonts, const std::string& text, ImU32 color, bool bold,
                    float size) {
-    ImGui::PushFont(bold ? state.fonts.bold(size) : state.fonts.regular(size));
+    ImGui::PushFont(bold ? fonts.bold(size) : fonts.regular(size));
     ImGui::PushStyleColor(ImGuiCol_Text, color);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
@@ -205,7 +206,7 @@ void draw_help(State& state) {
     if (type)
         draw_node_page(state, *type);
     else
-        draw_shortcuts(state);
+        draw_shortcuts(state.fonts);
     ImGui::PopTextWrapPos();
     name_area(state, type ? "help:" + type->id : "help:shortcuts", low, low + size);
     state.help.opening = false;
@@ -224,10 +225,11 @@ void draw_hover_docs(State& state) {
     if (!words || state.help.waiting) return;
     const Tooltip tip(about_hit(state, state.hovered), tip_width);
     if (!tip) return;
-    write_wrapped(state, words->title, theme::text, true);
-    write_wrapped(state, words->doc, theme::text);
-    write_wrapped(state, words->facts, theme::text_dim, false, 14);
-    if (!words->image.empty()) write_wrapped(state, words->image + " F1 says more.", theme::text);
+    write_wrapped(state.fonts, words->title, theme::text, true);
+    write_wrapped(state.fonts, words->doc, theme::text);
+    write_wrapped(state.fonts, words->facts, theme::text_dim, false, 14);
+    if (!words->image.empty())
+        write_wrapped(state.fonts, words->image + " F1 says more.", theme::text);
     name_area(state, "tip:" + words->target, io.MousePos, io.MousePos);
 }
 

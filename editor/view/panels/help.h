@@ -13,7 +13,7 @@ void show_help(State& state);
 void show_shortcuts(State& state);
 
 // Writes a paragraph, wrapped at the current ImGui wrap position.
-void write_wrapped(const State& state, const std::string& text, ImU32 color, bool bold = false,
+void write_wrapped(const Fonts& fonts, const std::string& text, ImU32 color, bool bold = false,
                    float size = 16);
 
 // Returns type, unit, default and range: "float, m, default 0.1, 0 to 1".
@@ -28,6 +28,6 @@ void draw_image_sections(State& state, const Node& node);
 
 // Returns a tooltip on the image at an input: "Tangent-space normal map, green up: curl +0.87.", or
 // why it could not be examined; "" if it was not examined.
-std::string image_words(const State& state, const std::string& node, const std::string& port);
+std::string image_words(const Session& session, const std::string& node, const std::string& port);
 
 }  // namespace wrinkle::editor

@@ -13,11 +13,11 @@ namespace {
 
 constexpr float fact_names = 120;
 
-void draw_facts(const State& state, const Examined& examined) {
+void draw_facts(const Fonts& fonts, const Examined& examined) {
     for (const Fact& fact : facts_of(examined)) {
-        write_wrapped(state, fact.name, theme::text_dim);
+        write_wrapped(fonts, fact.name, theme::text_dim);
         ImGui::SameLine(fact_names + ImGui::GetStyle().WindowPadding.x);
-        write_wrapped(state, fact.value, theme::text);
+        write_wrapped(fonts, fact.value, theme::text);
     }
 }
 
@@ -27,9 +27,9 @@ bool draw_remark(State& state, const ImageWarning& remark, const std::string& nu
     const ImVec2 at = ImGui::GetCursorScreenPos();
     draw_warning(*ImGui::GetWindowDrawList(), at + ImVec2(9, 10), 18, theme::warn);
     ImGui::Indent(28);
-    write_wrapped(state, sentence(remark.problem.message), theme::text);
+    write_wrapped(state.fonts, sentence(remark.problem.message), theme::text);
     if (!remark.problem.expected.empty())
-        write_wrapped(state, sentence(remark.problem.expected), theme::text_dim, false, 14);
+        write_wrapped(state.fonts, sentence(remark.problem.expected), theme::text_dim, false, 14);
     const std::string& label = remark.remedy.label;
     const bool mends =
         !label.empty() && button(state, label.c_str(), "image:fix:" + number, false, {132, 28});
@@ -57,19 +57,20 @@ void draw_remarks(State& state, const std::string& node, const std::string& port
 void draw_section(State& state, const std::string& node, const std::string& port,
                   const std::string& file) {
     ImGui::Dummy({1, 6});
-    write_wrapped(state, "Image", theme::text, true, 18);
-    write_wrapped(state, file, theme::text_dim, false, 14);
+    write_wrapped(state.fonts, "Image", theme::text, true, 18);
+    write_wrapped(state.fonts, file, theme::text_dim, false, 14);
     const Node* found = state.document().find(node);
     const Examined* examined = found ? examined_at(state, *found, port) : nullptr;
     if (!examined) {
         const auto path = state.images.paths.find(file);
         const bool waits = path != state.images.paths.end() && state.images.busy();
-        return write_wrapped(state, waits ? "It is being looked at." : "It was not looked at.",
+        return write_wrapped(state.fonts,
+                             waits ? "It is being looked at." : "It was not looked at.",
                              theme::text_dim);
     }
     if (!examined->problem.empty())
-        return write_wrapped(state, sentence(examined->problem), theme::warn);
-    draw_facts(state, *examined);
+        return write_wrapped(state.fonts, sentence(examined->problem), theme::warn);
+    draw_facts(state.fonts, *examined);
     draw_remarks(state, node, port);
 }
 
@@ -88,9 +89,9 @@ void draw_image_sections(State& state, const Node& node) {
         draw_section(state, id, port, file);
 }
 
-std::string image_words(const State& state, const std::string& node, const std::string& port) {
-    const Node* found = state.document().find(node);
-    const Examined* examined = found ? examined_at(state, *found, port) : nullptr;
+std::string image_words(const Session& session, const std::string& node, const std::string& port) {
+    const Node* found = session.document().find(node);
+    const Examined* examined = found ? examined_at(session, *found, port) : nullptr;
     if (!examined) return {};
     return sentence(examined->problem.empty() ? summary_of(*examined) : examined->problem);
 }

@@ -15,16 +15,9 @@ namespace {
 constexpr float margin = 16, tall = 28, crumb_gap = 24;
 const ImVec2 map_size(168, 112);
 
-// Window on the canvas with the background of a bar.
-class Overlay : FixedWindow {
-public:
-    Overlay(const char* id, ImVec2 at, ImVec2 size)
-        : FixedWindow(id, at, size, {.flags = overlay_flags}) {
-        list().AddRectFilled(at, at + size, theme::bar, 5);
-        list().AddRect(at, at + size, theme::border, 5);
-    }
-    static ImDrawList& list() { return *ImGui::GetWindowDrawList(); }
-};
+WindowStyle overlay_style() {
+    return {.ground = theme::bar, .border = theme::border, .rounding = 5, .flags = overlay_flags};
+}
 
 // One open file of the breadcrumb, or "..." for several.
 struct Crumb {
@@ -68,9 +61,9 @@ void draw_crumbs(State& state) {
         crumbs.push_back({Crumb::gap, "Main graph", text_width(font, 16, "Main graph")});
     const float width = width_of(crumbs);
     const ImVec2 low = view.corner + ImVec2(margin, margin);
-    const Overlay overlay("##crumbs", low, {width, tall});
+    const FixedWindow window("##crumbs", low, {width, tall}, overlay_style());
     name_area(state, "crumbs", low, low + ImVec2(width, tall));
-    ImDrawList& list = Overlay::list();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
     ImVec2 at = low + ImVec2(12, 6);
     std::optional<size_t> pressed;
     for (const Crumb& crumb : crumbs) {
@@ -93,23 +86,24 @@ void draw_crumbs(State& state) {
 
 // Draws a button that runs a command, with its icon centered `icon` pixels from the left.
 void draw_part(State& state, const char* id, ImVec2 at, float width, float icon) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
     ImGui::SetCursorScreenPos(at);
     const Area area = area_button(state, std::string("canvas:") + id, {width, tall});
     if (area.hovered)
-        Overlay::list().AddRectFilled(area.low + ImVec2(1, 1), area.high - ImVec2(1, 1),
-                                      theme::accent_soft, 4);
+        list.AddRectFilled(area.low + ImVec2(1, 1), area.high - ImVec2(1, 1), theme::accent_soft,
+                           4);
     if (area.pressed) run_command(state, id);
-    draw_icon(Overlay::list(), id, at + ImVec2(icon, 14), theme::text_dim);
+    draw_icon(list, id, at + ImVec2(icon, 14), theme::text_dim);
 }
 
 void draw_zoom(State& state) {
     const View& view = state.view;
     const float y = view.corner.y + view.extent.y - margin - tall;
     const ImVec2 at(view.corner.x + margin, y);
-    const Overlay overlay("##zoom", at, {188, tall});
+    const FixedWindow window("##zoom", at, {188, tall}, overlay_style());
     ImFont* font = state.fonts.regular(16);
     const auto write = [&](float x, const std::string& text) {
-        draw_text(Overlay::list(), font, 16, at + ImVec2(x, 6), theme::text, text);
+        draw_text(*ImGui::GetWindowDrawList(), font, 16, at + ImVec2(x, 6), theme::text, text);
     };
     draw_part(state, "fit", at, 64, 18);
     write(33, "Fit");
@@ -135,7 +129,7 @@ Map fit_map(const Layout& layout, ImVec2 low) {
 }
 
 void draw_cards(const State& state, const Map& map) {
-    ImDrawList& list = Overlay::list();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool any = !state.view.selected.empty();
     for (const Card& card : state.layout.cards) {
         const ImVec2 low = map.at(card.at), size = card.size * map.scale;
@@ -157,12 +151,12 @@ void draw_cards(const State& state, const Map& map) {
 void draw_minimap(State& state) {
     View& view = state.view;
     const ImVec2 at = view.corner + view.extent - map_size - ImVec2(margin, margin);
-    const Overlay overlay("##minimap", at, map_size);
+    const FixedWindow window("##minimap", at, map_size, overlay_style());
     const Map map = fit_map(state.layout, at);
     draw_cards(state, map);
     const ImVec2 low = map.at(to_canvas(view, view.corner));
     const ImVec2 high = map.at(to_canvas(view, view.corner + view.extent));
-    ImDrawList& list = Overlay::list();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(at + ImVec2(1, 1), at + map_size - ImVec2(1, 1), true);
     list.AddRect(low, high, theme::text_dim, 2);
     list.PopClipRect();

@@ -47,7 +47,7 @@ void choose(State& state, const PaletteRow& row) {
 }
 
 // Highlights the letters that match the query.
-void draw_title(const State& state, ImDrawList& list, ImVec2 at, const PaletteRow& row) {
+void draw_title(const Fonts& fonts, ImDrawList& list, ImVec2 at, const PaletteRow& row) {
     const std::string_view title = row.title;
     size_t next = 0;
     for (size_t i = 0; i < title.size();) {
@@ -58,7 +58,7 @@ void draw_title(const State& state, ImDrawList& list, ImVec2 at, const PaletteRo
             if (matched) ++next;
             ++end;
         }
-        ImFont* font = matched || row.type ? state.fonts.bold(16) : state.fonts.regular(16);
+        ImFont* font = matched || row.type ? fonts.bold(16) : fonts.regular(16);
         const ImU32 color = !row.off.empty() ? theme::text_off
                             : matched        ? theme::accent
                                              : theme::text;
@@ -76,23 +76,23 @@ void draw_output(ImDrawList& list, const NodeType& type, ImVec2 at, bool chosen)
              chosen ? theme::panel : theme::node);
 }
 
-void draw_row(const State& state, const PaletteRow& row, ImVec2 low, ImVec2 high, bool chosen) {
+void draw_row(const Fonts& fonts, const PaletteRow& row, ImVec2 low, ImVec2 high, bool chosen) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (chosen) list.AddRectFilled(low, high, theme::accent_soft, 4);
-    ImFont* small = state.fonts.regular(14);
+    ImFont* small = fonts.regular(14);
     const std::string right = row.type ? (chosen ? "Enter" : "") : row.key;
     const float right_edge = high.x - 10;
     if (row.type) {
         draw_output(list, *row.type, {low.x + 18, (low.y + high.y) / 2}, chosen);
-        draw_title(state, list, low + ImVec2(38, 5), row);
+        draw_title(fonts, list, low + ImVec2(38, 5), row);
         draw_text(list, small, 14, low + ImVec2(38, 24), theme::text_dim,
                   fitting(small, 14, row.doc, high.x - low.x - 48));
         return draw_text(list, small, 14, {right_edge, low.y + 6}, theme::text_dim, right, true);
     }
-    draw_title(state, list, low + ImVec2(10, 8), row);
+    draw_title(fonts, list, low + ImVec2(10, 8), row);
     const float key = text_width(small, 14, right);
     draw_text(list, small, 14, {right_edge, low.y + 9}, theme::text_dim, right, true);
-    const float name = text_width(state.fonts.bold(16), 16, row.title) + 24;
+    const float name = text_width(fonts.bold(16), 16, row.title) + 24;
     draw_text(
         list, small, 14, low + ImVec2(name, 9), theme::text_off,
         fitting(small, 14, row.off.empty() ? row.doc : row.off, high.x - low.x - name - key - 24));
@@ -120,7 +120,7 @@ int draw_palette_rows(State& state, const std::vector<PaletteRow>& rows) {
         if (area.pressed) taken = i;
         const ImVec2 moved = ImGui::GetIO().MouseDelta;
         if (area.hovered && (moved.x != 0 || moved.y != 0)) palette.chosen = i;
-        draw_row(state, row, area.low, area.high, i == palette.chosen);
+        draw_row(state.fonts, row, area.low, area.high, i == palette.chosen);
     }
     return taken;
 }

@@ -55,8 +55,8 @@ private:
 };
 // Flags of a window over a panel. It does not take focus, so that a drag on the panel continues.
 inline constexpr ImGuiWindowFlags overlay_flags =
-    ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing |
-    ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNavInputs;
+    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus |
+    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoNavInputs;
 
 // Modal window that is centered at the fraction `y` of the window's height, opened by the first
 // call and ended by the destructor. False if it is not shown. A height of 0 is that of the content.

@@ -78,20 +78,20 @@ bool draw_text_entry(State& state) {
 }
 
 // Returns true on Enter; Tab sets `next`.
-bool draw_query(State& state, bool field) {
-    Popup& popup = state.popup;
+bool draw_query(Dialogs& dialogs, bool field) {
+    Popup& popup = dialogs.popup;
     if (!field) {
         if (is_pressed(ImGuiKey_Tab, false)) popup.next = ImGui::GetIO().KeyShift ? -1 : 1;
         return !popup.opening && is_pressed(ImGuiKey_Enter, false);
     }
-    if (popup.opening) focus_field(state);
+    if (popup.opening) focus_field(dialogs);
     ImGui::SetNextItemWidth(-1);
     const std::string before = popup.query;
     const bool entered = ImGui::InputTextWithHint(
         "##query", "Type a part of the name", &popup.query,
         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion, on_entry_tab,
         &popup);
-    note_field(state);
+    note_field(dialogs);
     if (popup.query != before) popup.chosen = 0;
     return entered;
 }

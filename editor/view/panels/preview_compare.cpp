@@ -47,9 +47,9 @@ void choose_other(State& state, float width) {
     request.name = all[static_cast<size_t>(picked)].name;
 }
 
-void word(const State& state, const char* text) {
+void word(const Fonts& fonts, const char* text) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImFont* font = state.fonts.regular(16);
+    ImFont* font = fonts.regular(16);
     draw_text(*ImGui::GetWindowDrawList(), font, 16, at + ImVec2(0, 5), theme::text_dim, text);
     ImGui::Dummy({text_width(font, 16, text), 24});
     ImGui::SameLine(0, 8);
@@ -84,16 +84,16 @@ float compare_height(float width) {
 void draw_compare(State& state, ImVec2 at, float width) {
     CompareView& compare = state.view.compare;
     ImGui::SetCursorScreenPos(at + ImVec2(12, 8));
-    word(state, "Compare");
+    word(state.fonts, "Compare");
     draw_modes(state);
     if (width < 520) ImGui::SetCursorScreenPos(at + ImVec2(12, 40));
     const bool off = compare.mode == CompareView::Mode::off;
     ImGui::BeginDisabled(off);
-    word(state, "against");
+    word(state.fonts, "against");
     const float left = at.x + width - ImGui::GetCursorScreenPos().x - 16 - 8 - 12 - 16;
     choose_other(state, std::max(left * 0.55F, 60.0F));
     ImGui::SameLine(0, 8);
-    word(state, "as");
+    word(state.fonts, "as");
     static const Item as[] = {{"Picture", "as:picture"}, {"Difference", "as:difference"}};
     const int picked = choose(state, "compare:as", as[compare.difference ? 1 : 0].label, as,
                               std::max(left * 0.45F, 60.0F));

@@ -100,9 +100,9 @@ void draw_sides(State& state, const Rect& area, const PreviewImage& image) {
     const std::string b = (compare.difference ? "B  Difference to " : "B  ") +
                           against_label(state.view.preview_request);
     if (splits(state, image) || !other)
-        draw_chip(state, area.at + ImVec2(12, 12), "A  Surface gradient");
+        draw_chip(state.fonts, area.at + ImVec2(12, 12), "A  Surface gradient");
     if (splits(state, image) || other)
-        draw_chip(state, {area.end().x - 12, area.at.y + 12}, b, true);
+        draw_chip(state.fonts, {area.end().x - 12, area.at.y + 12}, b, true);
 }
 
 std::string degrees(float value, const char* before = "") {
@@ -121,11 +121,11 @@ void draw_scale(ImDrawList& list, ImVec2 at, float width) {
     }
 }
 
-void draw_legend(State& state, const Rect& area, const AngleFigures& angles) {
+void draw_legend(const Fonts& fonts, const Rect& area, const AngleFigures& angles) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 size(196, 66), at = area.end() - size - ImVec2(12, 12);
     list.AddRectFilled(at, at + size, theme::with_alpha(theme::canvas, 0.88F), 4);
-    ImFont* bold = state.fonts.bold(14);
+    ImFont* bold = fonts.bold(14);
     draw_text(list, bold, 14, at + ImVec2(10, 6), theme::text, degrees(angles.mean, "Mean "));
     draw_text(list, bold, 14, at + ImVec2(size.x - 10, 6), theme::text, degrees(angles.max, "Max "),
               true);
@@ -133,7 +133,7 @@ void draw_legend(State& state, const Rect& area, const AngleFigures& angles) {
     draw_scale(list, at + ImVec2(10, 32), width);
     const float x = at.x + 10 + width * std::clamp(angles.mean / angles.end, 0.0F, 1.0F);
     list.AddTriangleFilled({x - 5, at.y + 25}, {x + 5, at.y + 25}, {x, at.y + 31}, theme::text);
-    ImFont* small = state.fonts.regular(14);
+    ImFont* small = fonts.regular(14);
     for (int i = 0; i < 4; ++i) {
         char text[24];
         std::snprintf(text, sizeof text, i == 3 && angles.max > angles.end ? "≥ %.0f°" : "%.0f°",
@@ -161,7 +161,8 @@ void draw_angle_here(State& state, const Rect& area, const PreviewImage& image) 
     const auto y = static_cast<int>((1 - mouse.y / area.size.y) * static_cast<float>(image.height));
     const int row = std::clamp(y, 0, image.height - 1);
     const float value = (*list)[static_cast<size_t>(row * image.width + x)];
-    if (value >= 0) draw_chip(state, ImGui::GetIO().MousePos + ImVec2(14, 10), degrees(value));
+    if (value >= 0)
+        draw_chip(state.fonts, ImGui::GetIO().MousePos + ImVec2(14, 10), degrees(value));
 }
 
 std::string first_reason(const State& state) {
@@ -186,7 +187,7 @@ void draw_notes(const State& state, const Rect& area, const PreviewImage& image)
     char text[96];
     std::snprintf(text, sizeof text, "%.40s %.2f m", mesh.c_str(), static_cast<double>(view.scale));
     const std::string time = image.first ? "" : ", frame " + milliseconds(image.milliseconds);
-    if (image.texture) draw_chip(state, {area.at.x + 12, area.end().y - 38}, text + time);
+    if (image.texture) draw_chip(state.fonts, {area.at.x + 12, area.end().y - 38}, text + time);
     if (!image.texture && holds_nothing(state.document())) return;
     const std::string why = why_stale(state, image);
     if (!why.empty())
@@ -196,10 +197,10 @@ void draw_notes(const State& state, const Rect& area, const PreviewImage& image)
 
 }  // namespace
 
-float draw_chip(const State& state, ImVec2 at, const std::string& text, bool right_aligned,
+float draw_chip(const Fonts& fonts, ImVec2 at, const std::string& text, bool right_aligned,
                 ImU32 color) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    ImFont* font = state.fonts.regular(14);
+    ImFont* font = fonts.regular(14);
     const float width = text_width(font, 14, text) + 16;
     if (right_aligned) at.x -= width;
     list.AddRectFilled(at, at + ImVec2(width, 26), theme::with_alpha(theme::canvas, 0.88F), 4);
@@ -232,7 +233,7 @@ void draw_preview_image(State& state, ImVec2 at, ImVec2 size) {
     draw_sides(state, area, image);
     draw_notes(state, area, image);
     if (image.angles.degrees) {
-        draw_legend(state, area, image.angles);
+        draw_legend(state.fonts, area, image.angles);
         draw_angle_here(state, area, image);
     }
     list.PopClipRect();

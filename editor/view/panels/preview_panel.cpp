@@ -32,7 +32,7 @@ void choose_light(PreviewView& view, int picked) {
     if (picked == 0) view.environment.clear();
 }
 
-void edit_path(State& state, const char* label, const char* hint, const char* target,
+void edit_path(Interface& interface, const char* label, const char* hint, const char* target,
                std::string& path, const char* none) {
     std::string text = path;
     ImGui::TextUnformatted(label);
@@ -41,7 +41,7 @@ void edit_path(State& state, const char* label, const char* hint, const char* ta
     if (ImGui::InputTextWithHint("##path", hint, &text, ImGuiInputTextFlags_EnterReturnsTrue))
         path = text.empty() ? none : text;
     ImGui::PopID();
-    name_item(state, target);
+    name_item(interface, target);
 }
 
 void draw_more(State& state) {
@@ -64,19 +64,8 @@ void draw_more(State& state) {
     ImGui::PopStyleVar();
 }
 
-// Uses a mesh or environment map that was dropped on the window.
-void take_dropped(State& state) {
-    const std::string file = std::exchange(state.dropped.for_preview, {});
-    if (file.empty()) return;
-    const std::string type = std::filesystem::path(file).extension().string();
-    PreviewView& view = state.view.preview_view;
-    const bool light = type == ".hdr" || type == ".exr" || type == ".HDR" || type == ".EXR";
-    (light ? view.environment : view.mesh) = file;
-    if (light) view.lighting = gpu::Lighting::ggx;
-}
-
-std::string what_is_shown(const State& state) {
-    const std::string& node = state.follow.drawn.request.node;
+std::string what_is_shown(const Session& session) {
+    const std::string& node = session.follow.drawn.request.node;
     return node.empty() ? "output: normal" : "node: " + node + ", preview only";
 }
 
@@ -170,7 +159,6 @@ std::vector<Item> mesh_items() {
 }
 
 void draw_preview(State& state) {
-    take_dropped(state);
     const ImVec2 corner = ImGui::GetWindowPos(), whole = ImGui::GetWindowSize();
     draw_preview_head(state);
     draw_preview_strip(state);

@@ -19,7 +19,7 @@ std::string capitalised(std::string text);  // ASCII
 
 // Draws small text on a background that is readable over any image. `at` is the upper left corner,
 // the upper right one if `right_aligned`; color 0 is theme::text. Returns the width in pixels.
-float draw_chip(const State& state, ImVec2 at, const std::string& text, bool right_aligned = false,
+float draw_chip(const Fonts& fonts, ImVec2 at, const std::string& text, bool right_aligned = false,
                 ImU32 color = 0);
 
 }  // namespace wrinkle::editor

@@ -87,31 +87,31 @@ struct Fix {
 };
 enum class Pressed : uint8_t { nothing, fix, dismissal };
 
-void dismiss(State& state, const Row& row) {
-    if (row.remark) return dismiss_remark(state, *row.remark);
+void dismiss(Session& session, const Row& row) {
+    if (row.remark) return dismiss_remark(session, *row.remark);
     Diagnostics rest;
-    for (const Diagnostic& each : state.tasks.warnings.list())
+    for (const Diagnostic& each : session.tasks.warnings.list())
         if (&each != row.problem) rest.add(each);
-    state.tasks.warnings = std::move(rest);
+    session.tasks.warnings = std::move(rest);
 }
 
-bool is_wrong_wire(const State& state, const Node& node, const Port& port) {
+bool is_wrong_wire(const Session& session, const Node& node, const Port& port) {
     const Input* input = node.find(port.name);
     if (!input || input->kind != Input::Kind::link || !port.is_value()) return false;
-    const auto given = state.model.type_of(input->link);
+    const auto given = session.model.type_of(input->link);
     return !given || conversion(*given, port.type) == Conversion::illegal;
 }
 
-Fix fix_of(const State& state, const Row& row) {
+Fix fix_of(const Session& session, const Row& row) {
     if (row.remark) return {row.remark->remedy.label};
     const Diagnostic& problem = *row.problem;
-    const Node* node = state.document().find(problem.node);
-    const NodeType* type = node ? state.type_of(node->id) : nullptr;
+    const Node* node = session.document().find(problem.node);
+    const NodeType* type = node ? session.type_of(node->id) : nullptr;
     const std::string name = port_of(problem);
     const uint32_t index = type ? type->find_input(name) : NodeType::none;
     if (index == NodeType::none || problem.severity != Severity::error || row.of_task) return {};
     const Port& port = type->ports[index];
-    if (is_wrong_wire(state, *node, port)) return {"Disconnect", false, node->id, name};
+    if (is_wrong_wire(session, *node, port)) return {"Disconnect", false, node->id, name};
     const Input* input = node->find(name);
     const bool linked = input && input->kind == Input::Kind::link;
     if (port.type == PortType::image_ && port.is_value() && !linked)
@@ -154,9 +154,9 @@ void draw_severity(ImDrawList& list, ImVec2 center, bool error) {
 }
 
 // Returns the x offset of the message.
-float draw_chip(const State& state, ImDrawList& list, ImVec2 at, const std::string& node) {
+float draw_chip(const Fonts& fonts, ImDrawList& list, ImVec2 at, const std::string& node) {
     if (node.empty()) return 44;
-    ImFont* font = state.fonts.bold(16);
+    ImFont* font = fonts.bold(16);
     const std::string shown_name = fitting(font, 16, node, 200);
     const float width = text_width(font, 16, shown_name) + 16;
     list.AddRectFilled(at + ImVec2(44, 8), at + ImVec2(44 + width, 30), theme::node, 4);
@@ -166,14 +166,15 @@ float draw_chip(const State& state, ImDrawList& list, ImVec2 at, const std::stri
 }
 
 // Draws the buttons from right to left, from the right border of the row.
-Pressed draw_fixes(State& state, const Row& row, const Fix& fix, ImVec2 right,
+Pressed draw_fixes(Interface& interface, const Row& row, const Fix& fix, ImVec2 right,
                    const std::string& number) {
     const ImVec2 next = ImGui::GetCursorPos();
     Pressed pressed = Pressed::nothing;
     const auto draw = [&](const std::string& label, const char* target, Pressed means) {
         right.x -= fix_wide;
         ImGui::SetCursorScreenPos(right);
-        if (button(state, label.c_str(), target + number, false, {fix_wide, 28})) pressed = means;
+        if (button(interface, label.c_str(), target + number, false, {fix_wide, 28}))
+            pressed = means;
         right.x -= 8;
     };
     if (row.can_go()) draw("Dismiss", "dismiss:", Pressed::dismissal);
@@ -183,12 +184,12 @@ Pressed draw_fixes(State& state, const Row& row, const Fix& fix, ImVec2 right,
 }
 
 // Draws the message and the evidence; `right`: the x offset of the buttons.
-void draw_words(const State& state, const Area& area, const Diagnostic& problem, float right) {
+void draw_words(const Fonts& fonts, const Area& area, const Diagnostic& problem, float right) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 at = area.low;
     const std::string message = sentence(problem.message), more = evidence(problem);
-    ImFont *font = state.fonts.regular(16), *small = state.fonts.regular(14);
-    const float x = draw_chip(state, list, at, problem.node);
+    ImFont *font = fonts.regular(16), *small = fonts.regular(14);
+    const float x = draw_chip(fonts, list, at, problem.node);
     const std::string first = fitting(font, 16, message, right - x);
     const std::string second = fitting(small, 14, more, right - 44);
     draw_text(list, font, 16, at + ImVec2(x, 11), theme::text, first);
@@ -213,7 +214,7 @@ bool draw_problem(State& state, const Row& row, size_t index) {
     draw_severity(list, area.low + ImVec2(22, 28), row.problem->severity == Severity::error);
     const Fix fix = fix_of(state, row);
     const int buttons = !fix.label.empty() + row.can_go();
-    draw_words(state, area, *row.problem,
+    draw_words(state.fonts, area, *row.problem,
                width - 12 - (fix_wide + 8) * static_cast<float>(buttons));
     const Pressed pressed = draw_fixes(state, row, fix, area.low + ImVec2(width - 8, 14), number);
     if (pressed == Pressed::fix)

@@ -44,7 +44,7 @@ float draw_centered(ImDrawList& list, const Fonts& fonts, bool bold, float size,
     return at.y;
 }
 
-void draw_drop_area(State& state, float width) {
+void draw_drop_area(Interface& interface, float width) {
     const ImVec2 at = ImGui::GetCursorScreenPos(), end = at + ImVec2(width, drop_tall);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, end, theme::panel, 8);
@@ -53,12 +53,12 @@ void draw_drop_area(State& state, float width) {
     dash(list, {at.x, end.y}, end);
     dash(list, at, {at.x, end.y});
     const bool narrow = width < 400;
-    const float below = draw_centered(list, state.fonts, true, narrow ? 18.0F : 24.0F,
+    const float below = draw_centered(list, interface.fonts, true, narrow ? 18.0F : 24.0F,
                                       at + ImVec2(0, narrow ? 24 : 54), width, theme::text,
                                       "Drop two images here to layer them");
-    draw_centered(list, state.fonts, false, 16, {at.x, below + 8}, width, theme::text_dim,
+    draw_centered(list, interface.fonts, false, 16, {at.x, below + 8}, width, theme::text_dim,
                   "Normal maps, heights, slopes: their pixels say which. I chooses one by name.");
-    name_area(state, "start:drop", at, end);
+    name_area(interface, "start:drop", at, end);
     ImGui::Dummy({width, drop_tall});
 }
 
@@ -80,7 +80,7 @@ void draw_buttons(State& state) {
 bool draw_recent(State& state, float width) {
     const std::vector<std::filesystem::path>& recent = state.keeping.settings.recent;
     if (recent.empty()) return false;
-    write_wrapped(state, "Recent", theme::text, true, 18);
+    write_wrapped(state.fonts, "Recent", theme::text, true, 18);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 0));
     std::filesystem::path taken;
     for (size_t i = 0; i < std::min(recent.size(), recent_shown); ++i) {
@@ -103,10 +103,10 @@ bool draw_recent(State& state, float width) {
 }
 
 // Draws the uncropped image of a sample on the background color of the preview.
-void draw_thumbnail(State& state, ImDrawList& list, ImVec2 at, const Sample& sample) {
+void draw_thumbnail(Interface& interface, ImDrawList& list, ImVec2 at, const Sample& sample) {
     const ImVec2 low = at + ImVec2(1, 1), high = at + ImVec2(card_width - 1, thumbnail_tall);
     list.AddRectFilled(low, high, thumbnail_ground, 6, ImDrawFlags_RoundCornersTop);
-    const uint32_t thumbnail = ImGui::IsItemVisible() ? state.thumbnails.of(sample.image) : 0;
+    const uint32_t thumbnail = ImGui::IsItemVisible() ? interface.thumbnails.of(sample.image) : 0;
     if (!thumbnail) return;
     const float side = thumbnail_tall - 1, left = 10;  // the node count is next to it
     list.AddImage(texture_id(thumbnail), at + ImVec2(left, 1),
@@ -114,21 +114,22 @@ void draw_thumbnail(State& state, ImDrawList& list, ImVec2 at, const Sample& sam
 }
 
 // Returns true if the card was clicked.
-bool draw_card(State& state, const Sample& sample) {
+bool draw_card(Interface& interface, const Sample& sample) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto [at, end, clicked, hovered] =
-        area_button(state, "sample:" + sample.file.stem().string(), {card_width, card_tall});
+        area_button(interface, "sample:" + sample.file.stem().string(), {card_width, card_tall});
     list.AddRectFilled(at, end, theme::node, 6);
-    draw_thumbnail(state, list, at, sample);
+    draw_thumbnail(interface, list, at, sample);
     list.AddRect(at, end, hovered ? theme::accent : theme::border, 6, 0, hovered ? 2 : 1);
-    ImFont* bold = state.fonts.bold(14);
+    ImFont* bold = interface.fonts.bold(14);
     float y = thumbnail_tall + 3;
     for (const std::string& line : wrapped(bold, 14, sample.name, card_width - 20, name_lines)) {
         draw_text(list, bold, 14, at + ImVec2(10, y), theme::text, line);
         y += 15;
     }
-    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(card_width - 8, thumbnail_tall - 17),
-              on_thumbnail, counted(sample.nodes, "node"), true);
+    draw_text(list, interface.fonts.regular(14), 14,
+              at + ImVec2(card_width - 8, thumbnail_tall - 17), on_thumbnail,
+              counted(sample.nodes, "node"), true);
     if (hovered) show_tooltip({at, end}, sample.name);
     return clicked;
 }
@@ -140,7 +141,7 @@ void draw_samples(State& state, int columns) {
     }
     const std::vector<Sample>& samples = state.start.samples;
     if (samples.empty()) return;
-    write_wrapped(state, "Samples", theme::text, true, 18);
+    write_wrapped(state.fonts, "Samples", theme::text, true, 18);
     std::filesystem::path taken;
     for (size_t i = 0; i < samples.size(); ++i) {
         if (static_cast<int>(i) % columns != 0) ImGui::SameLine(0, gap);

@@ -82,9 +82,9 @@ std::string sizes(const State& state) {
            counted(state.layout.wires.size(), "wire") + "     " + percent(state.view.zoom);
 }
 
-Note save_state(const State& state) {
-    const bool unkept = state.dirty() && !state.keeping.unkept.empty();
-    return {kept_words(state), unkept ? theme::warn : theme::text_dim};
+Note save_state(const Session& session) {
+    const bool unkept = session.dirty() && !session.keeping.unkept.empty();
+    return {kept_words(session), unkept ? theme::warn : theme::text_dim};
 }
 
 // Draws the part under the side column: at the left the cost of the material; from the right the
