@@ -21,7 +21,7 @@ void check_normals(const std::vector<OutputColumn>& columns, size_t first,
             const double* n = column.values.data() + i;
             const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
             if (square > 0.5 && square < 2) continue;
-            source.report(first + i / 3, Severity::warning,
+            source.points.report(first + i / 3, Severity::warning,
                           "'" + column.name + "' has no direction: its numbers are " +
                               "too large or too small for the precision",
                           "inputs between 1e-18 and 1e18, or --precision double", diagnostics);
@@ -64,7 +64,7 @@ struct EvalCommand {
             return "eval needs points: --at JSON, --at FILE.csv|npy, or --mesh NAME|PATH with "
                    "--uv U,V or --at";
         if (at.mesh.empty() && !at.uv.empty()) return "--uv goes with --mesh";
-        if (!at.mesh.empty() && at.at.empty() && !is_uv(at.uv))
+        if (!at.mesh.empty() && at.at.empty() && !parse_uv(at.uv))
             return "--mesh needs a place: --uv U,V such as 0.5,0.25, or --at FILE.csv|npy";
         if (!at.at.empty() && !at.uv.empty()) return "--uv and --at are two ways of one place";
         if (at.at == "-" && file == "-")
@@ -97,7 +97,7 @@ struct EvalCommand {
     std::string numbers(EvalForm form, const MaterialRun& run, const PointSource& source,
                         const TextureStore& textures, Diagnostics& diagnostics) const {
         const Precision wanted = precision == "double" ? Precision::full : Precision::single;
-        EvalText text(form, wanted, source.count);
+        EvalText text(form, wanted, source.points.count());
         const auto take = [&](size_t first, size_t count,
                               const std::vector<OutputColumn>& columns) {
             check_normals(columns, first, source, diagnostics);

@@ -5,7 +5,7 @@
 #include "base/text.h"
 #include "cli/npy.h"
 #include "cli/output.h"
-#include "cli/point_table.h"
+#include "cli/points.h"
 
 namespace wrinkle::cli {
 namespace {

@@ -14,8 +14,8 @@ bool within_float(const PointSource& source, size_t first, const PointSet& set,
                   const Program& program, Diagnostics& diagnostics) {
     const std::vector<FloatOverflow> beyond = float_overflow(program, set);
     for (const FloatOverflow& each : beyond)
-        source.report(first + each.point, Severity::error, each.message(),
-                      "--precision double does", diagnostics);
+        source.points.report(first + each.point, Severity::error, each.message(),
+                             "--precision double does", diagnostics);
     return beyond.empty();
 }
 
@@ -46,10 +46,11 @@ void warn_of_small_changes(const PointSource& source, size_t first, const PointS
             const double product =
                 change_of(set, SurfaceInput::position_, k) * change_of(set, uv, k);
             if (product > 0 && product < min_change_product)
-                source.report(first + k, Severity::warning,
-                              "the changes of position and " + name_of({uv, Variant::value}) +
-                                  " are so small that a frame 'derived' of them fades",
-                              "lengths whose product is above 1e-18", diagnostics);
+                source.points.report(first + k, Severity::warning,
+                                     "the changes of position and " +
+                                         name_of({uv, Variant::value}) +
+                                         " are so small that a frame 'derived' of them fades",
+                                     "lengths whose product is above 1e-18", diagnostics);
         }
     }
 }
@@ -64,9 +65,10 @@ void warn_of_lost_normals(const PointSource& source, size_t first, const PointSe
         const double* n = normals.data() + 3 * k;
         const double length = std::hypot(n[0], n[1], n[2]);
         if (length > 0 && (length < min_length || length > max_length))
-            source.report(first + k, Severity::warning,
-                          "the surface normal's length cannot be squared in single precision",
-                          "a length between 1e-18 and 1e18, or --precision double", diagnostics);
+            source.points.report(
+                first + k, Severity::warning,
+                "the surface normal's length cannot be squared in single precision",
+                "a length between 1e-18 and 1e18, or --precision double", diagnostics);
     }
 }
 
@@ -78,14 +80,14 @@ bool evaluate_blocks(const MaterialRun& run, const TextureStore& textures,
     std::string why;
     const Program program = compile_program(run.compiled.module, why);
     if (!why.empty()) diagnostics.error(why);
-    const std::vector<InputNeed> needs = needed_inputs(program);
+    const Needs needs = needed_inputs(program);
     if (!why.empty() || !source.check(needs, diagnostics)) return false;
     const std::vector<Texture> images = textures.textures_of(run.compiled.module.resources);
     bool fine = true;
     size_t first = 0;
     do {
         PointSet set;
-        set.count = std::min(block, source.count - first);
+        set.count = std::min(block, source.points.count() - first);
         const bool filled = source.fill(needs, first, set, diagnostics) &&
                             (precision == Precision::full ||
                              within_float(source, first, set, program, diagnostics));
@@ -95,14 +97,13 @@ bool evaluate_blocks(const MaterialRun& run, const TextureStore& textures,
             warn_of_lost_normals(source, first, set, diagnostics);
         if (fine) take(first, set.count, evaluate_columns(program, set, images, precision));
         first += set.count;
-    } while (first < source.count);
+    } while (first < source.points.count());
     return fine;
 }
 
 std::optional<std::vector<OutputColumn>> evaluate_at(const MaterialRun& run,
                                                      const TextureStore& textures,
-                                                     const std::vector<Point>& points,
-                                                     Precision precision,
+                                                     const PointList& points, Precision precision,
                                                      Diagnostics& diagnostics) {
     std::vector<OutputColumn> whole;
     const auto take = [&](size_t first, size_t, const std::vector<OutputColumn>& columns) {
@@ -111,7 +112,7 @@ std::optional<std::vector<OutputColumn>> evaluate_at(const MaterialRun& run,
             whole[i].values.insert(whole[i].values.end(), columns[i].values.begin(),
                                    columns[i].values.end());
     };
-    if (!evaluate_blocks(run, textures, source_of(points), precision, take, diagnostics)) return {};
+    if (!evaluate_blocks(run, textures, {points}, precision, take, diagnostics)) return {};
     return whole;
 }
 

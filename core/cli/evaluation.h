@@ -26,7 +26,7 @@ bool evaluate_blocks(const MaterialRun& run, const TextureStore& textures,
 // Evaluates all points at once; returns std::nullopt and reports a problem on failure.
 std::optional<std::vector<OutputColumn>> evaluate_at(const MaterialRun& run,
                                                      const TextureStore& textures,
-                                                     const std::vector<Point>& points,
-                                                     Precision precision, Diagnostics& diagnostics);
+                                                     const PointList& points, Precision precision,
+                                                     Diagnostics& diagnostics);
 
 }  // namespace wrinkle::cli

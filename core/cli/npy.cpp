@@ -1,5 +1,7 @@
 #include "cli/npy.h"
 
+#include <cstring>
+
 #include "base/text.h"
 #include "cli/arguments.h"
 #include "json/parse.h"
@@ -122,7 +124,19 @@ private:
     bool has_shape_ = false;
 };
 
+template <class T>
+T read_as(const char* from) {
+    T value;
+    std::memcpy(&value, from, sizeof value);
+    return value;
+}
+
 }  // namespace
+
+double NpyTable::number(std::string_view bytes, const NpyField& field, size_t point) const {
+    const char* from = bytes.data() + first + point * record + field.offset;
+    return field.is_double ? read_as<double>(from) : double{read_as<float>(from)};
+}
 
 std::optional<NpyTable> read_npy(std::string_view bytes, NpyProblem& problem) {
     const auto cut = [&] {

@@ -26,6 +26,9 @@ struct NpyTable {
     size_t first = 0;   // byte offset of the first record
     size_t record = 0;  // bytes
     size_t count = 0;   // records
+
+    // Returns the number of a field of one record. Precondition: `bytes` are those of read_npy().
+    double number(std::string_view bytes, const NpyField& field, size_t point) const;
 };
 
 struct NpyProblem {

@@ -1,34 +1,35 @@
-// Points of an evaluation in blocks: from JSON, from a table, or surface points of a mesh at given
-// uvs. Memory is bounded by the input points and one block.
+// Points of an evaluation in blocks: given ones, or the surface points of a mesh at given uvs.
+// Memory is bounded by the input points and one block.
 #pragma once
 
-#include <functional>
+#include <glm/vec2.hpp>
+#include <optional>
 #include <string>
-#include <vector>
 
-#include "cli/point_table.h"
 #include "cli/points.h"
 #include "cli/session.h"
+#include "mesh/mesh.h"
+#include "mesh/uv_grid.h"
 
 namespace wrinkle::cli {
 
-using Needs = std::vector<InputNeed>;
-
-struct PointSource {
-    size_t count = 0;
-    // Reports needed values that the points lack; returns true if there are none.
-    std::function<bool(const Needs& needs, Diagnostics& diagnostics)> check;
-    // Writes the needed values of points [first, first + set.count); returns false and reports
-    // errors on failure.
-    std::function<bool(const Needs& needs, size_t first, PointSet& set, Diagnostics& diagnostics)>
-        fill;
-    // Reports a problem at a point.
-    std::function<void(size_t point, Severity severity, std::string message, std::string expected,
-                       Diagnostics& diagnostics)>
-        report;
+struct MeshSurface {
+    Mesh mesh;
+    UvGrid grid;
+    std::string name;
+    uint32_t size = 1024;  // dx and dy span one texel of a size x size layout
 };
 
-PointSource source_of(std::vector<Point> points);
+struct PointSource {
+    PointList points;
+    std::optional<MeshSurface> surface = {};  // only uv0 of the points is read, a place on it
+
+    // Reports needed values that the points lack; returns true if there are none.
+    bool check(const Needs& needs, Diagnostics& diagnostics) const;
+    // Writes the needed values of points [first, first + set.count); returns false and reports
+    // errors on failure.
+    bool fill(const Needs& needs, size_t first, PointSet& set, Diagnostics& diagnostics) const;
+};
 
 // Options that select points: --at, or --mesh with --at or --uv.
 struct PointOptions {
@@ -37,7 +38,7 @@ struct PointOptions {
     std::string uv;        // one uv, "U,V"
     uint32_t size = 1024;  // dx and dy span one texel of a size x size layout
 };
-bool is_uv(const std::string& text);
+std::optional<glm::dvec2> parse_uv(const std::string& text);
 
 // Returns a source without points and reports errors on failure.
 PointSource open_points(const PointOptions& options, const CommonOptions& common,

@@ -1,12 +1,13 @@
-#include "cli/point_table.h"
-
+// Tables of points: CSV and NPY files.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <optional>
+#include <set>
 
 #include "base/text.h"
 #include "cli/arguments.h"
 #include "cli/npy.h"
+#include "cli/points.h"
 #include "ir/op.h"
 
 namespace wrinkle::cli {
@@ -16,37 +17,22 @@ constexpr std::string_view components = "xyzw";
 constexpr size_t max_shown = 40;  // characters of an invalid number in a message
 
 struct Column {
+    std::string name;
     InputNeed need;
     size_t lane = 0;
 };
 
-std::optional<Column> column_named(std::string_view name) {
-    if (const auto whole = find_input(name); whole && lanes_of(*whole) == 1) {
-        if (whole->variant != Variant::value) return {};  // facing has no differentials
-        return Column{*whole, 0};
-    }
-    if (name.size() < 2 || name[name.size() - 2] != '.') return {};
-    const auto need = find_input(name.substr(0, name.size() - 2));
-    const size_t lane = components.find(name.back());
-    if (!need || lanes_of(*need) == 1 || lane >= lanes_of(*need)) return {};
-    return Column{*need, lane};
-}
-
-std::vector<InputNeed> all_values() {
-    std::vector<InputNeed> values;
+// All columns that a table may have; facing has no differentials.
+std::vector<Column> all_columns() {
+    std::vector<Column> columns;
     for (int i = 0; i < surface_input_count; ++i)
-        for (const Variant variant : {Variant::value, Variant::dx, Variant::dy})
-            if (variant == Variant::value || static_cast<SurfaceInput>(i) != SurfaceInput::facing_)
-                values.push_back({static_cast<SurfaceInput>(i), variant});
-    return values;
-}
-
-std::vector<std::string> all_column_names() {
-    std::vector<std::string> names;
-    for (const InputNeed& need : all_values())
-        for (size_t lane = 0; lane < lanes_of(need); ++lane)
-            names.push_back(column_name(name_of(need), lane, lanes_of(need)));
-    return names;
+        for (const Variant variant : {Variant::value, Variant::dx, Variant::dy}) {
+            const InputNeed need{static_cast<SurfaceInput>(i), variant};
+            if (need.input == SurfaceInput::facing_ && variant != Variant::value) continue;
+            for (size_t lane = 0; lane < lanes_of(need); ++lane)
+                columns.push_back({column_name(name_of(need), lane, lanes_of(need)), need, lane});
+        }
+    return columns;
 }
 
 std::string_view unquoted(std::string_view text) {
@@ -54,13 +40,128 @@ std::string_view unquoted(std::string_view text) {
     return text.substr(1, text.size() - 2);
 }
 
-// Returns the text before the separator and advances `text` past it.
-std::string_view take(std::string_view& text, char separator) {
-    const size_t end = std::min(text.find(separator), text.size());
+// Returns the first line and advances `text` past it.
+std::string_view take_line(std::string_view& text) {
+    const size_t end = std::min(text.find('\n'), text.size());
     const std::string_view taken = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     return taken;
 }
+
+class TableReader {
+public:
+    TableReader(PointList& list, Diagnostics& diagnostics)
+        : list_(list), diagnostics_(diagnostics) {}
+
+    void read_csv(std::string_view text) {
+        if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+        list_.first_line = 2;
+        for (const std::string_view name : split(take_line(text), ','))
+            add_column(std::string(unquoted(trimmed(name))));
+        const size_t last = text.find_last_not_of(" \t\r\n");
+        text = text.substr(0, last == text.npos ? 0 : last + 1);
+        for (; !text.empty(); ++list_.given.count)
+            read_point(split(take_line(text), ','));
+    }
+
+    void read_npy(std::string_view bytes) {
+        NpyProblem found;
+        const auto table = cli::read_npy(bytes, found);
+        if (!table) return problem(1, found.message, found.expected);
+        list_.given.count = table->count;
+        for (const NpyField& field : table->fields)
+            add_column(field.name);
+        for (size_t i = 0; i < columns_.size(); ++i)
+            for (size_t point = 0; point < table->count; ++point)
+                put(i, point, table->number(bytes, table->fields[i], point));
+    }
+
+    // Reports the first missing component of each input.
+    void check_columns() {
+        for (const Column& column : all_) {
+            const std::string input = name_of(column.need);
+            if (names_.contains(column.name) || inputs_.erase(input) == 0) continue;
+            problem(1, "column '" + column.name + "' is missing",
+                    "all components of '" + input + "'");
+        }
+    }
+
+    void check_numbers() {
+        const auto report = [&](size_t point, const std::string& message, const char* expected) {
+            list_.report(point, Severity::error, message, expected, diagnostics_);
+        };
+        for (const Column& first : all_) {
+            if (first.lane > 0) continue;
+            const std::vector<double>& values =
+                list_.given.at(first.need.input, first.need.variant);
+            const size_t lanes = lanes_of(first.need);
+            for (size_t i = 0; i < values.size(); ++i)
+                if (!std::isfinite(values[i]))
+                    report(i / lanes, "'" + (&first)[i % lanes].name + "' is not a finite number",
+                           "");
+        }
+        const std::vector<double>& normals = list_.given.at(SurfaceInput::normal_);
+        for (size_t i = 0; i < normals.size(); i += 3)
+            if (normals[i] == 0 && normals[i + 1] == 0 && normals[i + 2] == 0)
+                report(i / 3, "normal is zero", "a direction of any length but zero");
+    }
+
+private:
+    void add_column(const std::string& name) {
+        const auto column = std::find_if(all_.begin(), all_.end(),
+                                         [&](const Column& each) { return each.name == name; });
+        columns_.push_back(column == all_.end() ? nullptr : &*column);
+        if (column == all_.end())
+            problem(1, "there is no column '" + name + "'",
+                    did_you_mean(name, column_names(), "such as position.x, dx.uv0.y or facing"));
+        else if (!names_.insert(name).second)
+            problem(1, "column '" + name + "' is there twice", "one of them");
+        else
+            inputs_.insert(name_of(column->need));
+    }
+
+    std::vector<std::string> column_names() const {
+        std::vector<std::string> names;
+        for (const Column& column : all_)
+            names.push_back(column.name);
+        return names;
+    }
+
+    void read_point(const std::vector<std::string_view>& fields) {
+        const size_t point = list_.given.count;
+        for (size_t i = 0; i < fields.size(); ++i) {
+            const std::string_view field = trimmed(fields[i]);
+            double value = 0;
+            if (!parse_number(field, value))
+                list_.report(point, Severity::error,
+                             "'" + std::string(field.substr(0, max_shown)) + "' is not a number",
+                             "a number such as 0.25 or -1e-3", diagnostics_);
+            if (i < columns_.size()) put(i, point, value);
+        }
+        if (fields.size() != columns_.size())
+            problem(list_.first_line + static_cast<uint32_t>(point),
+                    "point " + std::to_string(point) + " has " + std::to_string(fields.size()) +
+                        " numbers",
+                    std::to_string(columns_.size()) + ", as the first line has names");
+    }
+
+    void put(size_t column, size_t point, double value) {
+        if (const Column* to = columns_[column]) list_.set(to->need, point, to->lane, value);
+    }
+
+    void problem(uint32_t line, std::string message, std::string expected) {
+        Diagnostic found =
+            file_problem(Severity::error, list_.file, std::move(message), std::move(expected));
+        if (list_.first_line > 0) found.where = {list_.file, line, 1};
+        diagnostics_.add(std::move(found));
+    }
+
+    PointList& list_;
+    Diagnostics& diagnostics_;
+    const std::vector<Column> all_ = all_columns();
+    std::vector<const Column*> columns_;  // of the table; null: unknown
+    std::set<std::string> names_, inputs_;
+};
 
 }  // namespace
 
@@ -68,149 +169,20 @@ std::string column_name(const std::string& value, size_t lane, size_t lanes) {
     return lanes == 1 ? value : value + "." + components[lane];
 }
 
-void PointTable::problem(uint32_t line, std::string message, std::string expected,
-                         Diagnostics& diagnostics) const {
-    const Location where = {name_, line, line == 0 ? 0U : 1U};
-    diagnostics.add({Severity::error, where, "", "", std::move(message), std::move(expected)});
-}
-
-Location PointTable::where(size_t point) const {
-    return {name_, first_line_ == 0 ? 0 : first_line_ + static_cast<uint32_t>(point),
-            first_line_ == 0 ? 0U : 1U};
-}
-
-double PointTable::number(const Slot& slot, size_t point) const {
-    const char* from = bytes_.data() + first_ + point * record_ + slot.offset;
-    if (slot.is_double) {
-        double value;
-        std::memcpy(&value, from, sizeof value);
-        return value;
-    }
-    float value;
-    std::memcpy(&value, from, sizeof value);
-    return static_cast<double>(value);
-}
-
-void PointTable::add_column(const std::string& name, size_t offset, bool is_double,
-                            Diagnostics& diagnostics) {
-    const auto column = column_named(name);
-    const uint32_t line = first_line_ == 0 ? 0 : 1;
-    if (!column) {
-        const std::vector<std::string> names = all_column_names();
-        return problem(line, "there is no column '" + name + "'",
-                       did_you_mean(name, names, "such as position.x, dx.uv0.y or facing"),
-                       diagnostics);
-    }
-    Slot& slot = slots(column->need)[column->lane];
-    if (slot.given)
-        return problem(line, "column '" + name + "' is there twice", "one of them", diagnostics);
-    slot = {true, is_double, offset};
-}
-
-void PointTable::check_lanes(Diagnostics& diagnostics) const {
-    for (const InputNeed& need : all_values()) {
-        const Slots& lanes = slots(need);
-        const auto end = lanes.begin() + static_cast<long>(lanes_of(need));
-        const auto given = std::count_if(lanes.begin(), end, [](const Slot& p) { return p.given; });
-        if (given == 0 || given == end - lanes.begin()) continue;
-        const auto missing =
-            std::find_if(lanes.begin(), end, [](const Slot& p) { return !p.given; });
-        problem(first_line_ == 0 ? 0 : 1,
-                "column '" +
-                    column_name(name_of(need), static_cast<size_t>(missing - lanes.begin()),
-                                lanes_of(need)) +
-                    "' is missing",
-                "all components of '" + name_of(need) + "'", diagnostics);
-    }
-}
-
-void PointTable::check_numbers(Diagnostics& diagnostics) const {
-    for (const InputNeed& need : all_values()) {
-        if (!gives(need)) continue;
-        const bool is_normal =
-            need.input == SurfaceInput::normal_ && need.variant == Variant::value;
-        for (size_t point = 0; point < count_; ++point) {
-            bool zero = true;
-            for (size_t lane = 0; lane < lanes_of(need); ++lane) {
-                const double value = at(need, lane, point);
-                zero = zero && value == 0;
-                if (std::isfinite(value)) continue;
-                problem(where(point).line,
-                        "point " + std::to_string(point) + ": '" +
-                            column_name(name_of(need), lane, lanes_of(need)) +
-                            "' is not a finite number",
-                        "", diagnostics);
-            }
-            if (is_normal && zero)
-                problem(where(point).line, "point " + std::to_string(point) + ": normal is zero",
-                        "a direction of any length but zero", diagnostics);
-        }
-    }
-}
-
-size_t PointTable::read_names(std::string_view line, Diagnostics& diagnostics) {
-    size_t count = 0;
-    for (const std::string_view name : split(line, ','))
-        add_column(std::string(unquoted(trimmed(name))), 8 * count++, true, diagnostics);
-    return count;
-}
-
-void PointTable::read_csv(std::string_view text, Diagnostics& diagnostics) {
-    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-    first_line_ = 2;
-    const size_t columns = read_names(take(text, '\n'), diagnostics);
-    record_ = 8 * columns;
-    const size_t last = text.find_last_not_of(" \t\r\n");
-    text = text.substr(0, last == text.npos ? 0 : last + 1);
-    for (; !text.empty(); ++count_) {
-        std::string_view line = take(text, '\n');
-        size_t fields = 0;
-        for (bool more = true; more; ++fields) {
-            more = line.find(',') != line.npos;
-            const std::string_view field = trimmed(take(line, ','));
-            double value = 0;
-            if (!parse_number(field, value))
-                problem(where(count_).line,
-                        "point " + std::to_string(count_) + ": '" +
-                            std::string(field.substr(0, max_shown)) + "' is not a number",
-                        "a number such as 0.25 or -1e-3", diagnostics);
-            if (fields < columns) bytes_.append(reinterpret_cast<const char*>(&value), 8);
-        }
-        if (fields == columns) continue;
-        problem(where(count_).line,
-                "point " + std::to_string(count_) + " has " + std::to_string(fields) + " numbers",
-                std::to_string(columns) + ", as the first line has names", diagnostics);
-        bytes_.resize((count_ + 1) * record_);
-    }
-}
-
-void PointTable::read_npy_table(Diagnostics& diagnostics) {
-    NpyProblem found;
-    const auto table = read_npy(bytes_, found);
-    if (!table) return problem(0, found.message, found.expected, diagnostics);
-    first_ = table->first;
-    record_ = table->record;
-    count_ = table->count;
-    for (const NpyField& field : table->fields)
-        add_column(field.name, field.offset, field.is_double, diagnostics);
-}
-
-std::optional<PointTable> PointTable::read(TableForm form, std::string bytes,
-                                           const std::string& name, Diagnostics& diagnostics) {
+PointList read_table(const std::string& file, std::string_view bytes, Diagnostics& diagnostics) {
     Diagnostics own;
-    PointTable table;
-    table.name_ = name;
-    if (form == TableForm::csv) {
-        table.read_csv(bytes, own);
-    } else {
-        table.bytes_ = std::move(bytes);
-        table.read_npy_table(own);
-    }
-    if (!own.has_errors()) table.check_lanes(own);
-    if (!own.has_errors()) table.check_numbers(own);
+    PointList list;
+    list.file = file;
+    TableReader reader(list, own);
+    if (file.ends_with(".csv"))
+        reader.read_csv(bytes);
+    else
+        reader.read_npy(bytes);
+    if (!own.has_errors()) reader.check_columns();
+    list.finish();
+    if (!own.has_errors()) reader.check_numbers();
     diagnostics.append(own);
-    if (own.has_errors()) return {};
-    return table;
+    return own.has_errors() ? PointList() : list;
 }
 
 }  // namespace wrinkle::cli

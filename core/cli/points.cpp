@@ -1,6 +1,8 @@
 #include "cli/points.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/file.h"
 #include "base/text.h"
@@ -12,36 +14,40 @@
 namespace wrinkle::cli {
 namespace {
 
-// Reads one point and reports problems at their values.
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+// Reads points and reports problems at their values.
 class PointReader {
 public:
-    PointReader(Point& point, Diagnostics& diagnostics)
-        : point_(point), diagnostics_(diagnostics) {}
+    PointReader(PointList& list, Diagnostics& diagnostics)
+        : list_(list), diagnostics_(diagnostics) {}
 
     void read(const json::Value& value) {
+        list_.sources.push_back(value);
+        list_.set({SurfaceInput::facing_}, list_.given.count++, 0, 1);
         if (!value.is(json::Kind::object))
             return error(value, "is " + std::string(json::kind_name(value.kind())),
                          "a point is an object such as {\"uv0\": [0.5, 0.5]}");
         for (const json::Member& member : value.children()) {
             if (member.key == "dx")
-                read_group(member.value, Variant::dx, "dx");
+                read_changes(member.value, Variant::dx, "dx");
             else if (member.key == "dy")
-                read_group(member.value, Variant::dy, "dy");
+                read_changes(member.value, Variant::dy, "dy");
             else
-                read_slot(member, Variant::value);
+                read_input(member, Variant::value);
         }
     }
 
 private:
-    void read_group(const json::Value& value, Variant variant, const std::string& name) {
+    void read_changes(const json::Value& value, Variant variant, const std::string& name) {
         if (!value.is(json::Kind::object))
             return error(value, name + " is " + json::kind_name(value.kind()),
                          name + " is an object such as {\"uv0\": [0.001, 0]}");
         for (const json::Member& member : value.children())
-            read_slot(member, variant);
+            read_input(member, variant);
     }
 
-    void read_slot(const json::Member& member, Variant variant) {
+    void read_input(const json::Member& member, Variant variant) {
         const auto input = find_input(member.key);
         if (!input || input->variant != Variant::value) {
             std::vector<std::string> names = surface_input_names();
@@ -51,81 +57,121 @@ private:
                                       "position, normal, tangent, uv0 ... uv3, color0, view, "
                                       "facing, dx, dy"));
         }
-        const InputNeed key{input->input, variant};
-        if (key.input == SurfaceInput::facing_ && variant != Variant::value)
-            return error(member.value, name_of(key) + " has no meaning", "facing does not change");
-        point_[key].given = read_lanes(key, member.value, point_[key].lanes);
-        if (key.input == SurfaceInput::normal_ && variant == Variant::value && point_[key].given &&
-            is_zero(point_[key]))
+        const InputNeed need{input->input, variant};
+        if (need.input == SurfaceInput::facing_ && variant != Variant::value)
+            return error(member.value, name_of(need) + " has no meaning", "facing does not change");
+        read_lanes(need, member);
+    }
+
+    void read_lanes(const InputNeed& need, const json::Member& member) {
+        const size_t lanes = lanes_of(need);
+        const bool has_form = lanes == 1 || member.value.is(json::Kind::array);
+        const auto numbers = lanes == 1 ? std::vector{member} : member.value.children();
+        const auto is_number = [](const json::Member& each) {
+            return each.value.is(json::Kind::number);
+        };
+        if (!has_form || numbers.size() != lanes ||
+            !std::all_of(numbers.begin(), numbers.end(), is_number))
+            return error(
+                member.value, name_of(need) + " does not fit",
+                lanes == 1 ? "a number" : "an array of " + std::to_string(lanes) + " numbers");
+        bool is_zero = true;
+        for (size_t lane = 0; lane < lanes; ++lane) {
+            const double number = numbers[lane].value.as_number();
+            list_.set(need, list_.given.count - 1, lane, number);
+            is_zero = is_zero && number == 0;
+        }
+        if (need.input == SurfaceInput::normal_ && need.variant == Variant::value && is_zero)
             error(member.value, "normal is zero", "a direction of any length but zero");
     }
 
-    static bool is_zero(const Point::Slot& slot) {
-        return std::all_of(slot.lanes.begin(), slot.lanes.end(), [](double x) { return x == 0; });
-    }
-
-    bool read_lanes(const InputNeed& key, const json::Value& value, std::array<double, 4>& lanes) {
-        const size_t count = lanes_of(key);
-        const bool fits = count == 1 ? value.is(json::Kind::number)
-                                     : value.is(json::Kind::array) && value.size() == count;
-        bool fine = fits;
-        size_t lane = 0;
-        if (fits && count == 1) lanes[0] = value.as_number();
-        if (fits && count > 1)
-            for (const json::Member& member : value.children()) {
-                fine = fine && member.value.is(json::Kind::number);
-                if (fine) lanes[lane++] = member.value.as_number();
-            }
-        if (!fine)
-            error(value, name_of(key) + " does not fit",
-                  count == 1 ? "a number" : "an array of " + std::to_string(count) + " numbers");
-        return fine;
-    }
-
     void error(const json::Value& value, const std::string& message, const std::string& expected) {
-        report_at(value, point_.name + ": " + message, expected, diagnostics_);
+        report_at(value, "point " + std::to_string(list_.given.count - 1) + ": " + message,
+                  expected, diagnostics_);
     }
 
-    Point& point_;
+    PointList& list_;
     Diagnostics& diagnostics_;
 };
 
-Point read_point(const json::Value& value, size_t number, Diagnostics& diagnostics) {
-    Point point;
-    point.name = "point " + std::to_string(number);
-    point.source = value;
-    point[{SurfaceInput::facing_}] = {true, {1}};
-    PointReader(point, diagnostics).read(value);
-    return point;
-}
-
 }  // namespace
 
-std::vector<Point> read_points(const json::Value& value, Diagnostics& diagnostics) {
-    std::vector<Point> points;
-    if (!value.is(json::Kind::array)) {
-        points.push_back(read_point(value, 0, diagnostics));
-        return points;
-    }
-    for (const json::Member& member : value.children())
-        points.push_back(read_point(member.value, points.size(), diagnostics));
-    return points;
+void PointList::set(const InputNeed& need, size_t point, size_t lane, double value) {
+    std::vector<double>& column = given.at(need.input, need.variant);
+    const size_t lanes = lanes_of(need);
+    if (column.size() < (point + 1) * lanes) column.resize((point + 1) * lanes, missing);
+    column[point * lanes + lane] = value;
 }
 
-std::vector<Point> points_of_option(const std::string& at, Diagnostics& diagnostics) {
-    std::optional<std::string> text = at;
-    std::string name = "--at";
-    if (at == "-" || at.starts_with('@')) {
-        const std::string file = at == "-" ? at : at.substr(1);
-        name = stream_title(file).empty() ? file : stream_title(file);
-        text = read_text(file, diagnostics);
-    }
+void PointList::finish() {
+    given.at(SurfaceInput::facing_).resize(given.count, 1);
+    for (int i = 0; i < surface_input_count; ++i)
+        for (const Variant variant : {Variant::value, Variant::dx, Variant::dy}) {
+            const InputNeed need{static_cast<SurfaceInput>(i), variant};
+            std::vector<double>& column = given.at(need.input, variant);
+            if (!column.empty()) column.resize(given.count * lanes_of(need), missing);
+        }
+}
+
+bool PointList::check(const Needs& needs, Diagnostics& diagnostics) const {
+    const size_t errors = diagnostics.error_count();
+    for (const InputNeed& need : needs)
+        if (!file.empty() && count() > 0 && given.at(need.input, need.variant).empty())
+            diagnostics.add(file_problem(
+                Severity::error, file, lacks("the table", need),
+                "the graph needs it: " + column_name(name_of(need), 0, lanes_of(need))));
+    for (size_t point = 0; point < sources.size(); ++point)
+        for (const InputNeed& need : needs) {
+            const std::vector<double>& column = given.at(need.input, need.variant);
+            if (column.empty() || std::isnan(column[point * lanes_of(need)]))
+                report_at(sources[point], lacks("point " + std::to_string(point), need),
+                          "the graph needs it", diagnostics);
+        }
+    return diagnostics.error_count() == errors;
+}
+
+void PointList::report(size_t point, Severity severity, std::string message, std::string expected,
+                       Diagnostics& diagnostics) const {
+    if (numbered) message = "point " + std::to_string(point) + ": " + message;
+    if (!sources.empty())
+        return report_at(sources[point], std::move(message), std::move(expected), diagnostics,
+                         severity);
+    Diagnostic problem = file_problem(severity, file, std::move(message), std::move(expected));
+    if (first_line > 0) problem.where = {file, first_line + static_cast<uint32_t>(point), 1};
+    diagnostics.add(std::move(problem));
+}
+
+std::string lacks(const std::string& owner, const InputNeed& need) {
+    return owner + " lacks '" + name_of(need) + "'";
+}
+
+PointList read_points(const json::Value& value, Diagnostics& diagnostics) {
+    PointList list;
+    PointReader reader(list, diagnostics);
+    if (!value.is(json::Kind::array)) reader.read(value);
+    if (value.is(json::Kind::array))
+        for (const json::Member& member : value.children())
+            reader.read(member.value);
+    list.finish();
+    return list;
+}
+
+PointList open_list(const std::string& at, Diagnostics& diagnostics) {
+    const bool is_table = at.ends_with(".csv") || at.ends_with(".npy");
+    const bool is_text = !is_table && at != "-" && !at.starts_with('@');
+    const std::string file = at.starts_with('@') ? at.substr(1) : at;
+    const auto text = is_text ? at : read_text(file, diagnostics);
     if (!text) return {};
+    if (is_table) return read_table(file, *text, diagnostics);
+    const std::string stream = stream_title(file);
     Diagnostics own;
-    const json::Parsed parsed = json::parse(*text, name, own);
+    const json::Parsed parsed = json::parse(*text,
+                                            is_text          ? "--at"
+                                            : stream.empty() ? file
+                                                             : stream,
+                                            own);
     diagnostics.append(own);
-    if (own.has_errors()) return {};
-    return read_points(parsed.root, diagnostics);
+    return own.has_errors() ? PointList() : read_points(parsed.root, diagnostics);
 }
 
 }  // namespace wrinkle::cli

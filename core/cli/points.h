@@ -1,13 +1,13 @@
-// Surface points in JSON.
+// Surface points as columns of numbers, read from JSON or from a table: a CSV file with a header
+// line, or an NPY file (cli/npy.h).
 //
-//   {"position": [x, y, z], "normal": [...], "uv0": [u, v], ..., "facing": 1,
-//    "dx": {"position": [...], "uv0": [...], ...}, "dy": {...}}
+//   {"normal": [x, y, z], "uv0": [u, v], "facing": 1, "dx": {"uv0": [0.001, 0]}, "dy": {...}}
+//   normal.x,normal.y,normal.z,uv0.x,uv0.y,facing,dx.uv0.x,dx.uv0.y
 //
-// dx and dy hold the differentials to the next pixel. Only `facing` has a default (+1); a value
-// that a material needs and a point lacks is an error that names it. Numbers are finite.
+// dx and dy hold the differentials to the next pixel. Only `facing` has a default (+1). Numbers are
+// finite and no normal is zero. Errors name the JSON value, or the file, line (CSV) and point.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -17,28 +17,40 @@
 
 namespace wrinkle::cli {
 
-struct Point {
-    struct Slot {
-        bool given = false;
-        std::array<double, 4> lanes{};
-    };
-    std::array<Slot, PointSet::inputs * 3> slots;
-    std::string name;    // "point 3", for messages
-    json::Value source;  // value that the point was read from
+using Needs = std::vector<InputNeed>;
 
-    Slot& operator[](const InputNeed& input) { return slots[index(input)]; }
-    const Slot& operator[](const InputNeed& input) const { return slots[index(input)]; }
+struct PointList {
+    PointSet given;                    // NaN: the point lacks the value; empty: all points do
+    std::string file;                  // of a table; "": from JSON
+    uint32_t first_line = 0;           // CSV: line of the first point
+    bool numbered = true;              // messages have the number of the point
+    std::vector<json::Value> sources;  // JSON: values of the points
 
-private:
-    static size_t index(const InputNeed& input) {
-        return static_cast<size_t>(input.input) * 3 + static_cast<size_t>(input.variant);
-    }
+    size_t count() const { return given.count; }
+    // Reports needed values that the points lack; returns true if there are none.
+    bool check(const Needs& needs, Diagnostics& diagnostics) const;
+    // Reports a problem at a point.
+    void report(size_t point, Severity severity, std::string message, std::string expected,
+                Diagnostics& diagnostics) const;
+    // Stores one number. O(1) amortized.
+    void set(const InputNeed& need, size_t point, size_t lane, double value);
+    // Completes the columns after the last point.
+    void finish();
 };
 
-// Reads one point or an array of points.
-std::vector<Point> read_points(const json::Value& value, Diagnostics& diagnostics);
+std::string lacks(const std::string& owner, const InputNeed& need);  // "the table lacks 'uv0'"
 
-// Reads the value of --at: JSON text, "@FILE", or "-" for standard input.
-std::vector<Point> points_of_option(const std::string& at, Diagnostics& diagnostics);
+// Returns the name of one column: "uv0.x", "dx.normal.z", "facing".
+std::string column_name(const std::string& value, size_t lane, size_t lanes);
+
+// Reads one point or an array of points.
+PointList read_points(const json::Value& value, Diagnostics& diagnostics);
+
+// Reads a table; `file` ends with .csv or .npy. Columns may have any order; an input needs all its
+// components. Returns no points after an error.
+PointList read_table(const std::string& file, std::string_view bytes, Diagnostics& diagnostics);
+
+// Reads the value of --at: JSON text, "@FILE", "-" for standard input, or the name of a table.
+PointList open_list(const std::string& at, Diagnostics& diagnostics);
 
 }  // namespace wrinkle::cli

@@ -74,9 +74,11 @@ std::optional<std::string> read_text(const std::string& file, Diagnostics& diagn
 }
 
 void report_at(const json::Value& value, std::string message, std::string expected,
-               Diagnostics& diagnostics) {
+               Diagnostics& diagnostics, Severity severity) {
     if (diagnostics.dropped() > 0) return diagnostics.add({});
-    diagnostics.add(diagnose(value, "", std::move(message), std::move(expected)));
+    Diagnostic problem = diagnose(value, "", std::move(message), std::move(expected));
+    problem.severity = severity;
+    diagnostics.add(std::move(problem));
 }
 
 bool report_no_graph(const std::string& file, Diagnostics& diagnostics) {

@@ -53,10 +53,10 @@ std::vector<std::string> graphs_among(const std::vector<std::string>& files,
 // Reads a complete file or stream; returns std::nullopt and reports an error on failure.
 std::optional<std::string> read_text(const std::string& file, Diagnostics& diagnostics);
 
-// Reports an error at a JSON value. After the limit of the list it only counts errors, because
+// Reports a problem at a JSON value. After the limit of the list it only counts, because
 // computing a JSON pointer takes O(array length).
 void report_at(const json::Value& value, std::string message, std::string expected,
-               Diagnostics& diagnostics);
+               Diagnostics& diagnostics, Severity severity = Severity::error);
 
 // Values of --set. All sweeps advance by one value per run, so their lengths must be equal.
 struct Overrides {

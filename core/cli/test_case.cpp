@@ -25,17 +25,17 @@ public:
         if (!wants(root, Kind::object, "a test file")) return;
         for (const json::Member& member : root.children())
             if (is_known(member, case_keys())) read_key(member);
-        if (test_.points.empty() && !test_.glsl && !test_.render)
+        if (test_.points.count() == 0 && !test_.glsl && !test_.render)
             error(root, "there is no case in this file", "points, \"glsl\": true or render");
         if (updating) return;
         for (const json::Member& entry : test_.expect.children())
             if (entry.value.size() == 0)
                 error(entry.value, "this entry expects nothing", "at least one output");
         const size_t expected = test_.expect.size();
-        if (expected != test_.points.size())
+        if (expected != test_.points.count())
             error(root.has("expect") ? test_.expect : root,
-                  std::to_string(test_.points.size()) + " points, but " + std::to_string(expected) +
-                      " entries in 'expect'",
+                  std::to_string(test_.points.count()) + " points, but " +
+                      std::to_string(expected) + " entries in 'expect'",
                   "one for each point; --update writes them");
     }
 

@@ -25,7 +25,7 @@ struct TestCase {
     std::filesystem::path graph;  // NAME.json
     std::string name;             // NAME
     std::vector<std::string> set;
-    std::vector<Point> points;
+    PointList points;
     json::Value expect;  // null: not given
     double tolerance_deg = 0.05;
     double tolerance = 1e-4;

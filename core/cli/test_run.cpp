@@ -81,13 +81,13 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     TextureStore textures;
     Shader shader;
     const bool displaced = test.render && test.render->options.displace;
-    if (!own.has_errors() && (!test.points.empty() || displaced)) compile(true, given);
+    if (!own.has_errors() && (test.points.count() > 0 || displaced)) compile(true, given);
     if (!own.has_errors() && (test.glsl || test.render)) compile(false, screen);
     if (!own.has_errors() && screen) shader = emit_function(*screen, material_name(graph), own);
     if (!own.has_errors() && given) read_textures(textures, given->compiled, given->project, own);
     if (!own.has_errors() && test.render)
         read_textures(textures, screen->compiled, screen->project, own);
-    if (!own.has_errors() && !test.points.empty()) values(test, *given, textures, own);
+    if (!own.has_errors() && test.points.count() > 0) values(test, *given, textures, own);
     if (!own.has_errors() && test.glsl) text(test, shader);
     std::optional<Mesh> still, moved;
     if (!own.has_errors() && test.render)
@@ -111,21 +111,21 @@ void TestRun::values(const TestCase& test, const MaterialRun& run, const Texture
                      Diagnostics& diagnostics) {
     const auto columns = evaluate_at(run, textures, test.points, precision, diagnostics);
     if (!columns) return;
-    std::vector<bool> differs(test.points.size());
-    for (size_t point = 0; point < test.points.size(); ++point) {
+    std::vector<bool> differs(test.points.count());
+    for (size_t point = 0; point < test.points.count(); ++point) {
         const json::Value expected = entry_of(test, point);
         const auto sentences = differences(test, run.project.top(), expected, *columns, point);
         differs[point] = !sentences.empty() || expected.size() == 0;
         if (options_.update && is_finite(*columns, point))
             pass();
         else if (options_.update)
-            fail(test, test.points[point].source, "",
+            fail(test, test.points.sources[point], "",
                  "point " + std::to_string(point) + ": " + values_json(*columns, point, precision) +
                      " is not finite");
         else if (sentences.empty())
             pass();
         else
-            fail(test, test.points[point].source, "",
+            fail(test, test.points.sources[point], "",
                  "point " + std::to_string(point) + ", " + joined(sentences, "; "));
     }
     if (options_.update) update_values(test, *columns, differs);
@@ -135,8 +135,8 @@ void TestRun::values(const TestCase& test, const MaterialRun& run, const Texture
 void TestRun::update_values(const TestCase& test, const std::vector<OutputColumn>& columns,
                             const std::vector<bool>& differs) {
     std::vector<std::string> entries;
-    bool changed = test.expect.size() != test.points.size();
-    for (size_t point = 0; point < test.points.size(); ++point) {
+    bool changed = test.expect.size() != test.points.count();
+    for (size_t point = 0; point < test.points.count(); ++point) {
         const json::Value entry = entry_of(test, point);
         if (!is_finite(columns, point)) return;
         changed = changed || differs[point];

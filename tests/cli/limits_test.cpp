@@ -51,7 +51,7 @@ std::string points(const std::string& point, size_t count) {
 TEST_F(LimitsTest, OutOfMemoryIsOneSentence) {
     LIMITED_MEMORY;
     put("g.json", ramp_graph());
-    put("p.json", points("{}", 200'000));
+    put("p.json", points("{}", 2'000'000));
     memory = 100'000'000;
     const Ran ran = run({"eval", "g.json", "--at", "@p.json"});
     EXPECT_EQ(ran.code, 3);
