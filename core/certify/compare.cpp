@@ -126,18 +126,18 @@ std::optional<Values> on_gpu(const Shader& shader, const PointSet& points, const
     return values;
 }
 
-std::optional<Judge> make_judge(const Module& module, const PointSet& points, const ImageOf& images,
-                                std::string& why) {
-    Judge judge{&module, {}, {}};
+std::optional<Reference> make_reference(const Module& module, const PointSet& points,
+                                        const ImageOf& images, std::string& why) {
+    Reference reference{&module, {}, {}};
     auto precise = on_cpu<double>(module, points, images, why);
     if (!precise) return {};
-    judge.precise = std::move(*precise);
+    reference.precise = std::move(*precise);
     for (unsigned seed = 0; seed < nudges; ++seed)
-        judge.nudged.push_back(*on_cpu<double>(module, nudged(points, seed), images, why));
-    return judge;
+        reference.nudged.push_back(*on_cpu<double>(module, nudged(points, seed), images, why));
+    return reference;
 }
 
-Comparison Judge::compare(const Values& a, const Values& b) const {
+Comparison Reference::compare(const Values& a, const Values& b) const {
     Comparison result;
     for (size_t output = 0; output < precise.size(); ++output) {
         const size_t lanes = lanes_of(*module, output);

@@ -50,7 +50,7 @@ struct Comparison {
 // Reference results for comparisons with the parity tolerances: normals to 0.05 degrees, other
 // values to 1e-4 of the range of their output in `precise`. A value is unstable if a `nudged`
 // result differs from `precise` by more than the tolerance. The module must outlive this object.
-struct Judge {
+struct Reference {
     const Module* module = nullptr;
     Values precise;              // in double
     std::vector<Values> nudged;  // in double, with inputs moved by 4 float ulp
@@ -58,8 +58,8 @@ struct Judge {
     Comparison compare(const Values& a, const Values& b) const;
 };
 // Returns std::nullopt and sets `why` if a limit of the evaluator is exceeded.
-std::optional<Judge> make_judge(const Module& module, const PointSet& points, const ImageOf& images,
-                                std::string& why);
+std::optional<Reference> make_reference(const Module& module, const PointSet& points,
+                                        const ImageOf& images, std::string& why);
 
 // Returns the shortest decimal of the value rounded to float.
 std::string brief(double value);

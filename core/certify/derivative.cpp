@@ -85,99 +85,80 @@ std::optional<Around> around(const Module& module, std::string& why) {
     return Around{std::move(*here), *at(step), *at(-step), *at(step / 2), *at(-step / 2)};
 }
 
-class DerivativeCheck {
-public:
-    DerivativeCheck(const NodeType& type, const CertifyContext& context, Report& report)
-        : type_(type), context_(context), report_(report) {}
-
-    void run(Inputs inputs) {
-        const Subject subject = compile_harness(type_, inputs, 31, context_);
-        if (!subject.compiled.ok || !subject.compiled.module.resources.empty()) return;
-        const Module module = with_derivatives(subject, context_);
-        if (module.outputs.empty()) return;
-        std::string why;
-        const auto values = around(module, why);
-        if (!values)
-            return report_.add({"derivative", "", why, "fewer iterations of loops", subject.text});
-        for (size_t k = 0; k < module.outputs.size(); k += columns)
-            compare(module, k, *values, inputs, subject);
-    }
-
-private:
-    void compare(const Module& module, size_t output, const Around& around, Inputs inputs,
-                 const Subject& subject) {
-        const std::string port = port_of(module.outputs[output].name);
-        const std::vector<double>& here = around.here[output + derived];
-        const double scale = largest(here), rounding = rounding_of(around.here[output]);
-        // "detach" is checked for constant inputs only: with varying inputs, values detached for
-        // filtering (the pixel size) vary too.
-        const bool bumps = module.outputs[output].port_type == WR_PORT_height &&
-                           (inputs == Inputs::defaults || inputs == Inputs::numbers);
-        size_t kinks = 0;
-        for (size_t k = 0; k < here.size(); ++k) {
-            const double wide = (around.right[output][k] - around.left[output][k]) / (2 * step);
-            const double narrow =
-                (around.near_right[output][k] - around.near_left[output][k]) / step;
-            const Slope slope = slope_of(wide, narrow, scale, rounding);
-            kinks += slope.smooth ? 0 : 1;
-            if (!slope.smooth) continue;
-            const Wrong wrong{
-                k / lanes_of(module, output), slope.value,
-                1e-4 * std::max(std::fabs(slope.value), 1e-3 * scale) + 1e-9 + rounding};
-            if (!wrong.near(here[k]))
-                differs("derivative", port, wrong, here[k], inputs, subject);
-            else if (bumps && !wrong.near(around.here[output + bump][k]))
-                differs("detach", port, wrong, around.here[output + bump][k], inputs, subject);
-        }
-        report_.kinks += kinks;
-        report_.derivatives += here.size() - kinks;
-        if (min_smooth_share * kinks > here.size())
-            jumps(port, kinks, here.size(), inputs, subject);
-    }
-
-    struct Wrong {
-        size_t point;
-        double differences;
-        double allowed;
-        bool near(double derived) const { return std::fabs(derived - differences) <= allowed; }
-    };
-    void differs(const std::string& check, const std::string& port, const Wrong& wrong,
-                 double found, Inputs inputs, const Subject& subject) {
-        const std::string remedy =
-            check == "detach"
-                ? "a bump leaves out what is detached or given a slope of its own: detach() only "
-                  "what is constant around a point, or say that it is meant: --allow detach"
-                : "floor, ceil, step and integers have derivative 0: use them on what is constant "
-                  "around a point";
-        report_.add({check, port,
-                     words(inputs) + ", at point " + std::to_string(wrong.point) +
-                         ", it changes by " + brief(wrong.differences) +
-                         " a pixel, its derivative is " + brief(found) + "; " +
-                         brief(wrong.allowed) + " apart are allowed",
-                     remedy, subject.text});
-    }
-
-    void jumps(const std::string& port, size_t kinks, size_t all, Inputs inputs,
-               const Subject& subject) {
-        report_.add({"derivative", port,
-                     words(inputs) + ", " + std::to_string(kinks) + " of " + std::to_string(all) +
-                         " numbers lie on a jump or a kink, where there is no slope; one in " +
-                         std::to_string(min_smooth_share) + " is allowed",
-                     "make it smooth, or fade it out where it is finer than a pixel: fwidth()",
-                     subject.text});
-    }
-
-    const NodeType& type_;
-    const CertifyContext& context_;
-    Report& report_;
+// A derivative by differences.
+struct Expected {
+    size_t point;
+    double value;
+    double allowed;
+    bool near(double derived) const { return std::fabs(derived - value) <= allowed; }
 };
+
+void differs(const Trial& trial, const std::string& port, const Expected& expected, double found,
+             bool detached) {
+    trial.add(
+        detached ? "detach" : "derivative", port,
+        "at point " + std::to_string(expected.point) + ", it changes by " + brief(expected.value) +
+            " a pixel, its derivative is " + brief(found) + "; " + brief(expected.allowed) +
+            " apart are allowed",
+        detached ? "a bump leaves out what is detached or given a slope of its own: detach() only "
+                   "what is constant around a point, or say that it is meant: --allow detach"
+                 : "floor, ceil, step and integers have derivative 0: use them on what is constant "
+                   "around a point");
+}
+
+// Compares the derivative of one output.
+void compare(const Trial& trial, const Module& module, size_t output, const Around& around) {
+    const std::string port = port_of(module.outputs[output].name);
+    const std::vector<double>& here = around.here[output + derived];
+    const double scale = largest(here), rounding = rounding_of(around.here[output]);
+    // "detach" is checked for constant inputs only: with varying inputs, values detached for
+    // filtering (the pixel size) vary too.
+    const bool bumps = module.outputs[output].port_type == WR_PORT_height &&
+                       (trial.inputs == Inputs::defaults || trial.inputs == Inputs::numbers);
+    size_t kinks = 0;
+    for (size_t k = 0; k < here.size(); ++k) {
+        const double wide = (around.right[output][k] - around.left[output][k]) / (2 * step);
+        const double narrow = (around.near_right[output][k] - around.near_left[output][k]) / step;
+        const Slope slope = slope_of(wide, narrow, scale, rounding);
+        kinks += slope.smooth ? 0 : 1;
+        if (!slope.smooth) continue;
+        const Expected expected{
+            k / lanes_of(module, output), slope.value,
+            1e-4 * std::max(std::fabs(slope.value), 1e-3 * scale) + 1e-9 + rounding};
+        const double of_bump = around.here[output + bump][k];
+        if (!expected.near(here[k]))
+            differs(trial, port, expected, here[k], false);
+        else if (bumps && !expected.near(of_bump))
+            differs(trial, port, expected, of_bump, true);
+    }
+    trial.report.kinks += kinks;
+    trial.report.derivatives += here.size() - kinks;
+    if (min_smooth_share * kinks > here.size())
+        trial.add("derivative", port,
+                  std::to_string(kinks) + " of " + std::to_string(here.size()) +
+                      " numbers lie on a jump or a kink, where there is no slope; one in " +
+                      std::to_string(min_smooth_share) + " is allowed",
+                  "make it smooth, or fade it out where it is finer than a pixel: fwidth()");
+}
+
+void derivatives(const Trial& trial) {
+    if (!trial.subject.compiled.module.resources.empty()) return;
+    const Module module = with_derivatives(trial.subject, trial.context);
+    if (module.outputs.empty()) return;
+    std::string why;
+    const auto values = around(module, why);
+    if (!values)
+        return trial.report.add(
+            {"derivative", "", why, "fewer iterations of loops", trial.subject.text});
+    for (size_t k = 0; k < module.outputs.size(); k += columns)
+        compare(trial, module, k, *values);
+}
 
 }  // namespace
 
 void check_derivatives(const NodeType& type, const CertifyContext& context, Report& report) {
-    DerivativeCheck check(type, context, report);
-    for (const Inputs inputs : {Inputs::defaults, Inputs::numbers, Inputs::wires, Inputs::mixed})
-        check.run(inputs);
+    each_trial(type, {Inputs::defaults, Inputs::numbers, Inputs::wires, Inputs::mixed}, 31, context,
+               report, derivatives);
 }
 
 }  // namespace wrinkle::certify

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cctype>
+#include <functional>
 
 #include "base/text.h"
 #include "certify/checks.h"
@@ -19,70 +20,46 @@ bool is_angle(const Port& port) {
     return port.name == "angle" || port.name.ends_with("_angle") || port.name == "rotation";
 }
 
-// Checks one port of a node.
-class PortCheck {
-public:
-    PortCheck(const Port& port, Report& report) : port_(port), report_(report) {}
+using Fault = std::function<void(std::string message, std::string remedy)>;
 
-    void run() {
-        names();
-        doc();
-        if (!port_.is_option()) unit();
-        ranges();
-    }
+void check_texts(const Port& port, const Fault& fault) {
+    if (!is_name(port.name)) fault("its name is not lower_snake_case", "letters a-z, digits and _");
+    if (port.kind == Port::Kind::choice && port.choices.size() < 2)
+        fault("a choice of one", "give it two names, or remove it");
+    if (port.doc.size() < 2)
+        fault("it has no doc line", "say in one line what it is, with its unit");
+    else if (port.doc == port.name)
+        fault("its doc line only repeats its name", "say what it is, with its unit");
+}
 
-private:
-    void fault(std::string message, std::string remedy) {
-        report_.add({"descriptor", port_.name, std::move(message), std::move(remedy), {}});
-    }
+void check_unit(const Port& port, const Fault& fault) {
+    if (port.is_option() || !port.unit.empty()) return;
+    if (port.type == PortType::height_ && !mentions(port.doc, {"length unit"}))
+        fault("a height without a unit", R"(unit("m"), or "length units" in its doc line)");
+    if (port.type == PortType::float_ && is_angle(port) &&
+        !mentions(port.doc, {"degree", "radian", "turn"}))
+        fault("an angle without a unit",
+              R"(unit("deg") or unit("rad"), or the word in its doc line)");
+}
 
-    void names() {
-        if (!is_name(port_.name))
-            fault("its name is not lower_snake_case", "letters a-z, digits and _");
-        if (port_.kind == Port::Kind::choice && port_.choices.size() < 2)
-            fault("a choice of one", "give it two names, or remove it");
-    }
-
-    void doc() {
-        if (port_.doc.size() < 2)
-            fault("it has no doc line", "say in one line what it is, with its unit");
-        else if (port_.doc == port_.name)
-            fault("its doc line only repeats its name", "say what it is, with its unit");
-    }
-
-    void unit() {
-        if (!port_.unit.empty()) return;
-        if (port_.type == PortType::height_ && !mentions(port_.doc, {"length unit"}))
-            fault("a height without a unit", R"(unit("m"), or "length units" in its doc line)");
-        if (port_.type == PortType::float_ && is_angle(port_) &&
-            !mentions(port_.doc, {"degree", "radian", "turn"}))
-            fault("an angle without a unit",
-                  R"(unit("deg") or unit("rad"), or the word in its doc line)");
-    }
-
-    void ranges() {
-        const auto range = [](double low, double high) {
-            return shortest(low) + " to " + shortest(high);
-        };
-        if (port_.soft_min > port_.soft_max || port_.hard_min > port_.hard_max)
-            return fault("a range ends before it begins", "the lower end first");
-        if (!port_.has_hard_range()) return;
-        if (port_.has_soft_range() &&
-            (port_.soft_min < port_.hard_min || port_.soft_max > port_.hard_max))
-            fault("its slider goes from " + range(port_.soft_min, port_.soft_max) +
-                      ", outside its limits " + range(port_.hard_min, port_.hard_max),
-                  "what lies outside is clamped: make the slider end there");
-        const double value = port_.default_value[0];
-        if (port_.default_kind == Port::Default::constant &&
-            (value < port_.hard_min || value > port_.hard_max))
-            fault("its default " + shortest(value) + " is outside its limits " +
-                      range(port_.hard_min, port_.hard_max),
-                  "a default within them");
-    }
-
-    const Port& port_;
-    Report& report_;
-};
+void check_ranges(const Port& port, const Fault& fault) {
+    const auto range = [](double low, double high) {
+        return shortest(low) + " to " + shortest(high);
+    };
+    if (port.soft_min > port.soft_max || port.hard_min > port.hard_max)
+        return fault("a range ends before it begins", "the lower end first");
+    if (!port.has_hard_range()) return;
+    if (port.has_soft_range() && (port.soft_min < port.hard_min || port.soft_max > port.hard_max))
+        fault("its slider goes from " + range(port.soft_min, port.soft_max) +
+                  ", outside its limits " + range(port.hard_min, port.hard_max),
+              "what lies outside is clamped: make the slider end there");
+    const double value = port.default_value[0];
+    if (port.default_kind == Port::Default::constant &&
+        (value < port.hard_min || value > port.hard_max))
+        fault("its default " + shortest(value) + " is outside its limits " +
+                  range(port.hard_min, port.hard_max),
+              "a default within them");
+}
 
 }  // namespace
 
@@ -100,7 +77,10 @@ void check_descriptor(const NodeType& type, Report& report) {
     if (std::none_of(type.ports.begin(), type.ports.end(), is_output))
         fault("it has no output", "declare one with .out<T>()");
     for (const Port& port : type.ports)
-        PortCheck(port, report).run();
+        for (const auto check : {check_texts, check_unit, check_ranges})
+            check(port, [&](std::string message, std::string remedy) {
+                report.add({"descriptor", port.name, std::move(message), std::move(remedy), {}});
+            });
 }
 
 }  // namespace wrinkle::certify

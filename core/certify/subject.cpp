@@ -11,7 +11,7 @@ namespace wrinkle::certify {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* picture_names[] = {"a.exr", "b.exr"};
+constexpr const char* image_names[] = {"a.exr", "b.exr"};
 constexpr int max_attempts = 50;
 
 Image random_image(uint32_t width, uint32_t height, unsigned seed) {
@@ -24,34 +24,28 @@ Image random_image(uint32_t width, uint32_t height, unsigned seed) {
 
 }  // namespace
 
-std::optional<PictureFolder> PictureFolder::make(std::string& why) {
+std::shared_ptr<const fs::path> make_image_folder(std::string& why) {
     std::error_code error;
     std::string name = (fs::temp_directory_path(error) / "wrinkle-certify-XXXXXX").string();
     if (error || !mkdtemp(name.data())) {
         why = name + ": " + (error ? error.message() : std::generic_category().message(errno));
         return {};
     }
-    PictureFolder folder;
-    folder.path_ = fs::canonical(name, error);
-    if (error) folder.path_ = name;
-    for (const char* picture : picture_names)
-        if (!write_file(folder.path_ / picture, "never read", why)) return {};
+    const auto remove = [](const fs::path* path) {
+        std::error_code ignored;
+        fs::remove_all(*path, ignored);
+        delete path;
+    };
+    const std::shared_ptr<const fs::path> folder(new fs::path(real_path(name)), remove);
+    for (const char* image : image_names)
+        if (!write_file(*folder / image, "never read", why)) return {};
     return folder;
-}
-
-PictureFolder::PictureFolder(PictureFolder&& other) noexcept : path_(std::move(other.path_)) {
-    other.path_.clear();
-}
-
-PictureFolder::~PictureFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
 }
 
 const MipChain& test_image(const std::string& file) {
     static const MipChain a = build_mips(random_image(16, 8, 1));
     static const MipChain b = build_mips(random_image(7, 5, 2));
-    return fs::path(file).filename() == picture_names[0] ? a : b;
+    return fs::path(file).filename() == image_names[0] ? a : b;
 }
 
 Compiled compile(const Project& project, const CertifyContext& context, Options options,
@@ -84,6 +78,19 @@ Subject compile_harness(const NodeType& type, Inputs inputs, unsigned seed,
         subject.problem = diagnostics.list().empty() ? "" : diagnostics.list().front().message;
     }
     return subject;
+}
+
+void Trial::add(const char* check, const std::string& port, const std::string& message,
+                std::string remedy) const {
+    report.add({check, port, words(inputs) + ", " + message, std::move(remedy), subject.text});
+}
+
+void each_trial(const NodeType& type, std::initializer_list<Inputs> inputs, unsigned seed,
+                const CertifyContext& context, Report& report, void (*check)(const Trial&)) {
+    for (const Inputs each : inputs) {
+        const Trial trial{compile_harness(type, each, seed, context), each, context, report};
+        if (trial.subject.compiled.ok) check(trial);
+    }
 }
 
 std::string port_of(const std::string& output) {

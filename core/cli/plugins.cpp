@@ -68,33 +68,25 @@ TypeList types_of(const Loaded& loaded) {
     return types;
 }
 
-// GL context for the checks on the GPU, or the reason why it is unavailable.
-struct Gpu {
-    std::optional<gpu::Context> context;
-    std::string missing;  // reason; "" if there is a context
+// Returns a current GL context; std::nullopt and the reason in `missing` on failure.
+std::optional<gpu::Context> current_context(std::string& missing) {
+    Diagnostics diagnostics;
+    auto context = gpu::Context::offscreen(diagnostics);
+    if (context && context->make_current()) return context;
+    missing = diagnostics.list().empty() ? "the context cannot be used"
+                                         : diagnostics.list().front().message;
+    return {};
+}
 
-    explicit Gpu(bool wanted) {
-        if (!wanted) {
-            missing = "--no-gpu";
-            return;
-        }
-        Diagnostics diagnostics;
-        context = gpu::Context::offscreen(diagnostics);
-        if (context && context->make_current()) return;
-        context.reset();
-        missing = diagnostics.list().empty() ? "the context cannot be used"
-                                             : diagnostics.list().front().message;
-    }
-};
-
-int summary(size_t nodes, size_t failed, const Gpu& gpu, bool gpu_wanted) {
-    if (gpu.missing.empty())
+// `missing`: why there is no GPU.
+int summary(size_t nodes, size_t failed, const std::string& missing, bool gpu_wanted) {
+    if (missing.empty())
         std::printf("GPU: %s\n", gpu::Context::renderer_name().c_str());
     else
-        std::printf("GPU: NOT RUN, CPU and GPU were not compared (%s)\n", gpu.missing.c_str());
+        std::printf("GPU: NOT RUN, CPU and GPU were not compared (%s)\n", missing.c_str());
     std::printf("%zu ok, %zu failed\n", nodes - failed, failed);
     if (failed > 0) return exit_input;
-    return gpu.missing.empty() || !gpu_wanted ? exit_success : exit_environment;
+    return missing.empty() || !gpu_wanted ? exit_success : exit_environment;
 }
 
 void declare_certify(CLI::App& command, CertifyOptions& options) {
@@ -123,10 +115,11 @@ int certify_plugin(const CertifyOptions& options) {
     const Loaded loaded = load(options.file, diagnostics);
     if (!loaded.fine()) return report(diagnostics, options.diagnostics);
     std::string why;
-    const auto pictures = certify::PictureFolder::make(why);
+    const auto pictures = certify::make_image_folder(why);
     if (!pictures) return fail(exit_environment, why);
-    const Gpu gpu(!options.no_gpu);
-    const certify::CertifyContext bench{loaded.registry, pictures->path(), gpu.missing.empty(), {}};
+    std::string missing = options.no_gpu ? "--no-gpu" : "";
+    const auto gpu = options.no_gpu ? std::nullopt : current_context(missing);
+    const certify::CertifyContext bench{loaded.registry, *pictures, gpu.has_value(), {}};
     const TypeList types = types_of(loaded);
     const PluginReport& plugin = loaded.reports.front();
     std::printf("%s\n    %s %s\n", printable(options.file).c_str(), plugin.id.c_str(),
@@ -145,7 +138,7 @@ int certify_plugin(const CertifyOptions& options) {
         for (const certify::Finding& finding : found.findings)
             diagnostics.add(to_diagnostic(finding, found, options.file));
     }
-    const int code = summary(types.size(), failed, gpu, !options.no_gpu);
+    const int code = summary(types.size(), failed, missing, !options.no_gpu);
     if (options.diagnostics == "json") report(diagnostics, options.diagnostics);
     return code;
 }

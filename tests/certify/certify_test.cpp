@@ -30,11 +30,11 @@ class Certify : public test::WithGpu {
 protected:
     static Report of(const std::string& id) {
         std::string why;
-        const auto pictures = PictureFolder::make(why);
+        const auto pictures = make_image_folder(why);
         EXPECT_TRUE(pictures) << why;
         const NodeType* type = nodes().find(id);
         EXPECT_TRUE(type) << id;
-        return type ? certify(*type, {nodes(), pictures->path(), true, {}}) : Report{};
+        return type ? certify(*type, {nodes(), *pictures, true, {}}) : Report{};
     }
 
     // Formats every finding as "check: port: message (remedy)".

@@ -170,11 +170,11 @@ class Chains : public testing::TestWithParam<Wiring> {};
 
 TEST_P(Chains, OfAnyTwoNodeTypesBecomeATextOrAreRefused) {
     std::string why;
-    const auto folder = certify::PictureFolder::make(why);
+    const auto folder = certify::make_image_folder(why);
     ASSERT_TRUE(folder) << why;
     const std::vector<Case> all = cases(all_chains(), GetParam());
     ASSERT_GT(all.size(), 300U);
-    const Survey found = survey(all, folder->path());
+    const Survey found = survey(all, *folder);
     for (const std::string& each : found.wrong)
         ADD_FAILURE() << each;
     const auto [text, refused, illegal] = found.count;

@@ -10,7 +10,7 @@ namespace wrinkle::test {
 
 using certify::Comparison;
 using certify::ImageOf;
-using certify::Judge;
+using certify::Reference;
 using certify::Values;
 
 template <class T>
@@ -33,11 +33,12 @@ inline Values on_gpu(const Module& module, const PointSet& points, const ImageOf
     return on_gpu(certify::given_text(module), points, images);
 }
 
-inline Judge make_judge(const Module& module, const PointSet& points, const ImageOf& images) {
+inline Reference make_reference(const Module& module, const PointSet& points,
+                                const ImageOf& images) {
     std::string why;
-    auto judge = certify::make_judge(module, points, images, why);
-    EXPECT_TRUE(judge) << why;
-    return judge ? std::move(*judge) : Judge{};
+    auto reference = certify::make_reference(module, points, images, why);
+    EXPECT_TRUE(reference) << why;
+    return reference ? std::move(*reference) : Reference{};
 }
 
 }  // namespace wrinkle::test

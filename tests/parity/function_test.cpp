@@ -292,9 +292,9 @@ TEST_F(FunctionParity, OfRandomProjects) {
         SCOPED_TRACE(seed);
         const Nested nested(random_texts(seed));
         const Module module = nested.compile({}).module;
-        const Judge judge = make_judge(module, points(), test_image);
+        const Reference reference = make_reference(module, points(), test_image);
         const Comparison result =
-            judge.compare(judge.precise, on_gpu(module, points(), test_image));
+            reference.compare(reference.precise, on_gpu(module, points(), test_image));
         EXPECT_EQ(result.different, 0U)
             << (result.first ? result.first->a + " and " + result.first->b : "");
         values += result.values - result.unstable;

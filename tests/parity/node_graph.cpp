@@ -25,13 +25,13 @@ const Registry& all_nodes() {
 }
 
 std::string image_folder() {
-    static const std::optional<certify::PictureFolder> folder = [] {
+    static const auto folder = [] {
         std::string why;
-        auto made = certify::PictureFolder::make(why);
+        auto made = certify::make_image_folder(why);
         EXPECT_TRUE(made) << why;
         return made;
     }();
-    return folder ? folder->path().string() : "";
+    return folder ? folder->string() : "";
 }
 
 certify::CertifyContext bench(bool gpu) {

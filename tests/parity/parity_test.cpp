@@ -75,12 +75,12 @@ void expect_equal(const char* sides, const Comparison& comparison) {
 
 // Compares float with GLSL, and float with double.
 Comparison compare_all(const Module& module, const PointSet& points, const ImageOf& images) {
-    const Judge judge = make_judge(module, points, images);
+    const Reference reference = make_reference(module, points, images);
     const Values cpu = on_cpu<float>(module, points, images);
     const Values gpu = on_gpu(module, points, images);
     if (gpu.size() != cpu.size()) return {};
-    expect_equal("float and double", judge.compare(cpu, judge.precise));
-    const Comparison result = judge.compare(cpu, gpu);
+    expect_equal("float and double", reference.compare(cpu, reference.precise));
+    const Comparison result = reference.compare(cpu, gpu);
     expect_equal("CPU and GPU", result);
     return result;
 }
@@ -163,17 +163,17 @@ protected:
     SeededError()
         : subject(compile_harness(*all_nodes().find("tangent_normal_map"), Inputs::numbers, 3)),
           module(subject.compiled.module),
-          judge(make_judge(module, the_points(), test_image)),
+          reference(make_reference(module, the_points(), test_image)),
           gpu(on_gpu(module, the_points(), test_image)) {}
 
     Subject subject;
     Module& module;
-    Judge judge;
+    Reference reference;
     Values gpu;
 };
 
 TEST_F(SeededError, IsNotThereUnlessSeeded) {
-    EXPECT_EQ(judge.compare(judge.precise, gpu).different, 0U);
+    EXPECT_EQ(reference.compare(reference.precise, gpu).different, 0U);
 }
 
 TEST_F(SeededError, OfAFactorIsFound) {
@@ -182,7 +182,7 @@ TEST_F(SeededError, OfAFactorIsFound) {
     for (Parameter& parameter : wrong.parameters)
         if (parameter.port == "strength") parameter.value[0] *= 1.25;
     const Values cpu = on_cpu<float>(wrong, the_points(), test_image);
-    EXPECT_GT(judge.compare(cpu, gpu).different, point_count / 4);
+    EXPECT_GT(reference.compare(cpu, gpu).different, point_count / 4);
 }
 
 TEST_F(SeededError, InTheGeneratedTextIsFound) {
@@ -192,8 +192,9 @@ TEST_F(SeededError, InTheGeneratedTextIsFound) {
     const size_t place = shader.source.find("textureLod(");
     ASSERT_NE(place, std::string::npos);
     shader.source.insert(place, "1.01 * ");
-    EXPECT_GT(judge.compare(judge.precise, on_gpu(shader, the_points(), test_image)).different,
-              point_count / 4);
+    EXPECT_GT(
+        reference.compare(reference.precise, on_gpu(shader, the_points(), test_image)).different,
+        point_count / 4);
 }
 
 TEST_F(SeededError, OfATextureIsFound) {
@@ -201,13 +202,13 @@ TEST_F(SeededError, OfATextureIsFound) {
         return test_image(file.ends_with("a.exr") ? "b.exr" : "a.exr");
     };
     const Values cpu = on_cpu<float>(module, the_points(), other);
-    EXPECT_GT(judge.compare(cpu, gpu).different, point_count / 2);
+    EXPECT_GT(reference.compare(cpu, gpu).different, point_count / 2);
 }
 
 TEST_F(SeededError, AsNoNumberIsFound) {
-    const Comparison before = judge.compare(judge.precise, gpu);
+    const Comparison before = reference.compare(reference.precise, gpu);
     gpu[0][4] = NAN;
-    const Comparison result = judge.compare(judge.precise, gpu);
+    const Comparison result = reference.compare(reference.precise, gpu);
     EXPECT_EQ(result.different + result.unstable, before.different + before.unstable + 1);
     ASSERT_TRUE(result.first);
     EXPECT_EQ(result.first->point, 1U);
