@@ -8,6 +8,8 @@
 // its words.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <optional>
 #include <span>
@@ -16,6 +18,7 @@
 #include <vector>
 
 #include "base/text.h"
+#include "image/image.h"
 
 namespace wrinkle::cli {
 
@@ -27,6 +30,14 @@ std::optional<std::vector<std::string>> command_words(int argc, const char* cons
 // As overwrite_fault(), where the files that the last call of command_words() read are inputs too.
 std::string overwrite_fault_of_run(std::span<const std::string> outputs,
                                    std::vector<std::string> inputs);
+
+// Names of all pixel types, in their order.
+inline constexpr std::array pixel_type_names = {"u8", "u16", "half", "float"};
+inline std::optional<PixelType> pixel_type_named(std::string_view name) {
+    const auto found = std::find(pixel_type_names.begin(), pixel_type_names.end(), name);
+    if (found == pixel_type_names.end()) return {};
+    return static_cast<PixelType>(found - pixel_type_names.begin());
+}
 
 // Parses all of `text` as a number; returns false for anything else.
 template <class T>

@@ -13,11 +13,11 @@ struct BakeCommand {
     BakeOptions options;
 
     int run() const {
-        const Interruption interruption;
+        catch_interruption();
         if (!options.merge.empty()) return merge();
         BakeRequest request;
-        std::string why;
-        if (!read_request(options, request, why)) return fail(exit_usage, why);
+        std::string why = read_request(options, request);
+        if (!why.empty()) return fail(exit_usage, why);
         Diagnostics diagnostics;
         auto job = make_bake_job(options, request, diagnostics);
         if (!job) return report(diagnostics, options.common.diagnostics);
@@ -75,18 +75,17 @@ struct BakeCommand {
         uint64_t texels = 0;
         for (uint64_t band = header.first; band < header.last; ++band)
             texels += uint64_t{header.rows_of(band)} * header.width();
-        Progress progress(Progress::form_for(options.json), "texels", texels);
+        Progress progress(Progress::form_for(options.json), texels);
         if (header.shards > 1) return bake_part(job, options.output, header, progress);
         if (!options.resume) return bake_files(job, header, progress);
-        const fs::path folder = options.output + ".part";
+        const std::string folder = options.output + ".part";
         BakeOutcome outcome = bake_part(job, folder, header, progress);
         if (!outcome.done) return outcome;
         outcome.done = false;
-        std::vector<fs::path> folders = {folder};
-        const auto headers = read_parts(folders, outcome.environment);
-        if (headers.empty()) return outcome;
-        Progress quiet(Progress::Form::none, "", 0);
-        BakeOutcome joined = join_parts(folders, headers, options.output, options.threads, quiet);
+        const auto parts = read_parts({folder}, outcome.environment);
+        if (parts.empty()) return outcome;
+        Progress quiet(Progress::Form::none, 0);
+        BakeOutcome joined = join_parts(parts, options.output, options.threads, quiet);
         joined.warnings = std::move(outcome.warnings);
         std::error_code ignored;
         if (joined.done) fs::remove_all(folder, ignored);
@@ -107,23 +106,22 @@ struct BakeCommand {
             return fail(exit_usage,
                         "--merge joins what was baked; it takes folders and -o OUT alone");
         Diagnostics diagnostics;
-        std::vector<fs::path> folders(options.merge.begin(), options.merge.end());
-        const auto headers = read_parts(folders, diagnostics);
-        if (headers.empty()) return report(diagnostics, options.common.diagnostics);
+        const auto parts = read_parts(options.merge, diagnostics);
+        if (parts.empty()) return report(diagnostics, options.common.diagnostics);
+        const PartHeader& header = parts[0].header;
         std::string why;
-        if (!can_be_written(headers[0], why)) return fail(exit_usage, why);
-        const uint64_t sets = headers[0].sets.size();
+        if (!can_be_written(header, why)) return fail(exit_usage, why);
         BakeOutcome outcome;
         {
-            Progress progress(Progress::form_for(options.json), "texels",
-                              sets * headers[0].width() * headers[0].height());
-            outcome = join_parts(folders, headers, options.output, options.threads, progress);
+            Progress progress(Progress::form_for(options.json),
+                              header.sets.size() * uint64_t{header.width()} * header.height());
+            outcome = join_parts(parts, options.output, options.threads, progress);
         }
         return finish(outcome);
     }
 
     int finish(const BakeOutcome& outcome) const {
-        if (!outcome.done && !outcome.environment.has_errors()) Interruption::reraise();
+        if (!outcome.done && !outcome.environment.has_errors()) reraise_interruption();
         if (!outcome.done) {
             report(outcome.environment, options.common.diagnostics);
             return exit_environment;

@@ -107,13 +107,6 @@ BakeReport report(const json::Value& from) {
     return found;
 }
 
-PixelType pixel_type(const std::string& name) {
-    for (const PixelType type :
-         {PixelType::u8, PixelType::u16, PixelType::half, PixelType::float32})
-        if (name_of(type) == name) return type;
-    throw InvalidHeader();
-}
-
 PartHeader::Map map(const json::Value& from) {
     PartHeader::Map map{text(from, "name"), text(from, "extension"), {}};
     WriterOptions& w = map.writer;
@@ -121,12 +114,13 @@ PartHeader::Map map(const json::Value& from) {
     w.has_alpha = item(from, "alpha", json::Kind::boolean).as_boolean();
     w.compression = text(from, "compression");
     w.tile = static_cast<uint32_t>(whole(item(from, "tile", json::Kind::number)));
-    w.type = pixel_type(text(from, "type"));
+    const auto type = pixel_type_named(text(from, "type"));
+    require(type && !w.channels.empty());
+    w.type = *type;
     for (const json::Member& number : item(from, "numbers", json::Kind::object).children())
         if (number.value.is(json::Kind::number))
             w.numbers.push_back(
                 {std::string(number.key), static_cast<float>(number.value.as_number())});
-    require(!w.channels.empty());
     return map;
 }
 

@@ -1,9 +1,8 @@
 #include "cli/bake_options.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "bake/bake.h"
 #include "base/text.h"
@@ -12,8 +11,6 @@
 
 namespace wrinkle::cli {
 namespace {
-
-constexpr std::array<std::string_view, 4> types = {"u8", "u16", "half", "float"};
 
 bool parse_whole(std::string_view text, uint32_t most, uint32_t& number) {
     return parse_number(text, number) && number >= 1 && number <= most;
@@ -46,7 +43,8 @@ std::string usual_extension(const BakeOptions& options, const std::string& map) 
     return floats || (options.type.empty() && !fits_integers(map)) ? ".exr" : ".png";
 }
 
-bool name_maps(const BakeOptions& options, BakeRequest& request, std::string& why) {
+// Returns one sentence on wrong usage, otherwise "".
+std::string name_maps(const BakeOptions& options, BakeRequest& request) {
     Diagnostics problems;
     const std::string names = !options.maps.empty()   ? options.maps
                               : options.packs.empty() ? "normal"
@@ -56,19 +54,14 @@ bool name_maps(const BakeOptions& options, BakeRequest& request, std::string& wh
             request.maps.push_back({{std::string(name), {}, true}, "", {}});
     for (const std::string& text : options.packs)
         if (auto pack = parse_pack(text, problems)) request.maps.push_back({*pack, "", {}});
-    if (problems.has_errors()) {
-        why = problems.list()[0].message + " (" + problems.list()[0].expected + ")";
-        return false;
-    }
-    for (auto map = request.maps.begin(); map != request.maps.end(); ++map)
-        if (std::any_of(request.maps.begin(), map, [&](const WantedMap& other) {
-                return other.request.name == map->request.name;
-            })) {
-            why = "two maps would be called '" + map->request.name +
-                  "'; a pack takes a name: " + "--pack \"orm: r=occlusion g=roughness\"";
-            return false;
-        }
-    return true;
+    if (problems.has_errors())
+        return problems.list()[0].message + " (" + problems.list()[0].expected + ")";
+    std::set<std::string> seen;
+    for (const WantedMap& map : request.maps)
+        if (!seen.insert(map.request.name).second)
+            return "two maps would be called '" + map.request.name +
+                   "'; a pack takes a name: " + "--pack \"orm: r=occlusion g=roughness\"";
+    return "";
 }
 
 void choose_files(const BakeOptions& options, BakeRequest& request) {
@@ -76,10 +69,8 @@ void choose_files(const BakeOptions& options, BakeRequest& request) {
     const std::string own = std::filesystem::path(options.output).extension().string();
     for (WantedMap& map : request.maps) {
         map.extension = request.one_file ? own : usual_extension(options, map.request.name);
-        const auto named = std::find(types.begin(), types.end(), options.type);
-        map.type = named == types.end() ? usual_type(map.extension)
-                                        : static_cast<PixelType>(named - types.begin());
-        map.request.integers = map.type == PixelType::u8 || map.type == PixelType::u16;
+        map.type = pixel_type_named(options.type).value_or(usual_type(map.extension));
+        map.request.integers = is_integer(map.type);
     }
 }
 
@@ -103,16 +94,15 @@ std::string conflict(const BakeOptions& options, const BakeRequest& request) {
 
 }  // namespace
 
-bool read_request(const BakeOptions& options, BakeRequest& request, std::string& why) {
+std::string read_request(const BakeOptions& options, BakeRequest& request) {
     if (!parse_bake_size(options.size, request))
-        why =
-            "--size " + options.size + " is no size; 1024 and 2048x1024 are, at most 65536 a side";
-    else if (!parse_shard(options.shard, request))
-        why = "--shard " + options.shard + " is no I/N; 2/8 is the second of eight";
-    if (!why.empty() || !name_maps(options, request, why)) return false;
+        return "--size " + options.size +
+               " is no size; 1024 and 2048x1024 are, at most 65536 a side";
+    if (!parse_shard(options.shard, request))
+        return "--shard " + options.shard + " is no I/N; 2/8 is the second of eight";
+    if (std::string why = name_maps(options, request); !why.empty()) return why;
     choose_files(options, request);
-    why = conflict(options, request);
-    return why.empty();
+    return conflict(options, request);
 }
 
 void declare_bake_maps(CLI::App& sub, BakeOptions& c) {
@@ -150,7 +140,7 @@ void declare_bake_options(CLI::App& sub, BakeOptions& c) {
         ->required();
     declare_bake_maps(sub, c);
     declare_bake_layout(sub, c);
-    add_choice(sub, "--type", c.type, types, bake_words::type);
+    add_choice(sub, "--type", c.type, pixel_type_names, bake_words::type);
     add_choice(sub, "--format", c.format, bake_formats,
                "Of maps in a folder; default: png, or exr for floats");
     sub.add_option("--compression", c.compression, bake_words::compression)->type_name("NAME");

@@ -42,7 +42,7 @@ struct BakeRequest {
     bool is_shard() const { return shards > 1; }
 };
 
-// Parses the options; returns false and one sentence in `why` on wrong usage.
-bool read_request(const BakeOptions& options, BakeRequest& request, std::string& why);
+// Parses the options; returns one sentence on wrong usage, otherwise "".
+std::string read_request(const BakeOptions& options, BakeRequest& request);
 
 }  // namespace wrinkle::cli

@@ -17,7 +17,6 @@ namespace {
 // failure.
 std::optional<Xxh64> sum_of_rows(const fs::path& path, uint64_t size, std::string& why) {
     Xxh64 sum;
-    if (size == 0) return sum;
     const OpenedFile file = open_to_read(path, why);
     if (!file) return {};
     std::vector<std::byte> block(size_t{1} << 20);
@@ -34,25 +33,29 @@ std::optional<Xxh64> sum_of_rows(const fs::path& path, uint64_t size, std::strin
     return sum;
 }
 
-// Resumes from the finished rows of the same bake. If any file is damaged, all rows are discarded
-// with a warning, because `found` is not stored per file.
-void take_what_is_done(const fs::path& folder, PartHeader& header, Diagnostics& diagnostics) {
+// Resumes from the finished rows of the same bake and returns their checksums. If any file is
+// damaged, all rows are discarded with a warning, because `found` is not stored per file.
+std::vector<Xxh64> take_finished_rows(const fs::path& folder, PartHeader& header,
+                                      Diagnostics& diagnostics) {
     Diagnostics damage;
     const auto before = read_header(folder, damage);
     const bool is_same = before && before->identity == header.identity &&
                          before->shard == header.shard && before->shards == header.shards &&
                          before->first == header.first && before->last == header.last;
-    if (is_same && has_its_rows(folder, *before, "", damage)) {
-        header.done = before->done;
-        header.found = before->found;
-        header.sums = before->sums;
-    }
+    if (is_same)
+        if (auto sums = sums_of_rows(folder, *before, "", damage)) {
+            header.done = before->done;
+            header.found = before->found;
+            header.sums = before->sums;
+            return std::move(*sums);
+        }
     for (Diagnostic problem : damage.list()) {
         problem.severity = Severity::warning;
         problem.message += "; all rows are baked again";
         problem.expected.clear();
         diagnostics.add(std::move(problem));
     }
+    return {};
 }
 
 }  // namespace
@@ -100,20 +103,25 @@ std::optional<PartHeader> read_header(const fs::path& folder, Diagnostics& diagn
     return header;
 }
 
-bool has_its_rows(const fs::path& folder, const PartHeader& header, const std::string& remedy,
-                  Diagnostics& diagnostics) {
+std::optional<std::vector<Xxh64>> sums_of_rows(const fs::path& folder, const PartHeader& header,
+                                               const std::string& remedy,
+                                               Diagnostics& diagnostics) {
+    std::vector<Xxh64> sums;
     for (size_t i = 0; i < header.files_with_rows(); ++i) {
         const size_t set = header.set_of(header.first) + i / header.maps.size();
         const size_t map = i % header.maps.size();
         const fs::path file = rows_file(folder, set, map);
         std::string why;
-        const auto sum = sum_of_rows(file, header.bytes_of_rows(set, map), why);
-        if (sum && sum->digest() == header.sums[i]) continue;
-        if (sum) why = "does not hold the rows that were baked: their checksum is another";
-        diagnostics.add(file_problem(Severity::error, file.string(), why, remedy));
-        return false;
+        auto sum = sum_of_rows(file, header.bytes_of_rows(set, map), why);
+        if (sum && sum->digest() != header.sums[i])
+            why = "does not hold the rows that were baked: their checksum is another";
+        if (!why.empty()) {
+            diagnostics.add(file_problem(Severity::error, file.string(), why, remedy));
+            return {};
+        }
+        sums.push_back(std::move(*sum));
     }
-    return true;
+    return sums;
 }
 
 std::optional<PartWriter> PartWriter::open(const fs::path& folder, PartHeader header, bool resume,
@@ -125,10 +133,10 @@ std::optional<PartWriter> PartWriter::open(const fs::path& folder, PartHeader he
                                      "is not a regular file", "remove it, or another folder"));
         return {};
     }
-    if (resume && fs::exists(header_file(folder), error))
-        take_what_is_done(folder, header, diagnostics);
-    if (header.done == header.first) fs::remove(header_file(folder), error);  // rewritten below
     PartWriter writer;
+    if (resume && fs::exists(header_file(folder), error))
+        writer.sums_ = take_finished_rows(folder, header, diagnostics);
+    if (header.done == header.first) fs::remove(header_file(folder), error);  // rewritten below
     writer.folder_ = folder;
     writer.header_ = std::move(header);
     if (!writer.write_header(diagnostics)) return {};
@@ -153,19 +161,15 @@ bool PartWriter::write_header(Diagnostics& diagnostics) const {
 bool PartWriter::begin(size_t set, Diagnostics& diagnostics) {
     set_ = set;
     files_.clear();
-    sums_.clear();
+    sums_.resize(header_.sum_index(set, header_.maps.size()));
     for (size_t map = 0; map < header_.maps.size(); ++map) {
         const fs::path path = rows_file(folder_, set, map);
         const uint64_t kept = header_.bytes_of_rows(set, map);
         if (kept == 0) unlink(path.c_str());  // do not write through a pipe or a link
-        std::string why;
-        auto sum = sum_of_rows(path, kept, why);
-        std::FILE* file = sum ? std::fopen(path.c_str(), kept > 0 ? "r+b" : "wb") : nullptr;
-        if (!file) return fail(map, diagnostics);
-        files_.emplace_back(file);
-        sums_.push_back(std::move(*sum));
+        files_.emplace_back(std::fopen(path.c_str(), kept > 0 ? "r+b" : "wb"));
         // Overwrite rows that bake.json does not count.
-        if (std::fseek(file, static_cast<long>(kept), SEEK_SET) != 0) return fail(map, diagnostics);
+        if (!files_[map] || std::fseek(files_[map].get(), static_cast<long>(kept), SEEK_SET) != 0)
+            return fail(map, diagnostics);
     }
     return true;
 }
@@ -174,16 +178,16 @@ bool PartWriter::rows(size_t map, std::span<const std::byte> bytes, Diagnostics&
     std::FILE* file = files_[map].get();
     if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0)
         return fail(map, diagnostics);
-    sums_[map].add(bytes);
+    sums_[header_.sum_index(set_, map)].add(bytes);
     return true;
 }
 
-bool PartWriter::done(uint64_t bands, const BakeReport& found, Diagnostics& diagnostics) {
+bool PartWriter::record(uint64_t bands, const BakeReport& found, Diagnostics& diagnostics) {
     header_.done = bands;
     header_.found = found;
-    header_.sums.resize(header_.files_with_rows());
-    for (size_t map = 0; map < sums_.size(); ++map)
-        header_.sums[header_.sum_index(set_, map)] = sums_[map].digest();
+    header_.sums.clear();
+    for (const Xxh64& sum : sums_)
+        header_.sums.push_back(sum.digest());
     return write_header(diagnostics);
 }
 

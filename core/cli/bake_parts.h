@@ -34,10 +34,11 @@ std::optional<PartHeader> read_header(const std::filesystem::path& folder,
 std::filesystem::path header_file(const std::filesystem::path& folder);
 std::filesystem::path rows_file(const std::filesystem::path& folder, size_t set, size_t map);
 
-// Returns true if the checksums of all rows that the header counts match. Otherwise returns false
-// and reports the first damaged file as an error with `remedy` as the hint.
-bool has_its_rows(const std::filesystem::path& folder, const PartHeader& header,
-                  const std::string& remedy, Diagnostics& diagnostics);
+// Returns the checksums of the rows that the header counts, by PartHeader::sum_index(). If one does
+// not match, returns std::nullopt and reports the damaged file as an error with `remedy`.
+std::optional<std::vector<Xxh64>> sums_of_rows(const std::filesystem::path& folder,
+                                               const PartHeader& header, const std::string& remedy,
+                                               Diagnostics& diagnostics);
 
 class PartWriter {
 public:
@@ -49,13 +50,13 @@ public:
                                           bool resume, Diagnostics& diagnostics);
 
     const PartHeader& header() const { return header_; }
-    // Call begin() for each texture set; then, for each band, rows() for each map, and done(). They
-    // return false and report an error on failure.
+    // Call begin() for each texture set; then, for each band, rows() for each map, and record().
+    // They return false and report an error on failure.
     bool begin(size_t set, Diagnostics& diagnostics);
     bool rows(size_t map, std::span<const std::byte> bytes, Diagnostics& diagnostics);
     // Records in bake.json that all bands before number `bands` are written, and the statistics of
     // the part.
-    bool done(uint64_t bands, const BakeReport& found, Diagnostics& diagnostics);
+    bool record(uint64_t bands, const BakeReport& found, Diagnostics& diagnostics);
 
 private:
     bool fail(size_t map, Diagnostics& diagnostics) const;
@@ -65,7 +66,7 @@ private:
     PartHeader header_;
     size_t set_ = 0;
     std::vector<OpenedFile> files_;  // files of the current texture set, by map
-    std::vector<Xxh64> sums_;        // checksums of the written rows, by map
+    std::vector<Xxh64> sums_;        // checksums of the written rows, by PartHeader::sum_index()
 };
 
 }  // namespace wrinkle::cli

@@ -23,12 +23,14 @@ BakeOutcome bake_files(const BakeJob& job, const PartHeader& header, Progress& p
 BakeOutcome bake_part(const BakeJob& job, const std::filesystem::path& folder, PartHeader header,
                       Progress& progress);
 
-// Reads and checks the headers of all parts of one bake; sorts them and `folders` by shard. Returns
-// an empty list and reports errors if a part is missing, incomplete or damaged.
-std::vector<PartHeader> read_parts(std::vector<std::filesystem::path>& folders,
-                                   Diagnostics& diagnostics);
-BakeOutcome join_parts(const std::vector<std::filesystem::path>& folders,
-                       const std::vector<PartHeader>& headers, const std::string& output,
-                       uint32_t threads, Progress& progress);
+struct Part {
+    std::filesystem::path folder;
+    PartHeader header;
+};
+// Reads and checks all parts of one bake. Returns them by shard; an empty list and errors if a part
+// is missing, incomplete or damaged.
+std::vector<Part> read_parts(const std::vector<std::string>& folders, Diagnostics& diagnostics);
+BakeOutcome join_parts(const std::vector<Part>& parts, const std::string& output, uint32_t threads,
+                       Progress& progress);
 
 }  // namespace wrinkle::cli

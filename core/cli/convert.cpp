@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/file.h"
+#include "cli/arguments.h"
 #include "cli/cli.h"
 #include "cli/output.h"
 #include "image/load.h"
@@ -58,12 +59,6 @@ const KindName* source_found(const Image& image, const std::string& file,
     return kind;
 }
 
-PixelType type_named(const std::string& name) {
-    for (const PixelType type : {PixelType::u8, PixelType::u16, PixelType::half})
-        if (name == name_of(type)) return type;
-    return PixelType::float32;
-}
-
 struct ConvertCommand {
     maps::Source source;
     maps::Target target;
@@ -112,7 +107,7 @@ struct ConvertCommand {
         target.kind = named(target_kinds, to)->kind;
         target.green = green == "dx" ? maps::Green::dx : maps::Green::gl;
         target.per = per == "uv" ? maps::Per::uv : maps::Per::texel;
-        target.type = type_named(type.empty() ? usual_type() : type);
+        target.type = *pixel_type_named(type.empty() ? usual_type() : type);
     }
 
     // Default pixel type: half if the format supports it, else the most precise supported type.
@@ -132,7 +127,7 @@ void declare_options(CLI::App& sub, ConvertCommand& c) {
     add_choice(sub, "--to", c.to, names_in(target_kinds), "What it is to be")->required();
     add_choice(sub, "--from", c.from, names_in(source_kinds),
                "What IN is; default: what it looks like, which is said");
-    add_choice(sub, "--type", c.type, {"u8", "u16", "half", "float"},
+    add_choice(sub, "--type", c.type, pixel_type_names,
                "Of its values; default: half, or what the format has");
     sub.add_option("--compression", c.target.compression,
                    "exr: none rle zip zips piz; tif: none lzw zip; default: zip")

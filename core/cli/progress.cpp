@@ -4,10 +4,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <utility>
 
 #include "base/text.h"
 
@@ -17,18 +15,8 @@ namespace {
 constexpr double seconds_between_lines = 0.1;
 
 volatile sig_atomic_t caught_signal = 0;
-constexpr std::array<int, 2> noticed = {SIGINT, SIGTERM};
-
-void notice(int signal) {
-    caught_signal = signal;
-}
-
-std::array<struct sigaction, noticed.size()> before = {};
 
 }  // namespace
-
-Progress::Progress(Form form, std::string unit, uint64_t total)
-    : form_(form), unit_(std::move(unit)), total_(total) {}
 
 Progress::~Progress() {
     if (form_ == Form::line) std::fputs("\r\x1b[K", stderr);
@@ -69,32 +57,26 @@ void Progress::show(double seconds) const {
     }
     const double part =
         static_cast<double>(done_) / static_cast<double>(std::max<uint64_t>(total_, 1));
-    std::fprintf(stderr, "\r\x1b[K%3.0f %%, %s%s/s, %s left", 100 * part, rough_count(rate).c_str(),
-                 unit_.c_str(), rough_duration(left).c_str());
+    std::fprintf(stderr, "\r\x1b[K%3.0f %%, %stexels/s, %s left", 100 * part,
+                 rough_count(rate).c_str(), rough_duration(left).c_str());
 }
 
 // Ignored signals stay ignored: shells ignore SIGINT for background jobs.
-Interruption::Interruption() {
-    caught_signal = 0;
-    struct sigaction action = {};
-    action.sa_handler = notice;
+void catch_interruption() {
+    struct sigaction action = {}, before = {};
+    action.sa_handler = [](int signal) { caught_signal = signal; };
     action.sa_flags = SA_RESTART;
-    for (size_t i = 0; i < noticed.size(); ++i) {
-        sigaction(noticed[i], nullptr, &before[i]);
-        if (before[i].sa_handler != SIG_IGN) sigaction(noticed[i], &action, nullptr);
+    for (const int signal : {SIGINT, SIGTERM}) {
+        sigaction(signal, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
     }
 }
 
-Interruption::~Interruption() {
-    for (size_t i = 0; i < noticed.size(); ++i)
-        sigaction(noticed[i], &before[i], nullptr);
-}
-
-bool Interruption::requested() {
+bool is_interrupted() {
     return caught_signal != 0;
 }
 
-void Interruption::reraise() {
+void reraise_interruption() {
     const int caught = caught_signal;
     signal(caught, SIG_DFL);
     raise(caught);

@@ -1,4 +1,4 @@
-// Long work: its progress, and its interruption by a signal.
+// A bake: its progress in texels, and its interruption by a signal.
 //
 // Progress is one line that is overwritten on a terminal, JSON lines for tools, or no output in a
 // pipe.
@@ -8,7 +8,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <string>
 
 namespace wrinkle::cli {
 
@@ -16,8 +15,7 @@ class Progress {
 public:
     enum class Form : uint8_t { none, line, json };
 
-    // `unit` names the counted items: "texels".
-    Progress(Form form, std::string unit, uint64_t total);
+    Progress(Form form, uint64_t total) : form_(form), total_(total) {}
     ~Progress();  // clears the line
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -33,23 +31,15 @@ private:
     void show(double seconds) const;
 
     Form form_;
-    std::string unit_;
     uint64_t total_, done_ = 0, skipped_ = 0;
     Clock::time_point begun_ = Clock::now(), shown_{};
 };
 
-// Catches SIGINT (Ctrl-C) and SIGTERM, so that a command can clean up unfinished work before it
-// ends.
-class Interruption {
-public:
-    Interruption();   // installs the handlers
-    ~Interruption();  // restores the previous handlers
-    Interruption(const Interruption&) = delete;
-    Interruption& operator=(const Interruption&) = delete;
-
-    static bool requested();
-    // Raises the caught signal again with the default action, so that the parent process sees it.
-    [[noreturn]] static void reraise();
-};
+// Catches SIGINT (Ctrl-C) and SIGTERM from now on, so that a command can clean up unfinished work
+// before it ends.
+void catch_interruption();
+bool is_interrupted();
+// Raises the caught signal again with the default action, so that the parent process sees it.
+[[noreturn]] void reraise_interruption();
 
 }  // namespace wrinkle::cli

@@ -1,6 +1,7 @@
 #include "cli/session.h"
 
 #include <cstdio>
+#include <filesystem>
 
 #include "base/file.h"
 #include "base/limits.h"
@@ -155,10 +156,8 @@ std::string path_of_run(const std::string& path, const Overrides& overrides, siz
     if (!overrides.is_sweep()) return path;
     char number[16];
     std::snprintf(number, sizeof number, ".%03zu", run);
-    const size_t slash = path.rfind('/');
-    const size_t dot = path.rfind('.');
-    const bool has_extension = dot != path.npos && (slash == path.npos || dot > slash + 1);
-    return has_extension ? path.substr(0, dot) + number + path.substr(dot) : path + number;
+    const std::string extension = std::filesystem::path(path).extension().string();
+    return path.substr(0, path.size() - extension.size()) + number + extension;
 }
 
 }  // namespace wrinkle::cli

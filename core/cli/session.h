@@ -53,7 +53,7 @@ std::vector<std::string> graphs_among(const std::vector<std::string>& files,
 // Reads a complete file or stream; returns std::nullopt and reports an error on failure.
 std::optional<std::string> read_text(const std::string& file, Diagnostics& diagnostics);
 
-// Reports a problem at a JSON value. After the limit of the list it only counts, because
+// Reports a problem at a JSON value. After the limit of the list it only counts problems, because
 // computing a JSON pointer takes O(array length).
 void report_at(const json::Value& value, std::string message, std::string expected,
                Diagnostics& diagnostics, Severity severity = Severity::error);

@@ -208,6 +208,11 @@ TEST_F(EvalTableTest, ASweepWritesAFileForEachRun) {
         run({"eval", "ramp.json", "--at", "p.csv", "--set", "scaled.b=0:2:3", "-o", "r.csv"}).code,
         0);
     EXPECT_EQ(get("r.002.csv"), "value\n2\n");
+    ASSERT_EQ(run({"eval", "ramp.json", "--at", "p.csv", "--set", "scaled.b=0:2:3", "--format",
+                   "csv", "-o", ".csv"})
+                  .code,
+              0);
+    EXPECT_EQ(get(".csv.002"), "value\n2\n");
     for (const Names& more : {Names{"--format", "csv", "--set", "scaled.b=0:2:3"},
                               Names{"-o", "r.txt"}, Names{"-o", "r"}}) {
         Names args = {"eval", "ramp.json", "--at", "p.csv"};
