@@ -12,11 +12,9 @@ EmitOptions emit_options(const CompileOptions& wanted, const std::string& file,
     options.target = find_target(wanted.target);
     if (!options.target) {
         const std::vector<std::string> names = targets();
-        std::string all;
-        for (const std::string& name : names)
-            all += (all.empty() ? "" : ", ") + name;
         diagnostics.error("there is no target '" + wanted.target + "'",
-                          did_you_mean(wanted.target, names, all));
+                          did_you_mean(wanted.target, names,
+                                       joined(names, ", ", [](auto& name) { return name; })));
         return options;
     }
     if (wanted.form == CompileOptions::Form::of_target)

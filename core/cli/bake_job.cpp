@@ -88,9 +88,10 @@ void plan_runs(BakeJob& job, const Overrides& overrides, Diagnostics& diagnostic
         if (plan) job.plans.push_back(std::move(*plan));
         if (job.inputs.empty()) job.inputs = input_paths(run.project, nodes.registry);
     };
-    const bool moments = covariances_for(requests) == Covariances::kept;
-    compile_runs(job.options.file, job.options.common, nodes.registry, overrides,
-                 moments ? Purpose::bake_moments : Purpose::bake, use, diagnostics);
+    MaterialOptions options = run_options("bake");
+    options.covariances = covariances_for(requests);
+    compile_runs(job.options.file, job.options.common, nodes.registry, overrides, options, use,
+                 diagnostics);
 }
 
 }  // namespace

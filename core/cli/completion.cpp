@@ -48,22 +48,27 @@ public:
 
     Found found() {
         if (words_.empty()) return {};
-        std::string typed = words_.back();
+        std::string typed = words_.back(), before;
         read_words();
         // A shell may split --option=value into three words.
         if (typed == "=" && awaits_) typed.clear();
-        if (awaits_) {
-            offer_values(*awaits_, typed);
-        } else if (const size_t equals = typed.find('=');
-                   typed.starts_with("--") && equals != typed.npos) {
-            offer_after(typed.substr(0, equals + 1), typed.substr(equals + 1));
-        } else if (typed.starts_with('-')) {
-            offer_options();
-        } else {
-            offer_positional(typed);
+        if (const size_t equals = typed.find('=');
+            !awaits_ && typed.starts_with("--") && equals != typed.npos) {
+            awaits_ = option_named(typed.substr(0, equals));
+            if (!awaits_) return {};
+            before = typed.substr(0, equals + 1);
+            typed.erase(0, equals + 1);
         }
-        std::erase_if(found_, [&](const std::string& each) { return !each.starts_with(typed); });
-        return std::move(found_);
+        if (awaits_)
+            offer_values(*awaits_, typed);
+        else if (typed.starts_with('-'))
+            offer_options();
+        else
+            offer_positional(typed);
+        Found fitting;
+        for (const std::string& each : found_)
+            if (each.starts_with(typed)) fitting.insert(before + each);
+        return fitting;
     }
 
 private:
@@ -96,21 +101,10 @@ private:
 
     void offer_options() {
         for (const CLI::Option* option : current().get_options()) {
-            for (const std::string& name : option->get_lnames())
-                if (!option->get_group().empty()) found_.insert("--" + name);
-            for (const std::string& name : option->get_snames())
-                found_.insert("-" + name);
+            const std::string names = option->get_positional() ? "" : option->get_name(false, true);
+            for (const std::string_view name : split(names, ','))
+                found_.emplace(name);
         }
-    }
-
-    void offer_after(const std::string& prefix, const std::string& typed) {
-        const CLI::Option* option = option_named(prefix.substr(0, prefix.size() - 1));
-        if (!option) return;
-        offer_values(*option, typed);
-        Found with;
-        for (const std::string& each : found_)
-            if (each.starts_with(typed)) with.insert(prefix + each);
-        found_ = std::move(with);
     }
 
     void offer_positional(const std::string& typed) {

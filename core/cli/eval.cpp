@@ -13,15 +13,15 @@ namespace {
 
 // Reports a warning for each output normal without unit length: its values exceed the range of the
 // precision.
-void check_normals(const std::vector<OutputColumn>& columns, size_t first,
-                   const PointSource& source, Diagnostics& diagnostics) {
+void check_normals(const std::vector<OutputColumn>& columns, const PointList& points,
+                   Diagnostics& diagnostics) {
     for (const OutputColumn& column : columns) {
         if (column.port_type != WR_PORT_normal) continue;
         for (size_t i = 0; i < column.values.size(); i += 3) {
             const double* n = column.values.data() + i;
             const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
             if (square > 0.5 && square < 2) continue;
-            source.points.report(first + i / 3, Severity::warning,
+            points.report(i / 3, Severity::warning,
                           "'" + column.name + "' has no direction: its numbers are " +
                               "too large or too small for the precision",
                           "inputs between 1e-18 and 1e18, or --precision double", diagnostics);
@@ -40,22 +40,31 @@ struct EvalCommand {
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
         const PointSource source = open_points(at, common, diagnostics);
-        const EvalForm form = chosen_form();
+        const std::string form = chosen_form();
+        if (output == "-" && form != "json" && overrides.is_sweep())
+            return fail(exit_usage, "a sweep writes a file for each of its runs: -o OUT");
         TextureStore textures;
         std::vector<Result> results;
+        std::string json;
         const auto use = [&](size_t i, const MaterialRun& run, Diagnostics& problems) {
             read_textures(textures, run.compiled, run.project, problems);
             if (problems.has_errors() || diagnostics.has_errors()) return;
             std::string text = numbers(form, run, source, textures, problems);
-            if (form == EvalForm::json) return add_json(results, i, overrides, std::move(text));
-            results.push_back({path_of_run(output, overrides, i), std::move(text)});
+            if (form != "json")
+                results.push_back({path_of_run(output, overrides, i), std::move(text)});
+            else if (overrides.is_sweep())
+                json += (i > 0 ? ",\n" : "") + std::string("{\"set\": ") + set_json(overrides, i) +
+                        ", " + text + "}";
+            else
+                json = text;
         };
-        compile_runs(file, common, nodes.registry, overrides, Purpose::eval, use, diagnostics);
-        if (form == EvalForm::json && !results.empty())
-            results[0].text += overrides.is_sweep() ? "\n]}\n" : "}\n";
+        compile_runs(file, common, nodes.registry, overrides, run_options("eval"), use,
+                     diagnostics);
+        if (form == "json")  // one text for all runs
+            results = {{output, overrides.is_sweep() ? "{\"runs\": [\n" + json + "\n]}\n"
+                                                     : "{" + json + "}\n"}};
         const int code = report(diagnostics, common.diagnostics);
-        if (code != exit_success) return code;
-        return write_results(results);
+        return code == exit_success ? write_results(results) : code;
     }
 
     // Returns one sentence on wrong usage, otherwise "".
@@ -69,10 +78,8 @@ struct EvalCommand {
         if (!at.at.empty() && !at.uv.empty()) return "--uv and --at are two ways of one place";
         if (at.at == "-" && file == "-")
             return "the graph and the points cannot both come from standard input";
-        if (format.empty() && output != "-" && !form_named(extension_of(output)))
+        if (format.empty() && output != "-" && !is_form(extension_of(output)))
             return "-o " + output + " does not end in .json, .csv or .npy; name it so, or --format";
-        if (output == "-" && chosen_form() != EvalForm::json && is_sweep())
-            return "a sweep writes a file for each of its runs: -o OUT";
         return "";
     }
 
@@ -80,43 +87,21 @@ struct EvalCommand {
         const std::string extension = std::filesystem::path(path).extension().string();
         return extension.empty() ? "" : extension.substr(1);
     }
-    static std::optional<EvalForm> form_named(const std::string& name) {
-        if (name == "json") return EvalForm::json;
-        if (name == "csv") return EvalForm::csv;
-        if (name == "npy") return EvalForm::npy;
-        return {};
+    static bool is_form(const std::string& name) {
+        return name == "json" || name == "csv" || name == "npy";
     }
-    EvalForm chosen_form() const {
-        return form_named(format.empty() ? extension_of(output) : format).value_or(EvalForm::json);
-    }
-    bool is_sweep() const {
-        Diagnostics ignored;
-        return parse_overrides(common, ignored).is_sweep();
+    std::string chosen_form() const {
+        const std::string form = format.empty() ? extension_of(output) : format;
+        return is_form(form) ? form : "json";
     }
 
-    std::string numbers(EvalForm form, const MaterialRun& run, const PointSource& source,
+    std::string numbers(const std::string& form, const MaterialRun& run, const PointSource& source,
                         const TextureStore& textures, Diagnostics& diagnostics) const {
         const Precision wanted = precision == "double" ? Precision::full : Precision::single;
-        EvalText text(form, wanted, source.points.count());
-        const auto take = [&](size_t first, size_t count,
-                              const std::vector<OutputColumn>& columns) {
-            check_normals(columns, first, source, diagnostics);
-            text.add(count, columns);
-        };
-        if (!evaluate_blocks(run, textures, source, wanted, take, diagnostics)) return {};
-        return text.take();
-    }
-
-    // Appends a run; all runs of a sweep are written to one JSON text.
-    void add_json(std::vector<Result>& results, size_t run, const Overrides& overrides,
-                  std::string numbers) const {
-        if (results.empty())
-            results.push_back({output, overrides.is_sweep() ? "{\"runs\": [\n" : "{"});
-        std::string& text = results[0].text;
-        if (!overrides.is_sweep()) text += numbers;
-        if (overrides.is_sweep())
-            text += (run > 0 ? ",\n" : "") + std::string("{\"set\": ") + set_json(overrides, run) +
-                    ", " + numbers + "}";
+        const auto columns = evaluate_points(run, textures, source, wanted, diagnostics);
+        if (!columns) return {};
+        check_normals(*columns, source.points, diagnostics);
+        return eval_text(form, *columns, source.points.count(), wanted);
     }
 
     static std::string set_json(const Overrides& overrides, size_t run) {

@@ -18,10 +18,6 @@ std::vector<std::string> names_of(const std::vector<OutputColumn>& columns) {
     return names;
 }
 
-void append_bytes(std::string& text, auto value) {
-    text.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
 void append_finite(std::string& text, double value, Precision precision) {
     if (precision == Precision::single)
         append_shortest(text, static_cast<float>(value));
@@ -29,59 +25,50 @@ void append_finite(std::string& text, double value, Precision precision) {
         text += shortest(value);
 }
 
-// Calls use(value) for each number of the outputs at a point.
-template <class Use>
-void each_number(const std::vector<OutputColumn>& columns, size_t point, Use use) {
-    for (const OutputColumn& column : columns)
-        for (size_t lane = 0; lane < column.lanes; ++lane)
-            use(column.values[point * column.lanes + lane]);
+void append_csv(std::string& text, double value, Precision precision) {
+    if (text.back() != '\n') text += ',';
+    if (std::isnan(value))
+        text += "nan";
+    else if (std::isinf(value))
+        text += value > 0 ? "inf" : "-inf";
+    else
+        append_finite(text, value, precision);
+}
+
+void append_binary(std::string& text, double value, Precision precision) {
+    const auto single = static_cast<float>(value);
+    if (precision == Precision::single)
+        text.append(reinterpret_cast<const char*>(&single), sizeof single);
+    else
+        text.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+std::string json_text(const std::vector<OutputColumn>& columns, size_t points,
+                      Precision precision) {
+    std::string text = "\"points\": [";
+    for (size_t point = 0; point < points; ++point) {
+        text += point > 0 ? ",\n  " : "\n  ";
+        text += values_json(columns, point, precision);
+    }
+    return text + (points > 0 ? "\n]" : "]");
 }
 
 }  // namespace
 
-void EvalText::begin(const std::vector<OutputColumn>& columns) {
-    begun_ = true;
+std::string eval_text(std::string_view form, const std::vector<OutputColumn>& columns,
+                      size_t points, Precision precision) {
+    if (form == "json") return json_text(columns, points, precision);
+    const bool is_csv = form == "csv";
     const std::vector<std::string> names = names_of(columns);
-    if (form_ == EvalForm::json) text_ = "\"points\": [";
-    if (form_ == EvalForm::npy) text_ = npy_header(names, precision_ == Precision::full, points_);
-    if (form_ == EvalForm::csv) text_ = joined(names, ",") + '\n';
-}
-
-void EvalText::add_csv(double value) {
-    if (text_.back() != '\n') text_ += ',';
-    if (std::isnan(value))
-        text_ += "nan";
-    else if (std::isinf(value))
-        text_ += value > 0 ? "inf" : "-inf";
-    else
-        append_finite(text_, value, precision_);
-}
-
-void EvalText::add_binary(double value) {
-    if (precision_ == Precision::single)
-        append_bytes(text_, static_cast<float>(value));
-    else
-        append_bytes(text_, value);
-}
-
-void EvalText::add(size_t count, const std::vector<OutputColumn>& columns) {
-    if (!begun_) begin(columns);
-    for (size_t point = 0; point < count; ++point, ++done_) {
-        if (form_ == EvalForm::json) {
-            text_ += done_ > 0 ? ",\n  " : "\n  ";
-            text_ += values_json(columns, point, precision_);
-        } else if (form_ == EvalForm::csv) {
-            each_number(columns, point, [this](double value) { add_csv(value); });
-            text_ += '\n';
-        } else {
-            each_number(columns, point, [this](double value) { add_binary(value); });
-        }
+    std::string text = is_csv ? joined(names, ",") + '\n'
+                              : npy_header(names, precision == Precision::full, points);
+    for (size_t point = 0; point < points; ++point) {
+        for (const OutputColumn& column : columns)
+            for (size_t i = point * column.lanes; i < (point + 1) * column.lanes; ++i)
+                (is_csv ? append_csv : append_binary)(text, column.values[i], precision);
+        if (is_csv) text += '\n';
     }
-}
-
-std::string EvalText::take() {
-    if (form_ == EvalForm::json) text_ += done_ > 0 ? "\n]" : "]";
-    return std::move(text_);
+    return text;
 }
 
 std::string values_json(const std::vector<OutputColumn>& columns, size_t point,

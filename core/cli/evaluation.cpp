@@ -8,14 +8,12 @@
 namespace wrinkle::cli {
 namespace {
 
-constexpr size_t block = 16384;  // points
-
-bool within_float(const PointSource& source, size_t first, const PointSet& set,
-                  const Program& program, Diagnostics& diagnostics) {
+bool within_float(const PointList& points, const PointSet& set, const Program& program,
+                  Diagnostics& diagnostics) {
     const std::vector<FloatOverflow> beyond = float_overflow(program, set);
     for (const FloatOverflow& each : beyond)
-        source.points.report(first + each.point, Severity::error, each.message(),
-                             "--precision double does", diagnostics);
+        points.report(each.point, Severity::error, each.message(), "--precision double does",
+                      diagnostics);
     return beyond.empty();
 }
 
@@ -37,8 +35,7 @@ double change_of(const PointSet& set, SurfaceInput input, size_t k) {
 // precision (core/ir/gradient_frame.cpp).
 constexpr double min_change_product = 1e-18;
 
-void warn_of_small_changes(const PointSource& source, size_t first, const PointSet& set,
-                           Diagnostics& diagnostics) {
+void warn_of_small_changes(const PointList& points, const PointSet& set, Diagnostics& diagnostics) {
     for (int i = 0; i < static_cast<int>(max_uv_sets); ++i) {
         const auto uv = static_cast<SurfaceInput>(static_cast<int>(SurfaceInput::uv0_) + i);
         if (set.at(uv, Variant::dx).empty()) continue;
@@ -46,11 +43,10 @@ void warn_of_small_changes(const PointSource& source, size_t first, const PointS
             const double product =
                 change_of(set, SurfaceInput::position_, k) * change_of(set, uv, k);
             if (product > 0 && product < min_change_product)
-                source.points.report(first + k, Severity::warning,
-                                     "the changes of position and " +
-                                         name_of({uv, Variant::value}) +
-                                         " are so small that a frame 'derived' of them fades",
-                                     "lengths whose product is above 1e-18", diagnostics);
+                points.report(k, Severity::warning,
+                              "the changes of position and " + name_of({uv, Variant::value}) +
+                                  " are so small that a frame 'derived' of them fades",
+                              "lengths whose product is above 1e-18", diagnostics);
         }
     }
 }
@@ -58,62 +54,38 @@ void warn_of_small_changes(const PointSource& source, size_t first, const PointS
 // Lengths outside this range have a square that is zero or infinite in single precision.
 constexpr double min_length = 1e-18, max_length = 1e18;
 
-void warn_of_lost_normals(const PointSource& source, size_t first, const PointSet& set,
-                          Diagnostics& diagnostics) {
+void warn_of_lost_normals(const PointList& points, const PointSet& set, Diagnostics& diagnostics) {
     const std::vector<double>& normals = set.at(SurfaceInput::normal_, Variant::value);
     for (size_t k = 0; k < normals.size() / 3; ++k) {
         const double* n = normals.data() + 3 * k;
         const double length = std::hypot(n[0], n[1], n[2]);
         if (length > 0 && (length < min_length || length > max_length))
-            source.points.report(
-                first + k, Severity::warning,
-                "the surface normal's length cannot be squared in single precision",
-                "a length between 1e-18 and 1e18, or --precision double", diagnostics);
+            points.report(k, Severity::warning,
+                          "the surface normal's length cannot be squared in single precision",
+                          "a length between 1e-18 and 1e18, or --precision double", diagnostics);
     }
 }
 
 }  // namespace
 
-bool evaluate_blocks(const MaterialRun& run, const TextureStore& textures,
-                     const PointSource& source, Precision precision, const TakeColumns& take,
-                     Diagnostics& diagnostics) {
+std::optional<std::vector<OutputColumn>> evaluate_points(const MaterialRun& run,
+                                                         const TextureStore& textures,
+                                                         const PointSource& source,
+                                                         Precision precision,
+                                                         Diagnostics& diagnostics) {
     std::string why;
     const Program program = compile_program(run.compiled.module, why);
     if (!why.empty()) diagnostics.error(why);
     const Needs needs = needed_inputs(program);
-    if (!why.empty() || !source.check(needs, diagnostics)) return false;
-    const std::vector<Texture> images = textures.textures_of(run.compiled.module.resources);
-    bool fine = true;
-    size_t first = 0;
-    do {
-        PointSet set;
-        set.count = std::min(block, source.points.count() - first);
-        const bool filled = source.fill(needs, first, set, diagnostics) &&
-                            (precision == Precision::full ||
-                             within_float(source, first, set, program, diagnostics));
-        fine = fine && filled;
-        if (fine) warn_of_small_changes(source, first, set, diagnostics);
-        if (fine && precision == Precision::single)
-            warn_of_lost_normals(source, first, set, diagnostics);
-        if (fine) take(first, set.count, evaluate_columns(program, set, images, precision));
-        first += set.count;
-    } while (first < source.points.count());
-    return fine;
-}
-
-std::optional<std::vector<OutputColumn>> evaluate_at(const MaterialRun& run,
-                                                     const TextureStore& textures,
-                                                     const PointList& points, Precision precision,
-                                                     Diagnostics& diagnostics) {
-    std::vector<OutputColumn> whole;
-    const auto take = [&](size_t first, size_t, const std::vector<OutputColumn>& columns) {
-        if (first == 0) whole = columns;
-        for (size_t i = 0; first > 0 && i < columns.size(); ++i)
-            whole[i].values.insert(whole[i].values.end(), columns[i].values.begin(),
-                                   columns[i].values.end());
-    };
-    if (!evaluate_blocks(run, textures, {points}, precision, take, diagnostics)) return {};
-    return whole;
+    if (!why.empty() || !source.check(needs, diagnostics)) return {};
+    PointSet set;
+    if (!source.fill(needs, set, diagnostics)) return {};
+    const bool single = precision == Precision::single;
+    if (single && !within_float(source.points, set, program, diagnostics)) return {};
+    warn_of_small_changes(source.points, set, diagnostics);
+    if (single) warn_of_lost_normals(source.points, set, diagnostics);
+    return evaluate_columns(program, set, textures.textures_of(run.compiled.module.resources),
+                            precision);
 }
 
 }  // namespace wrinkle::cli

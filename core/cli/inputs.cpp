@@ -37,27 +37,18 @@ struct InputsCommand {
                 const std::string name = "the name '" + path + "'";
                 return fail(exit_input, name + " cannot be a line of a list; --json lists it");
             }
-        const std::string text =
-            json ? "{\"version\": 1, \"graphs\": [" + entries + "\n]}\n" : lines(all);
-        return write_result("-", text);
+        return write_result("-", json ? "{\"version\": 1, \"graphs\": [" + entries + "\n]}\n"
+                                      : joined(all, "", [](auto& path) { return path + "\n"; }));
     }
 
     static std::string entry(const std::string& file, const std::vector<InputFile>& inputs) {
-        std::string text = "{\"file\": " + json_quoted(file) + ", \"inputs\": [";
-        const char* separator = "\n    ";
-        for (const InputFile& input : inputs) {
-            text += separator + ("{\"path\": " + json_quoted(input.path)) + ", \"kind\": \"" +
-                    std::string(name_of(input.kind)) + "\"}";
-            separator = ",\n    ";
-        }
-        return text + "]}";
-    }
-
-    static std::string lines(const std::vector<std::string>& paths) {
-        std::string text;
-        for (const std::string& path : paths)
-            text += path + "\n";
-        return text;
+        return "{\"file\": " + json_quoted(file) + ", \"inputs\": [" +
+               joined(inputs, ",",
+                      [](const InputFile& input) {
+                          return "\n    {\"path\": " + json_quoted(input.path) + ", \"kind\": \"" +
+                                 std::string(name_of(input.kind)) + "\"}";
+                      }) +
+               "]}";
     }
 };
 

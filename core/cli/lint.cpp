@@ -29,21 +29,22 @@ std::string as_text(const std::string& file, const maps::Verdict& verdict) {
     return text;
 }
 
+std::string as_json(const maps::Measure& measure) {
+    return json_quoted(measure.name) + ": " + number(measure.value);
+}
+
+std::string as_json(const maps::Finding& finding) {
+    return "{\"name\": " + json_quoted(name_of(finding.defect)) +
+           ", \"defect\": " + (finding.is_defect ? "true" : "false") +
+           ", \"message\": " + json_quoted(finding.message) + "}";
+}
+
 std::string as_json(const std::string& file, const maps::Verdict& verdict) {
-    std::string text = "{\"file\": " + json_quoted(file) + ", \"look\": \"" +
-                       std::string(name_of(verdict.map_class)) + "\", \"evidence\": {";
-    for (size_t i = 0; i < verdict.evidence.size(); ++i)
-        text += (i ? ", " : "") + json_quoted(verdict.evidence[i].name) + ": " +
-                number(verdict.evidence[i].value);
-    text += "}, \"findings\": [";
-    for (size_t i = 0; i < verdict.findings.size(); ++i) {
-        const maps::Finding& finding = verdict.findings[i];
-        text += std::string(i ? ", " : "") +
-                "{\"name\": " + json_quoted(std::string(name_of(finding.defect))) +
-                ", \"defect\": " + (finding.is_defect ? "true" : "false") +
-                ", \"message\": " + json_quoted(finding.message) + "}";
-    }
-    return text + "]}";
+    const auto text_of = [](const auto& part) { return as_json(part); };
+    return "{\"file\": " + json_quoted(file) + ", \"look\": \"" +
+           std::string(name_of(verdict.map_class)) + "\", \"evidence\": {" +
+           joined(verdict.evidence, ", ", text_of) + "}, \"findings\": [" +
+           joined(verdict.findings, ", ", text_of) + "]}";
 }
 
 struct LintCommand {

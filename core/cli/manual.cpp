@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/limits.h"
+#include "base/text.h"
 #include "cli/cli.h"
 #include "cli/output.h"
 #include "cli/texts.h"
@@ -48,11 +49,9 @@ std::string value_of(const CLI::Option& option) {
 // Names and value of an option. The compiler-style flags (-MD and so on) are not listed here: the
 // description of their option begins with them.
 std::string term(const CLI::Option& option) {
-    std::string names;
-    for (const std::string& name : option.get_snames())
-        names += (names.empty() ? "" : ", ") + ("\\fB" + plain("-" + name) + "\\fR");
-    for (const std::string& name : option.get_lnames())
-        names += (names.empty() ? "" : ", ") + ("\\fB" + plain("--" + name) + "\\fR");
+    const std::string names =
+        joined(split(option.get_name(false, true), ','), ", ",
+               [](std::string_view name) { return "\\fB" + plain(name) + "\\fR"; });
     const std::string value = option.get_items_expected_max() > 0 ? value_of(option) : "";
     return names + (value.empty() ? "" : " \\fI" + plain(value) + "\\fR");
 }
@@ -96,10 +95,7 @@ std::string synopsis_of(const CLI::App& command) {
 }
 
 std::vector<const CLI::App*> commands_of(const CLI::App& app) {
-    std::vector<const CLI::App*> commands;
-    for (const CLI::App* sub : app.get_subcommands({}))
-        if (!sub->get_group().empty()) commands.push_back(sub);
-    return commands;
+    return app.get_subcommands([](const CLI::App* sub) { return !sub->get_group().empty(); });
 }
 
 std::string environment() {

@@ -18,16 +18,15 @@ struct MaterialRun {
 // Callback for a compiled run and its index from 0. The run is destroyed after the call.
 using UseRun = std::function<void(size_t, const MaterialRun&, Diagnostics&)>;
 
-// Purpose of a run. `render` uses screen derivatives; all others use given differentials. Only
-// `bake_moments` keeps covariances (covariances_for() in bake/maps.h).
-enum class Purpose : uint8_t { eval, render, bake, bake_moments };
+// Options of a program that runs a material, such as "eval"; `given`: differentials are given.
+MaterialOptions run_options(const char* program, bool given = true);
 
 // Reads the file once, then compiles each run and passes it to `use` before the next is compiled,
-// so that a sweep needs the memory of one run. Stops at the first run with an error. If
-// `double_sided` names a mesh with visible back faces, a graph that does not set "back_faces" uses
-// the rule `flip`, which is reported as a warning.
+// so that a sweep needs the memory of one run. Stops at the first run with an error. `options` get
+// vertex_tangents from `common`. If `double_sided` names a mesh with visible back faces, a graph
+// that does not set "back_faces" uses the rule `flip`, which is reported as a warning.
 void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
-                  const Overrides& overrides, Purpose purpose, const UseRun& use,
+                  const Overrides& overrides, MaterialOptions options, const UseRun& use,
                   Diagnostics& diagnostics, const std::string& double_sided = "");
 
 // Emits the function form with screen derivatives, the default of `wrinkle compile`.

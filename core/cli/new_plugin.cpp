@@ -71,22 +71,19 @@ std::string filled(std::string_view form, std::string_view name, std::string_vie
     return text;
 }
 
-struct ScaffoldFile {
-    std::string name, text;
-};
-
 // Returns the files of a node with its graph, test and build. `prefix` is the install or build
 // folder of the SDK, "" if unknown.
-std::vector<ScaffoldFile> scaffold(const std::string& name, std::string_view prefix) {
+std::vector<Result> scaffold(const fs::path& folder, const std::string& name,
+                             std::string_view prefix) {
     const std::pair<std::string, std::string_view> forms[] = {
         {name + ".cpp", texts::plugin_cpp_in},
         {"CMakeLists.txt", texts::plugin_cmake_in},
         {name + ".json", texts::plugin_json_in},
         {name + ".test.json", texts::plugin_test_json_in},
         {"README.md", texts::plugin_md_in}};
-    std::vector<ScaffoldFile> files;
+    std::vector<Result> files;
     for (const auto& [file, form] : forms)
-        files.push_back({file, filled(form, name, prefix)});
+        files.push_back({(folder / file).string(), filled(form, name, prefix)});
     return files;
 }
 
@@ -100,14 +97,14 @@ fs::path first_missing(fs::path path) {
 }
 
 // Returns true if `folder` holds only files that an interrupted earlier run may have written.
-bool is_unfinished(const fs::path& folder, const std::vector<ScaffoldFile>& files) {
+bool is_unfinished(const fs::path& folder, const std::vector<Result>& files) {
     const auto is_left = [&](const fs::path& path) {
-        const std::string name = path.filename().string();
         std::string why;
-        const auto is_it = [&](const ScaffoldFile& file) {
-            return name == file.name && read_file(path, why) == file.text;
+        const auto is_it = [&](const Result& file) {
+            return path == file.path && read_file(path, why) == file.text;
         };
-        return Temporary::is_name(name) || std::any_of(files.begin(), files.end(), is_it);
+        return Temporary::is_name(path.filename().string()) ||
+               std::any_of(files.begin(), files.end(), is_it);
     };
     std::error_code error;
     fs::directory_iterator entries(folder, error);
@@ -130,17 +127,14 @@ struct NewPluginCommand {
         std::error_code error;
         if (fs::exists(target, error) && !fs::is_directory(target, error))
             return target.string() + ": is no folder";
-        const auto files = scaffold(name, sdk_prefix());
+        const auto files = scaffold(target, name, sdk_prefix());
         if (!error && fs::exists(target, error) && !is_unfinished(target, files))
             return target.string() + ": the folder is not empty; --folder names another one";
         const fs::path whole = fs::absolute(target, error);
         const fs::path made = first_missing(whole);
         if (!error) fs::create_directories(whole, error);
         std::string why = error ? target.string() + ": " + error.message() : "";
-        std::vector<FileBytes> bytes;
-        for (const ScaffoldFile& file : files)
-            bytes.push_back({target / file.name, file.text});
-        if (why.empty() && write_files(bytes, why)) return {};
+        if (why.empty() && write_results(files, why)) return {};
         if (!made.empty()) fs::remove_all(made, error);
         return why;
     }

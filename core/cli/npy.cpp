@@ -45,84 +45,58 @@ std::string json_of(std::string_view text) {
     return json;
 }
 
+void require_form(bool readable) {
+    if (!readable) throw NpyProblem{"has a header that cannot be read", "what numpy.save() writes"};
+}
+
+void read_field(const json::Value& pair, NpyTable& table) {
+    require_form(pair.is(json::Kind::array) && pair.size() >= 2 &&
+                 pair.at(0).is(json::Kind::string) && pair.at(1).is(json::Kind::string));
+    const std::string name(pair.at(0).as_string()), type(pair.at(1).as_string());
+    if (pair.size() > 2)
+        throw NpyProblem{"has a field '" + name + "' of several numbers",
+                         "one number in each field: 'uv0.x', 'uv0.y'"};
+    size_t size = type == "<f8" ? 8 : 4;
+    if (type.starts_with("|V"))
+        require_form(parse_number(std::string_view(type).substr(2), size) && size <= 65536);
+    else if (type == "<f4" || type == "<f8")
+        table.fields.push_back({name, table.record, type == "<f8"});
+    else
+        throw NpyProblem{"has a field '" + name + "' of type " + type, "<f4 or <f8"};
+    table.record += size;
+}
+
+void read_fields(const json::Value& value, NpyTable& table) {
+    if (value.is(json::Kind::string))
+        throw NpyProblem{"holds numbers without names",
+                         "fields such as [('uv0.x', '<f4'), ('uv0.y', '<f4')]"};
+    require_form(value.is(json::Kind::array));
+    for (const json::Member& member : value.children())
+        read_field(member.value, table);
+}
+
 // Reads the header: a Python dictionary.
-class Header {
-public:
-    Header(NpyTable& table, NpyProblem& problem) : table_(table), problem_(problem) {}
-
-    bool read(std::string_view text) {
-        Diagnostics problems;
-        const json::Value root = json::parse(json_of(text), "", problems).root;
-        if (problems.has_errors() || !root.is(Kind::object)) return broken();
-        for (const json::Member& member : root.children()) {
-            const bool read = member.key == "descr"   ? fields(member.value)
-                              : member.key == "shape" ? shape(member.value)
-                                                      : order(member);
-            if (!read) return false;
-        }
-        return (has_shape_ && !table_.fields.empty()) || broken();
-    }
-
-private:
-    using Kind = json::Kind;
-
-    bool fail(std::string message, std::string expected) {
-        problem_ = {std::move(message), std::move(expected)};
-        return false;
-    }
-    bool broken() { return fail("has a header that cannot be read", "what numpy.save() writes"); }
-
-    bool order(const json::Member& member) {
-        if (member.key != "fortran_order" || !member.value.is(Kind::boolean)) return broken();
-        return !member.value.as_boolean() ||
-               fail("has Fortran order", "records one after the other");
-    }
-    bool shape(const json::Value& value) {
-        has_shape_ = true;
-        if (value.size() > 1)
-            return fail("has more than one dimension", "one record for each point");
-        const bool is_count = value.is(Kind::array) && value.size() == 1 &&
-                              value.at(0).is(Kind::number) &&
-                              parse_number(value.at(0).spelling(), table_.count);
-        return is_count || broken();
-    }
-
-    bool fields(const json::Value& value) {
-        if (value.is(Kind::string))
-            return fail("holds numbers without names",
-                        "fields such as [('uv0.x', '<f4'), ('uv0.y', '<f4')]");
-        if (!value.is(Kind::array)) return broken();
-        for (const json::Member& member : value.children()) {
-            const json::Value& pair = member.value;
-            if (!pair.is(Kind::array) || pair.size() < 2 || !pair.at(0).is(Kind::string) ||
-                !pair.at(1).is(Kind::string))
-                return broken();
-            const std::string name(pair.at(0).as_string()), type(pair.at(1).as_string());
-            if (pair.size() > 2)
-                return fail("has a field '" + name + "' of several numbers",
-                            "one number in each field: 'uv0.x', 'uv0.y'");
-            if (!add(name, type)) return false;
-        }
-        return true;
-    }
-    bool add(const std::string& name, const std::string& type) {
-        size_t size = type == "<f8" ? 8 : 4;
-        if (type.starts_with("|V")) {
-            if (!parse_number(std::string_view(type).substr(2), size) || size > 65536)
-                return broken();
-        } else if (type == "<f4" || type == "<f8") {
-            table_.fields.push_back({name, table_.record, type == "<f8"});
+void read_header(std::string_view text, NpyTable& table) {
+    Diagnostics problems;
+    const json::Value root = json::parse(json_of(text), "", problems).root;
+    require_form(!problems.has_errors() && root.is(json::Kind::object));
+    for (const auto& [key, value] : root.children()) {
+        if (key == "descr") {
+            read_fields(value, table);
+        } else if (key == "shape") {
+            if (value.size() > 1)
+                throw NpyProblem{"has more than one dimension", "one record for each point"};
+            require_form(value.is(json::Kind::array) && value.size() == 1 &&
+                         value.at(0).is(json::Kind::number) &&
+                         parse_number(value.at(0).spelling(), table.count));
         } else {
-            return fail("has a field '" + name + "' of type " + type, "<f4 or <f8");
+            require_form(key == "fortran_order" && value.is(json::Kind::boolean));
+            if (value.as_boolean())
+                throw NpyProblem{"has Fortran order", "records one after the other"};
         }
-        table_.record += size;
-        return true;
     }
-
-    NpyTable& table_;
-    NpyProblem& problem_;
-    bool has_shape_ = false;
-};
+    require_form(root.has("shape") && !table.fields.empty());
+}
 
 template <class T>
 T read_as(const char* from) {
@@ -138,27 +112,22 @@ double NpyTable::number(std::string_view bytes, const NpyField& field, size_t po
     return field.is_double ? read_as<double>(from) : double{read_as<float>(from)};
 }
 
-std::optional<NpyTable> read_npy(std::string_view bytes, NpyProblem& problem) {
-    const auto cut = [&] {
-        problem = {"is not a whole NPY file", "what numpy.save() writes"};
-        return std::nullopt;
-    };
-    if (!bytes.starts_with(magic) || bytes.size() < 12) return cut();
-    const bool small = bytes[6] == 1;
-    if (bytes[6] < 1 || bytes[6] > 3) return cut();
-    const size_t begin = small ? 10 : 12;
-    const size_t length = little_endian(bytes, 8, small ? 2 : 4);
-    if (length > bytes.size() - begin) return cut();
+NpyTable read_npy(std::string_view bytes) {
+    const bool has_head =
+        bytes.starts_with(magic) && bytes.size() >= 12 && bytes[6] >= 1 && bytes[6] <= 3;
+    const size_t begin = has_head && bytes[6] == 1 ? 10 : 12;
+    const size_t length = has_head ? little_endian(bytes, 8, begin - 8) : 0;
+    if (!has_head || length > bytes.size() - begin)
+        throw NpyProblem{"is not a whole NPY file", "what numpy.save() writes"};
     NpyTable table;
     table.first = begin + length;
-    if (!Header(table, problem).read(bytes.substr(begin, length))) return {};
+    read_header(bytes.substr(begin, length), table);
     const size_t held = bytes.size() - table.first;
-    if (held % table.record != 0 || held / table.record != table.count) {
-        problem = {"holds " + std::to_string(held) + " bytes of points, not " +
-                       std::to_string(table.count) + " records of " + std::to_string(table.record),
-                   "a whole file"};
-        return {};
-    }
+    if (held % table.record != 0 || held / table.record != table.count)
+        throw NpyProblem{"holds " + std::to_string(held) + " bytes of points, not " +
+                             std::to_string(table.count) + " records of " +
+                             std::to_string(table.record),
+                         "a whole file"};
     return table;
 }
 

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,8 +34,8 @@ struct NpyProblem {
     std::string message, expected;
 };
 
-// Returns std::nullopt and sets `problem` on failure.
-std::optional<NpyTable> read_npy(std::string_view bytes, NpyProblem& problem);
+// Throws an NpyProblem on failure.
+NpyTable read_npy(std::string_view bytes);
 
 // Returns the bytes before the records of a table of floats, or of doubles.
 std::string npy_header(const std::vector<std::string>& names, bool doubles, size_t count);

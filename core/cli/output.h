@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/text.h"
 
 namespace wrinkle::cli {
 
@@ -28,13 +29,10 @@ int write_result(const std::string& path, std::string text);
 bool write_results(const std::vector<Result>& results, std::string& why);
 
 // Returns "a, b" for {"a", "b"} and ", ".
-template <class Words>
-std::string joined(const Words& words, std::string_view separator) {
-    std::string text;
-    for (size_t i = 0; i < words.size(); ++i)
-        text.append(i > 0 ? separator : "").append(words[i]);
-    return text;
+std::string joined(const auto& words, std::string_view separator) {
+    return wrinkle::joined(words, separator, [](const auto& word) { return word; });
 }
+using wrinkle::joined;
 
 // Prints the problems to standard error, as text or as JSON. Returns exit_input if there are
 // errors, otherwise exit_success.

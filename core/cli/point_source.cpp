@@ -43,27 +43,6 @@ glm::dvec4 value_of(const SurfacePoint& point, const InputNeed& need) {
     return {from.uv.at(set), 0, 0};
 }
 
-// Samples the surface at the uvs of the points.
-bool fill_from(const MeshSurface& surface, const PointList& places, const Needs& needs,
-               size_t first, PointSet& set, Diagnostics& diagnostics) {
-    const size_t errors = diagnostics.error_count();
-    const std::vector<double>& uvs = places.given.at(SurfaceInput::uv0_);
-    for (size_t i = first; i < first + set.count; ++i) {
-        const glm::dvec2 uv(uvs[2 * i], uvs[2 * i + 1]);
-        const auto point = sample_mesh(surface.mesh, surface.grid.near(uv), uv, surface.size);
-        for (const InputNeed& need : needs)
-            for (size_t lane = 0; point && lane < lanes_of(need); ++lane)
-                set.at(need.input, need.variant)
-                    .push_back(value_of(*point, need)[static_cast<int>(lane)]);
-        if (!point)
-            places.report(i, Severity::error,
-                          "no triangle of the mesh " + surface.name + " covers the uv (" +
-                              shortest(uv.x) + ", " + shortest(uv.y) + ")",
-                          "a place inside its uv layout", diagnostics);
-    }
-    return diagnostics.error_count() == errors;
-}
-
 }  // namespace
 
 bool PointSource::check(const Needs& needs, Diagnostics& diagnostics) const {
@@ -77,17 +56,26 @@ bool PointSource::check(const Needs& needs, Diagnostics& diagnostics) const {
     return fine;
 }
 
-bool PointSource::fill(const Needs& needs, size_t first, PointSet& set,
-                       Diagnostics& diagnostics) const {
-    if (surface) return fill_from(*surface, points, needs, first, set, diagnostics);
-    for (const InputNeed& need : needs) {
-        const auto lanes = static_cast<std::ptrdiff_t>(lanes_of(need));
-        const auto begin = points.given.at(need.input, need.variant).begin() +
-                           static_cast<std::ptrdiff_t>(first) * lanes;
-        set.at(need.input, need.variant)
-            .assign(begin, begin + static_cast<std::ptrdiff_t>(set.count) * lanes);
+bool PointSource::fill(const Needs& needs, PointSet& set, Diagnostics& diagnostics) const {
+    const size_t errors = diagnostics.error_count();
+    const std::vector<double>& uvs = points.given.at(SurfaceInput::uv0_);
+    set.count = points.count();
+    for (const InputNeed& need : needs)
+        if (!surface) set.at(need.input, need.variant) = points.given.at(need.input, need.variant);
+    for (size_t i = 0; surface && i < set.count; ++i) {
+        const glm::dvec2 uv(uvs[2 * i], uvs[2 * i + 1]);
+        const auto point = sample_mesh(surface->mesh, surface->grid.near(uv), uv, surface->size);
+        for (const InputNeed& need : needs)
+            for (size_t lane = 0; point && lane < lanes_of(need); ++lane)
+                set.at(need.input, need.variant)
+                    .push_back(value_of(*point, need)[static_cast<int>(lane)]);
+        if (!point)
+            points.report(i, Severity::error,
+                          "no triangle of the mesh " + surface->name + " covers the uv (" +
+                              shortest(uv.x) + ", " + shortest(uv.y) + ")",
+                          "a place inside its uv layout", diagnostics);
     }
-    return true;
+    return diagnostics.error_count() == errors;
 }
 
 std::optional<glm::dvec2> parse_uv(const std::string& text) {

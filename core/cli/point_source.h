@@ -1,5 +1,4 @@
-// Points of an evaluation in blocks: given ones, or the surface points of a mesh at given uvs.
-// Memory is bounded by the input points and one block.
+// Points of an evaluation: given ones, or the surface points of a mesh at given uvs.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -22,13 +21,13 @@ struct MeshSurface {
 
 struct PointSource {
     PointList points;
-    std::optional<MeshSurface> surface = {};  // only uv0 of the points is read, a place on it
+    std::optional<MeshSurface> surface = {};  // sampled at uv0 of the points
 
     // Reports needed values that the points lack; returns true if there are none.
     bool check(const Needs& needs, Diagnostics& diagnostics) const;
-    // Writes the needed values of points [first, first + set.count); returns false and reports
-    // errors on failure.
-    bool fill(const Needs& needs, size_t first, PointSet& set, Diagnostics& diagnostics) const;
+    // Writes the needed values; returns false and reports errors on failure. Precondition: check()
+    // of these needs.
+    bool fill(const Needs& needs, PointSet& set, Diagnostics& diagnostics) const;
 };
 
 // Options that select points: --at, or --mesh with --at or --uv.

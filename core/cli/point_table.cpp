@@ -65,15 +65,13 @@ public:
     }
 
     void read_npy(std::string_view bytes) {
-        NpyProblem found;
-        const auto table = cli::read_npy(bytes, found);
-        if (!table) return problem(1, found.message, found.expected);
-        list_.given.count = table->count;
-        for (const NpyField& field : table->fields)
+        const NpyTable table = cli::read_npy(bytes);
+        list_.given.count = table.count;
+        for (const NpyField& field : table.fields)
             add_column(field.name);
         for (size_t i = 0; i < columns_.size(); ++i)
-            for (size_t point = 0; point < table->count; ++point)
-                put(i, point, table->number(bytes, table->fields[i], point));
+            for (size_t point = 0; point < table.count; ++point)
+                put(i, point, table.number(bytes, table.fields[i], point));
     }
 
     // Reports the first missing component of each input.
@@ -159,7 +157,7 @@ private:
     PointList& list_;
     Diagnostics& diagnostics_;
     const std::vector<Column> all_ = all_columns();
-    std::vector<const Column*> columns_;  // of the table; null: unknown
+    std::vector<const Column*> columns_;  // in the order of the table; null: unknown
     std::set<std::string> names_, inputs_;
 };
 
@@ -174,10 +172,14 @@ PointList read_table(const std::string& file, std::string_view bytes, Diagnostic
     PointList list;
     list.file = file;
     TableReader reader(list, own);
-    if (file.ends_with(".csv"))
-        reader.read_csv(bytes);
-    else
-        reader.read_npy(bytes);
+    try {
+        if (file.ends_with(".csv"))
+            reader.read_csv(bytes);
+        else
+            reader.read_npy(bytes);
+    } catch (const NpyProblem& problem) {
+        own.add(file_problem(Severity::error, file, problem.message, problem.expected));
+    }
     if (!own.has_errors()) reader.check_columns();
     list.finish();
     if (!own.has_errors()) reader.check_numbers();

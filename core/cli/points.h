@@ -21,7 +21,7 @@ using Needs = std::vector<InputNeed>;
 
 struct PointList {
     PointSet given;                    // NaN: the point lacks the value; empty: all points do
-    std::string file;                  // of a table; "": from JSON
+    std::string file;                  // table, for messages; "": from JSON
     uint32_t first_line = 0;           // CSV: line of the first point
     bool numbered = true;              // messages have the number of the point
     std::vector<json::Value> sources;  // JSON: values of the points

@@ -49,8 +49,8 @@ struct RenderCommand {
             read_textures(textures, run.compiled, run.project, problems);
             shaders.push_back(emit_function(run, material_name(file), problems));
         };
-        compile_runs(file, common, nodes.registry, overrides, Purpose::render, use, diagnostics,
-                     double_sided ? render.mesh : "");
+        compile_runs(file, common, nodes.registry, overrides, run_options("render", false), use,
+                     diagnostics, double_sided ? render.mesh : "");
         if (render.displace && !diagnostics.has_errors())
             meshes = displaced(*drawn_on, nodes, overrides, textures, diagnostics);
         const int code = report(diagnostics, common.diagnostics);
@@ -79,7 +79,8 @@ struct RenderCommand {
             auto mesh = displaced_mesh(still, run, textures, problems);
             if (mesh) meshes.push_back(std::move(*mesh));
         };
-        compile_runs(file, common, nodes.registry, overrides, Purpose::eval, use, diagnostics);
+        compile_runs(file, common, nodes.registry, overrides, run_options("eval"), use,
+                     diagnostics);
         return meshes;
     }
 

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -36,21 +35,15 @@ struct TestCase {
     std::filesystem::path golden(const std::string& extension) const;
 };
 
-// Key of a test file, for the reader and for the JSON Schema that `wrinkle test --schema` prints.
-// Values are JSON text. `schema` holds the members of the JSON Schema of the value.
-struct CaseKey {
-    std::string name, doc, schema, fallback, example;  // fallback "": no default
-};
-
-const std::vector<CaseKey>& case_keys();    // top-level keys
-const std::vector<CaseKey>& render_keys();  // keys of "render"
-
-std::vector<std::string> names_of(std::span<const CaseKey> keys);
-
+// JSON Schema of test files, which `wrinkle test --schema` prints.
 std::string case_schema();
 
-// Returns std::nullopt and reports a problem on failure. If `updating` is set, `expect` and
-// `points` may differ in length.
+// Reads the keys of a test file into `test` and reports problems at their values. If `updating` is
+// set, `expect` and `points` may differ in length.
+void read_case_keys(const json::Value& root, bool updating, TestCase& test,
+                    Diagnostics& diagnostics);
+
+// Returns std::nullopt and reports a problem on failure.
 std::optional<TestCase> read_test_case(const std::filesystem::path& file, bool updating,
                                        Diagnostics& diagnostics);
 

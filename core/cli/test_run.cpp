@@ -55,10 +55,10 @@ std::optional<Mesh> mesh_of(const RenderCase& render, const Project& project,
 }  // namespace
 
 void TestRun::test(const fs::path& file, Diagnostics& diagnostics) {
-    const size_t errors = diagnostics.error_count();
-    if (const auto test = read_test_case(file, options_.update, diagnostics))
-        run(*test, diagnostics);
-    if (diagnostics.error_count() == errors) return;
+    Diagnostics own;
+    if (const auto test = read_test_case(file, options_.update, own)) run(*test, own);
+    diagnostics.append_once(own);
+    if (!own.has_errors()) return;
     ++tally_.failed;
     std::printf("FAIL %s\n", printable(file.string() + ": cannot be run").c_str());
 }
@@ -67,34 +67,38 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     CommonOptions common = common_;
     common.set = test.set;
     const std::string graph = test.graph.string();
-    Diagnostics own;
     for (const fs::path& file : {test.graph, test.golden(".glsl"), test.golden(".png")})
-        refuse_outside(file, test, own);
-    const Overrides overrides = parse_overrides(common, own);
-    if (overrides.is_sweep()) own.error(test.file.string() + ": 'set' holds a sweep", "one value");
+        refuse_outside(file, test, diagnostics);
+    const Overrides overrides = parse_overrides(common, diagnostics);
+    if (overrides.is_sweep())
+        diagnostics.error(test.file.string() + ": 'set' holds a sweep", "one value");
     std::optional<MaterialRun> given, screen;
-    const auto compile = [&](bool given_differentials, std::optional<MaterialRun>& result) {
-        const auto keep = [&](size_t, const MaterialRun& run, Diagnostics&) { result = run; };
-        compile_runs(graph, common, registry_, overrides,
-                     given_differentials ? Purpose::eval : Purpose::render, keep, own);
-    };
     TextureStore textures;
-    Shader shader;
+    const auto compile = [&](const MaterialOptions& options, std::optional<MaterialRun>& result) {
+        const auto keep = [&](size_t, const MaterialRun& run, Diagnostics&) { result = run; };
+        if (!diagnostics.has_errors())
+            compile_runs(graph, common, registry_, overrides, options, keep, diagnostics);
+    };
     const bool displaced = test.render && test.render->options.displace;
-    if (!own.has_errors() && (test.points.count() > 0 || displaced)) compile(true, given);
-    if (!own.has_errors() && (test.glsl || test.render)) compile(false, screen);
-    if (!own.has_errors() && screen) shader = emit_function(*screen, material_name(graph), own);
-    if (!own.has_errors() && given) read_textures(textures, given->compiled, given->project, own);
-    if (!own.has_errors() && test.render)
-        read_textures(textures, screen->compiled, screen->project, own);
-    if (!own.has_errors() && test.points.count() > 0) values(test, *given, textures, own);
-    if (!own.has_errors() && test.glsl) text(test, shader);
-    std::optional<Mesh> still, moved;
-    if (!own.has_errors() && test.render)
-        still = mesh_of(*test.render, screen->project, common, own);
-    if (still && displaced) moved = displaced_mesh(*still, *given, textures, own);
-    if (still && !own.has_errors()) image(test, shader, *still, moved, textures, own);
-    diagnostics.append_once(own);
+    if (test.points.count() > 0 || displaced) compile(run_options("eval"), given);
+    if (test.glsl || test.render) compile(run_options("render", false), screen);
+    if (diagnostics.has_errors()) return;
+    Shader shader;
+    if (screen) shader = emit_function(*screen, material_name(graph), diagnostics);
+    if (diagnostics.has_errors()) return;
+    if (given) read_textures(textures, given->compiled, given->project, diagnostics);
+    if (!diagnostics.has_errors() && test.render)
+        read_textures(textures, screen->compiled, screen->project, diagnostics);
+    if (!diagnostics.has_errors() && test.points.count() > 0)
+        values(test, *given, textures, diagnostics);
+    if (diagnostics.has_errors()) return;
+    if (test.glsl) text(test, shader);
+    if (!test.render) return;
+    const auto still = mesh_of(*test.render, screen->project, common, diagnostics);
+    std::optional<Mesh> moved;
+    if (still && displaced) moved = displaced_mesh(*still, *given, textures, diagnostics);
+    if (still && !diagnostics.has_errors())
+        image(test, shader, *still, moved, textures, diagnostics);
 }
 
 // Reports an error if `file`, which is derived from the name of the test, is outside the root after
@@ -109,7 +113,7 @@ void TestRun::refuse_outside(const fs::path& file, const TestCase& test, Diagnos
 
 void TestRun::values(const TestCase& test, const MaterialRun& run, const TextureStore& textures,
                      Diagnostics& diagnostics) {
-    const auto columns = evaluate_at(run, textures, test.points, precision, diagnostics);
+    const auto columns = evaluate_points(run, textures, {test.points}, precision, diagnostics);
     if (!columns) return;
     std::vector<bool> differs(test.points.count());
     for (size_t point = 0; point < test.points.count(); ++point) {

@@ -1,11 +1,28 @@
-// Keys of test files and their JSON Schema.
+// Keys of test files: one table for the JSON Schema and the reader.
+#include <algorithm>
+
 #include "base/text.h"
+#include "cli/meshes.h"
+#include "cli/output.h"
+#include "cli/session.h"
 #include "cli/test_case.h"
 #include "cpu/columns.h"
 #include "json/write.h"
 
 namespace wrinkle::cli {
 namespace {
+
+using json::Kind;
+using json::Member;
+using json::Value;
+
+struct CaseReader;
+
+// Values are JSON text. `schema` holds the members of the JSON Schema of the value.
+struct CaseKey {
+    std::string name, doc, schema, fallback, example;  // fallback "": no default
+    void (*read)(CaseReader& reader, const Member& member);
+};
 
 std::string numbers(size_t count) {
     if (count == 1) return R"({"type": "number"})";
@@ -41,7 +58,7 @@ std::string definitions() {
 )";
 }
 
-std::string properties(std::span<const CaseKey> keys, const std::string& indent) {
+std::string properties(const std::vector<CaseKey>& keys, const std::string& indent) {
     std::string text;
     for (const CaseKey& key : keys) {
         text += (text.empty() ? "" : ",\n") + indent + json_quoted(key.name) +
@@ -58,7 +75,89 @@ const char* boolean(bool value) {
 
 constexpr const char* tolerance_schema = R"("type": "number", "minimum": 0)";
 
-}  // namespace
+struct CaseReader {
+    TestCase& test;
+    Diagnostics& diagnostics;
+
+    RenderOptions& options() { return test.render->options; }
+
+    void take(const Member& member, std::string& text) {
+        if (wants(member.value, Kind::string, member.key)) text = member.value.as_string();
+    }
+    void take(const Member& member, bool& truth) {
+        if (wants(member.value, Kind::boolean, member.key)) truth = member.value.as_boolean();
+    }
+    void take(const Member& member, double& tolerance) {
+        if (!wants(member.value, Kind::number, member.key)) return;
+        tolerance = member.value.as_number();
+        if (tolerance < 0)
+            error(member.value, std::string(member.key) + " is negative", "0 or more");
+    }
+
+    void take_set(const Value& value) {
+        if (!wants(value, Kind::array, "set")) return;
+        for (const Member& member : value.children())
+            if (wants(member.value, Kind::string, "a value of 'set'"))
+                test.set.emplace_back(member.value.as_string());
+    }
+
+    void take_expect(const Value& value) {
+        if (!wants(value, Kind::array, "expect")) return;
+        test.expect = value;
+        for (const Member& member : value.children())
+            wants(member.value, Kind::object, "an entry of 'expect'");
+    }
+
+    void take_render(const Value& value);
+    void take_mesh(const Member& member) {
+        take(member, options().mesh);
+        test.render->mesh = member.value;
+        if (!check_mesh(options().mesh).empty())
+            error(member.value, "mesh: there is no '" + options().mesh + "'", mesh_help());
+    }
+
+    void take_view(const Value& value) {
+        if (!wants(value, Kind::string, "view")) return;
+        const auto view = gpu::view_named(value.as_string());
+        if (view)
+            options().view = *view;
+        else
+            error(value, "view: there is no '" + std::string(value.as_string()) + "'",
+                  joined(gpu::view_names(), ", "));
+    }
+
+    void take_size(const Value& value) {
+        if (!value.is(Kind::string) ||
+            !parse_size(std::string(value.as_string()), options().width, options().height))
+            error(value, "size does not fit", "a text such as \"512x512\"");
+    }
+
+    void read_keys(const Value& value, const char* what, const std::vector<CaseKey>& keys) {
+        if (!wants(value, Kind::object, what)) return;
+        std::vector<std::string> names;
+        for (const CaseKey& key : keys)
+            names.push_back(key.name);
+        for (const Member& member : value.children()) {
+            const auto key = std::find(names.begin(), names.end(), member.key);
+            if (key != names.end())
+                keys[static_cast<size_t>(key - names.begin())].read(*this, member);
+            else
+                error(member.value, "unknown key '" + std::string(member.key) + "'",
+                      did_you_mean(member.key, names, joined(names, ", ")));
+        }
+    }
+
+    bool wants(const Value& value, Kind kind, std::string_view what) {
+        if (value.is(kind)) return true;
+        error(value, std::string(what) + " is " + json::kind_name(value.kind()),
+              json::kind_name(kind));
+        return false;
+    }
+
+    void error(const Value& value, std::string message, std::string expected) {
+        report_at(value, std::move(message), std::move(expected), diagnostics);
+    }
+};
 
 const std::vector<CaseKey>& render_keys() {
     static const RenderCase defaults;
@@ -66,18 +165,23 @@ const std::vector<CaseKey>& render_keys() {
     static const std::vector<std::string> views(gpu::view_names().begin(), gpu::view_names().end());
     static const std::vector<CaseKey> keys = {
         {"mesh", "A shape's name, or a mesh file relative to the graph and inside the root",
-         R"("type": "string")", json_quoted(options.mesh), R"("torus")"},
+         R"("type": "string")", json_quoted(options.mesh), R"("torus")",
+         [](auto& reader, auto& member) { reader.take_mesh(member); }},
         {"size", "Width and height in pixels", R"("type": "string", "pattern": "^[0-9]+x[0-9]+$")",
          json_quoted(std::to_string(options.width) + "x" + std::to_string(options.height)),
-         R"("256x256")"},
+         R"("256x256")", [](auto& reader, auto& member) { reader.take_size(member.value); }},
         {"view", "As `wrinkle render --view`", "\"enum\": " + json::string_array(views),
-         json_quoted(views[static_cast<size_t>(options.view)]), R"("normal")"},
+         json_quoted(views[static_cast<size_t>(options.view)]), R"("normal")",
+         [](auto& reader, auto& member) { reader.take_view(member.value); }},
         {"against", "The output that the difference view compares with; empty: the surface",
-         R"("type": "string")", json_quoted(options.against), R"("wrong")"},
+         R"("type": "string")", json_quoted(options.against), R"("wrong")",
+         [](auto& reader, auto& member) { reader.take(member, reader.options().against); }},
         {"displace", "As `wrinkle render --displace`", R"("type": "boolean")",
-         boolean(options.displace), "true"},
+         boolean(options.displace), "true",
+         [](auto& reader, auto& member) { reader.take(member, reader.options().displace); }},
         {"tolerance", "Root mean square of all channels, in 8-bit steps", tolerance_schema,
-         shortest(defaults.tolerance), "2"}};
+         shortest(defaults.tolerance), "2",
+         [](auto& reader, auto& member) { reader.take(member, reader.test.render->tolerance); }}};
     return keys;
 }
 
@@ -85,34 +189,43 @@ const std::vector<CaseKey>& case_keys() {
     static const TestCase defaults;
     static const std::vector<CaseKey> keys = {
         {"set", "Values as `--set` takes them, for every case of the file; no sweeps",
-         R"("type": "array", "items": {"type": "string"})", "[]", R"(["bump.amount=2"])"},
+         R"("type": "array", "items": {"type": "string"})", "[]", R"(["bump.amount=2"])",
+         [](auto& reader, auto& member) { reader.take_set(member.value); }},
         {"points", "Surface points as `wrinkle eval --at` takes them; each is a case",
          R"("anyOf": [{"$ref": "#/$defs/point"},)"
          R"( {"type": "array", "items": {"$ref": "#/$defs/point"}}])",
-         "[]", R"([{"normal": [0, 0, 1], "uv0": [0.5, 0.5]}])"},
+         "[]", R"([{"normal": [0, 0, 1], "uv0": [0.5, 0.5]}])",
+         [](auto& reader, auto& member) {
+             reader.test.points = read_points(member.value, reader.diagnostics);
+         }},
         {"expect", "For each point an object with the values of some or all outputs",
          R"("type": "array", "items": {"type": "object", "minProperties": 1,)"
          R"( "additionalProperties": {"type": ["number", "array"], "items": {"type": "number"}}})",
-         "", R"([{"height": 0.25}])"},
+         "", R"([{"height": 0.25}])",
+         [](auto& reader, auto& member) { reader.take_expect(member.value); }},
         {"tolerance_deg", "For outputs of type normal: an angle in degrees", tolerance_schema,
-         shortest(defaults.tolerance_deg), "0.1"},
+         shortest(defaults.tolerance_deg), "0.1",
+         [](auto& reader, auto& member) { reader.take(member, reader.test.tolerance_deg); }},
         {"tolerance", "For every other number: an absolute difference", tolerance_schema,
-         shortest(defaults.tolerance), "0.001"},
+         shortest(defaults.tolerance), "0.001",
+         [](auto& reader, auto& member) { reader.take(member, reader.test.tolerance); }},
         {"glsl", "A case: the GLSL of the function form is golden/NAME.glsl",
-         R"("type": "boolean")", boolean(defaults.glsl), "true"},
+         R"("type": "boolean")", boolean(defaults.glsl), "true",
+         [](auto& reader, auto& member) { reader.take(member, reader.test.glsl); }},
         {"render", "A case: the rendered image is golden/NAME.png",
          "\"type\": \"object\", \"additionalProperties\": false, \"properties\": {\n" +
              properties(render_keys(), "      ") + "}",
-         "", R"({"mesh": "torus", "size": "256x256"})"}};
+         "", R"({"mesh": "torus", "size": "256x256"})",
+         [](auto& reader, auto& member) { reader.take_render(member.value); }}};
     return keys;
 }
 
-std::vector<std::string> names_of(std::span<const CaseKey> keys) {
-    std::vector<std::string> names;
-    for (const CaseKey& key : keys)
-        names.push_back(key.name);
-    return names;
+void CaseReader::take_render(const Value& value) {
+    if (value.is(Kind::object)) test.render.emplace();
+    read_keys(value, "render", render_keys());
 }
+
+}  // namespace
 
 std::string case_schema() {
     return R"({
@@ -123,6 +236,24 @@ std::string case_schema() {
   "properties": {
 )" + properties(case_keys(), "    ") +
            "\n  },\n" + definitions() + "}\n";
+}
+
+void read_case_keys(const Value& root, bool updating, TestCase& test, Diagnostics& diagnostics) {
+    CaseReader reader{test, diagnostics};
+    reader.read_keys(root, "a test file", case_keys());
+    if (!root.is(Kind::object)) return;
+    if (test.points.count() == 0 && !test.glsl && !test.render)
+        reader.error(root, "there is no case in this file", "points, \"glsl\": true or render");
+    if (updating) return;
+    for (const Member& entry : test.expect.children())
+        if (entry.value.size() == 0)
+            reader.error(entry.value, "this entry expects nothing", "at least one output");
+    const size_t points = test.points.count(), expected = test.expect.size();
+    if (expected != points)
+        reader.error(root.has("expect") ? test.expect : root,
+                     std::to_string(points) + " points, but " + std::to_string(expected) +
+                         " entries in 'expect'",
+                     "one for each point; --update writes them");
 }
 
 }  // namespace wrinkle::cli
