@@ -9,6 +9,13 @@
 #include "base/text.h"
 
 namespace wrinkle {
+namespace {
+
+const char* name_of(Severity severity) {
+    return severity == Severity::error ? "error" : "warning";
+}
+
+}  // namespace
 
 void Diagnostics::add(Diagnostic diagnostic) {
     if (diagnostic.severity == Severity::error) ++error_count_;
@@ -54,7 +61,7 @@ std::string to_text(const Diagnostic& diagnostic) {
             text += ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
         text += ": ";
     }
-    text += diagnostic.severity == Severity::error ? "error: " : "warning: ";
+    text += std::string(name_of(diagnostic.severity)) + ": ";
     if (!diagnostic.node.empty()) text += "node '" + diagnostic.node + "': ";
     text += diagnostic.message;
     if (!diagnostic.expected.empty()) text += " (" + diagnostic.expected + ")";
@@ -91,21 +98,17 @@ std::string exception_text() {
 }
 
 std::string to_json(const Diagnostics& diagnostics) {
-    std::string text = "{\"version\": 1, \"diagnostics\": [";
-    const char* separator = "\n  ";
-    for (const Diagnostic& d : diagnostics.list()) {
-        text += separator + std::string("{\"severity\": ");
-        text += d.severity == Severity::error ? "\"error\"" : "\"warning\"";
-        text += ", \"file\": " + json_quoted(d.where.file);
-        text += ", \"line\": " + std::to_string(d.where.line);
-        text += ", \"column\": " + std::to_string(d.where.column);
-        text += ", \"pointer\": " + json_quoted(d.pointer);
-        text += ", \"node\": " + json_quoted(d.node);
-        text += ", \"message\": " + json_quoted(d.message);
-        text += ", \"expected\": " + json_quoted(d.expected) + "}";
-        separator = ",\n  ";
-    }
-    return text + "], \"dropped\": " + std::to_string(diagnostics.dropped()) + "}\n";
+    const auto object = [](const Diagnostic& d) {
+        return "\n  {\"severity\": " + json_quoted(name_of(d.severity)) +
+               ", \"file\": " + json_quoted(d.where.file) +
+               ", \"line\": " + std::to_string(d.where.line) +
+               ", \"column\": " + std::to_string(d.where.column) +
+               ", \"pointer\": " + json_quoted(d.pointer) + ", \"node\": " + json_quoted(d.node) +
+               ", \"message\": " + json_quoted(d.message) +
+               ", \"expected\": " + json_quoted(d.expected) + "}";
+    };
+    return "{\"version\": 1, \"diagnostics\": [" + joined(diagnostics.list(), ",", object) +
+           "], \"dropped\": " + std::to_string(diagnostics.dropped()) + "}\n";
 }
 
 }  // namespace wrinkle

@@ -40,12 +40,15 @@ std::FILE* open_special(const fs::path& path) {
     return fdopen(handle, "wb");
 }
 
-std::error_code write_all(const fs::path& path, std::string_view bytes) {
+// Writes the bytes that produce(write) passes to `write`.
+template <typename Produce>
+std::error_code write_special(const fs::path& path, Produce produce) {
     std::FILE* file = open_special(path);
     if (!file) return last_error();
-    std::error_code error;
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size() || std::fflush(file) != 0)
-        error = last_error();
+    std::error_code error = produce([&](std::string_view bytes) {
+        const size_t count = std::fwrite(bytes.data(), 1, bytes.size(), file);
+        return count == bytes.size() ? std::error_code() : last_error();
+    });
     if (std::fclose(file) != 0 && !error) error = last_error();
     return error;
 }
@@ -103,17 +106,6 @@ bool hold_the_same(const fs::path& one, const fs::path& other) {
     return !error;
 }
 
-std::error_code copy_into(const fs::path& from, const fs::path& to) {
-    std::FILE* file = open_special(to);
-    if (!file) return last_error();
-    std::error_code error = each_block(from, [&](std::string_view bytes) {
-        const size_t count = std::fwrite(bytes.data(), 1, bytes.size(), file);
-        return count == bytes.size() ? std::error_code() : last_error();
-    });
-    if (std::fclose(file) != 0 && !error) error = last_error();
-    return error;
-}
-
 // Atomic write of one file: written under a temporary name, then renamed to its target.
 class AtomicFileWrite {
 public:
@@ -131,7 +123,8 @@ public:
     }
 
     std::error_code place() {
-        if (is_special(target_)) return write_all(target_, file_.bytes);
+        if (is_special(target_))
+            return write_special(target_, [&](auto write) { return write(file_.bytes); });
         return temporary_ ? temporary_->place(target_) : std::error_code();
     }
 
@@ -180,7 +173,8 @@ bool replace_file(Temporary& written, const fs::path& path, std::string& why) {
     const fs::path target = link_target(path);
     std::error_code error;
     if (is_special(target))
-        error = copy_into(written.path(), target);
+        error =
+            write_special(target, [&](auto write) { return each_block(written.path(), write); });
     else if (!hold_the_same(written.path(), target))
         error = written.place(target);
     written.remove();
@@ -201,24 +195,6 @@ fs::path link_target(const fs::path& path) {
 }
 
 fs::path real_path(const fs::path& path, std::error_code& error) {
-    // The folder is resolved by one realpath() call instead of one call per component, and the last
-    // component by one lstat() unless it is a link.
-    using Real = std::unique_ptr<char, decltype(&free)>;
-    const std::string& text = path.native();
-    const size_t slash = text.rfind('/') + 1;  // 0 if there is no slash
-    const std::string_view name = std::string_view(text).substr(slash);
-    if (!name.empty() && name != "." && name != "..") {
-        const std::string folder = slash > 0 ? text.substr(0, slash) : ".";
-        if (const Real real{::realpath(folder.c_str(), nullptr), free}) {
-            std::string file = real.get();
-            if (file.back() != '/') file += '/';
-            file += name;
-            struct stat found {};
-            const bool there = ::lstat(file.c_str(), &found) == 0;
-            if (there ? !S_ISLNK(found.st_mode) : errno == ENOENT) return file;
-        }
-    }
-    if (const Real real{::realpath(path.c_str(), nullptr), free}) return real.get();
     return fs::weakly_canonical(fs::absolute(path), error);
 }
 
@@ -229,56 +205,13 @@ fs::path real_path(const fs::path& path) {
     return error ? path : real;
 }
 
-namespace {
-
-bool is_inside(std::string_view real_root, std::string_view real) {
-    while (real_root.ends_with('/'))
-        real_root.remove_suffix(1);
-    const std::string_view below = real.substr(std::min(real_root.size(), real.size()));
-    return real.starts_with(real_root) && (below.empty() || below[0] == '/');
-}
-
-// Returns folder/name if every component exists and is neither a link nor dots, else "". One
-// lstat() call per component. Precondition: `folder` is a resolved path.
-std::string plain_below(std::string_view folder, std::string_view name) {
-    if (!folder.starts_with('/')) return {};
-    std::string path(folder);
-    if (path.size() > 1 && path.ends_with('/')) path.pop_back();
-    while (!name.empty()) {
-        const std::string_view part = name.substr(0, name.find('/'));
-        const bool last = part.size() == name.size();
-        name.remove_prefix(last ? name.size() : part.size() + 1);
-        if (part.empty() || part == "." || part == "..") return {};
-        if (!path.ends_with('/')) path += '/';
-        path += part;
-        struct stat found {};
-        if (::lstat(path.c_str(), &found) != 0 || S_ISLNK(found.st_mode)) return {};
-        if (!last && !S_ISDIR(found.st_mode)) return {};
-    }
-    return path;
-}
-
-std::optional<fs::path> inside_root(std::string_view real_root, const fs::path& path) {
-    std::error_code error;
-    fs::path real = real_path(path, error);
-    if (error || !is_inside(real_root, real.native())) return {};
-    return real;
-}
-
-}  // namespace
-
 std::optional<fs::path> inside(const fs::path& root, const fs::path& path) {
     std::error_code error;
     const fs::path real_root = real_path(root, error);
     if (error) return {};
-    return inside_root(real_root.native(), path);
-}
-
-std::optional<fs::path> inside_real(const fs::path& real_root, std::string_view folder,
-                                    std::string_view name) {
-    std::string plain = plain_below(folder, name);
-    if (!plain.empty() && is_inside(real_root.native(), plain)) return plain;
-    return inside_root(real_root.native(), fs::path(folder) / name);
+    fs::path real = real_path(path, error);
+    if (error || *real.lexically_relative(real_root).begin() == "..") return {};
+    return real;
 }
 
 }  // namespace wrinkle

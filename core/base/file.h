@@ -78,9 +78,6 @@ std::filesystem::path real_path(const std::filesystem::path& path);
 // is `root` or below it; otherwise std::nullopt.
 std::optional<std::filesystem::path> inside(const std::filesystem::path& root,
                                             const std::filesystem::path& path);
-// As inside() for `folder`/`name`. Precondition: root and folder are results of real_path().
-std::optional<std::filesystem::path> inside_real(const std::filesystem::path& real_root,
-                                                 std::string_view folder, std::string_view name);
 
 // Returns a sentence that names both files if an output is an input of the same run, or another
 // output; "" if all may be written. Compares files, not names: different spellings, symbolic links

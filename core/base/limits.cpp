@@ -21,19 +21,18 @@ const char* text_of(const LimitRow& row) {
 }
 
 std::string remedy(Limit limit, uint64_t value) {
-    const std::string raise =
-        std::string(row_of(limit).variable) + " above " + std::to_string(value);
     return "fewer nodes in a row that need the slope of what comes before or read it as a field, "
-           "or "
-           "bake that into an image first; set " +
-           raise + " where it must be";
+           "or bake that into an image first; set " +
+           std::string(row_of(limit).variable) + " above " + std::to_string(value) +
+           " where it must be";
 }
 
 }  // namespace
 
 uint64_t limit_of(Limit limit) {
     const char* text = text_of(row_of(limit));
-    return text ? limit_in(text).value_or(row_of(limit).usual) : row_of(limit).usual;
+    return text ? limit_in(text).value_or(row_of(limit).default_value)
+                : row_of(limit).default_value;
 }
 
 bool report_limits(Diagnostics& diagnostics) {

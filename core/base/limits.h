@@ -32,7 +32,7 @@ enum class Limit : uint8_t {
 
 struct LimitRow {
     std::string_view variable;
-    uint64_t usual;  // default
+    uint64_t default_value;
     std::string_view unit;
     std::string_view doc;
 };

@@ -1,6 +1,7 @@
 #include "base/printable.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdio>
 
 namespace wrinkle {
@@ -35,20 +36,16 @@ Character first_character(std::string_view text) {
     const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char lead = byte(0);
     const Character broken{lead, 1, false};
-    const uint8_t length = lead < 0x80   ? 1
-                           : lead < 0xC2 ? 0
-                           : lead < 0xE0 ? 2
-                           : lead < 0xF0 ? 3
-                           : lead < 0xF5 ? 4
-                                         : 0;
-    if (length == 0 || length > text.size()) return broken;
+    const int ones = std::countl_one(lead);
+    const auto length = static_cast<uint8_t>(std::max(ones, 1));
+    if (ones == 1 || ones > 4 || length > text.size()) return broken;
     uint32_t code = length == 1 ? lead : lead & (0x7FU >> length);
     for (size_t k = 1; k < length; ++k) {
         if ((byte(k) & 0xC0) != 0x80) return broken;
         code = code << 6 | (byte(k) & 0x3FU);
     }
-    const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-    if (overlong || code > 0x10FFFF || is_between(code, 0xD800, 0xDFFF)) return broken;
+    constexpr uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // by length; else it is overlong
+    if (code < least[length] || code > 0x10FFFF || is_between(code, 0xD800, 0xDFFF)) return broken;
     return {code, length, true};
 }
 

@@ -57,10 +57,6 @@ std::string shortest(float value) {
     return spelled(value);
 }
 
-void append_shortest(std::string& text, float value) {
-    text += spelled(value);
-}
-
 // Escapes non-printable characters too, so that JSON printed to a terminal cannot forge a line.
 std::string json_quoted(std::string_view text) {
     std::string quoted = "\"";

@@ -1,6 +1,7 @@
 // Text helpers: locale-independent numbers, identifiers, suggestions, parts and lines.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -13,7 +14,6 @@ namespace wrinkle {
 // Returns the shortest spelling that parses back to the same value ("0.1", "1e-07", "-0").
 std::string shortest(double value);
 std::string shortest(float value);
-void append_shortest(std::string& text, float value);
 
 // Returns a quoted JSON string. Printable characters (is_printable()) are copied unchanged, others
 // are escaped; a byte that is not UTF-8 becomes U+FFFD.
@@ -30,6 +30,16 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
 // Returns "did you mean 'weave'?" with the nearest candidate; `otherwise` if there is none.
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates,
                          std::string otherwise = {});
+
+// Returns the enumerator with this name; std::nullopt for an unknown name. `names` is in the order
+// of the enumerators, which count from `first`.
+template <class Enum>
+std::optional<Enum> enumerator_named(std::span<const std::string_view> names, std::string_view name,
+                                     int first = 0) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return {};
+    return static_cast<Enum>(found - names.begin() + first);
+}
 
 std::vector<std::string_view> split(std::string_view text, char separator);
 

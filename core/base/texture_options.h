@@ -15,6 +15,8 @@
 #include <optional>
 #include <string_view>
 
+#include "base/text.h"
+
 namespace wrinkle {
 
 enum class Encoding : uint8_t {
@@ -54,8 +56,14 @@ constexpr std::string_view name_of(Filter filter) {
 }
 
 // Return std::nullopt for an unknown name.
-std::optional<Encoding> encoding_named(std::string_view name);
-std::optional<Wrap> wrap_named(std::string_view name);
-std::optional<Filter> filter_named(std::string_view name);
+inline std::optional<Encoding> encoding_named(std::string_view name) {
+    return enumerator_named<Encoding>(encoding_names, name);
+}
+inline std::optional<Wrap> wrap_named(std::string_view name) {
+    return enumerator_named<Wrap>(wrap_names, name);
+}
+inline std::optional<Filter> filter_named(std::string_view name) {
+    return enumerator_named<Filter>(filter_names, name);
+}
 
 }  // namespace wrinkle

@@ -20,7 +20,7 @@ std::vector<std::string> names_of(const std::vector<OutputColumn>& columns) {
 
 void append_finite(std::string& text, double value, Precision precision) {
     if (precision == Precision::single)
-        append_shortest(text, static_cast<float>(value));
+        text += shortest(static_cast<float>(value));
     else
         text += shortest(value);
 }

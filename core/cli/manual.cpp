@@ -102,8 +102,8 @@ std::string environment() {
     std::string text = ".SH ENVIRONMENT\nLimits of sizes, each a whole number from 1.\n";
     for (const LimitRow& row : limit_rows)
         text += entry("\\fB" + std::string(row.variable) + "\\fR",
-                      std::string(row.doc) + "; default: " + std::to_string(row.usual) + " " +
-                          std::string(row.unit));
+                      std::string(row.doc) + "; default: " + std::to_string(row.default_value) +
+                          " " + std::string(row.unit));
     return text;
 }
 

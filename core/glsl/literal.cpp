@@ -17,7 +17,7 @@ void append_float(std::string& text, double value) {
         text += narrow > 0 ? "uintBitsToFloat(0x7f800000u)" : "uintBitsToFloat(0xff800000u)";
     } else {
         const size_t begin = text.size();
-        append_shortest(text, narrow);
+        text += shortest(narrow);
         if (text.find('.', begin) == text.npos && text.find('e', begin) == text.npos) text += ".0";
     }
 }

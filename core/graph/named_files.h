@@ -1,7 +1,4 @@
 // Cache of the files that a project's graphs name (images, for example): each is resolved once.
-//
-// Few system calls: a folder is resolved once, and a file in it that is not a link costs one more
-// call.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include "graph/subgraph.h"
 
@@ -22,22 +19,14 @@ public:
         std::filesystem::file_type type = std::filesystem::file_type::none;
     };
 
-    explicit NamedFiles(const Project& project)
-        : project_(&project), found_(project.files.size()), folders_(project.files.size()) {}
+    explicit NamedFiles(const Project& project) : project_(&project) {}
 
     // `name` is as written in files[file]. The reference stays valid.
     const Found& find(size_t file, std::string_view name);
 
 private:
-    template <class T>
-    using ByName = std::map<std::string, T, std::less<>>;
-
-    std::optional<Found> plain_file(size_t file, std::string_view name);
-
     const Project* project_;
-    std::vector<ByName<Found>> found_;  // by file and name
-    // By file, and folder as spelled in names: canonical path; std::nullopt: outside the root.
-    std::vector<ByName<std::optional<std::filesystem::path>>> folders_;
+    std::map<std::pair<size_t, std::string>, Found> found_;  // by file and name
 };
 
 }  // namespace wrinkle

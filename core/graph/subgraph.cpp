@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "graph/depth_first.h"
+#include "graph/named_files.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
@@ -43,7 +44,7 @@ private:
             return File::none;
         };
         if (name.empty()) return fail("names no file", "expected \"graph:FILE.json\"");
-        const auto path = resolve_file(project_, f, name);
+        const auto& path = named_.find(f, name).path;
         if (!path)
             return fail("is outside the root " + project_.root.string(),
                         "keep it below the root, or choose another with --root");
@@ -52,12 +53,8 @@ private:
         std::string why;
         auto bytes = read_file(*path, why);
         if (!bytes) return fail(why, "expected a graph file");
-        return add(*path, display_name(document, name), std::move(*bytes));
-    }
-
-    // Returns the name for diagnostics: relative to the file that contains it.
-    static std::string display_name(const Document& document, std::string_view name) {
-        return (fs::path(document.file).parent_path() / name).lexically_normal().string();
+        const fs::path folder = fs::path(document.file).parent_path();  // as in diagnostics
+        return add(*path, (folder / name).lexically_normal().string(), std::move(*bytes));
     }
 
     uint32_t add(const fs::path& path, std::string name, std::string bytes) {
@@ -102,6 +99,7 @@ private:
     Project& project_;
     ReadLimits limits_;
     Diagnostics& diagnostics_;
+    NamedFiles named_{project_};
     std::map<fs::path, uint32_t> known_;
 };
 
@@ -143,7 +141,7 @@ Project load_project(Document top, const fs::path& folder, const ProjectOptions&
 std::optional<fs::path> resolve_file(const Project& project, size_t file, std::string_view name) {
     if (name.find('\0') != name.npos) return {};
     const std::string_view path = project.files[file].path.native();
-    return inside_real(project.root, path.substr(0, path.rfind('/') + 1), name);
+    return inside(project.root, fs::path(path.substr(0, path.rfind('/') + 1)) / name);
 }
 
 }  // namespace wrinkle

@@ -8,13 +8,12 @@
 
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
-
-#include "base/text_hash.h"
 
 namespace wrinkle {
 
@@ -81,7 +80,7 @@ private:
 
     static size_t probe(const std::vector<T>& items, const Slots& slots, std::string_view key) {
         const size_t mask = slots.size() - 1;
-        size_t slot = text_hash(key) & mask;
+        size_t slot = std::hash<std::string_view>()(key) & mask;
         while (slots[slot] != 0 && table_key(items[slots[slot] - 1]) != key)
             slot = (slot + 1) & mask;
         return slot;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/standard_outputs.h"
+#include "base/text.h"
 
 namespace wrinkle {
 namespace {
@@ -40,9 +41,7 @@ std::string_view name_of(PortType type) {
 }
 
 std::optional<PortType> port_type_named(std::string_view name) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return {};
-    return static_cast<PortType>(found - names.begin() + 1);
+    return enumerator_named<PortType>(names, name, 1);
 }
 
 std::span<const std::string_view> port_type_names() {

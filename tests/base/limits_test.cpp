@@ -43,8 +43,9 @@ TEST(Limits, EveryLimitIsARowOfThePageWithItsDefaultAndUnit) {
     const std::string page =
         test::bytes_of(std::filesystem::path(WRINKLE_SOURCE_DIR) / "docs/limits.md");
     for (const LimitRow& row : limit_rows)
-        EXPECT_NE(page.find("| `" + std::string(row.variable) + "` | " + std::to_string(row.usual) +
-                            " | " + std::string(row.unit) + " | " + std::string(row.doc) + " |\n"),
+        EXPECT_NE(page.find("| `" + std::string(row.variable) + "` | " +
+                            std::to_string(row.default_value) + " | " + std::string(row.unit) +
+                            " | " + std::string(row.doc) + " |\n"),
                   std::string::npos)
             << row.variable;
 }
