@@ -148,12 +148,10 @@ std::vector<uint32_t> evaluation_order(const Document& document) {
     return std::move(walk.order());
 }
 
-void check_links(const Document& document, Diagnostics& diagnostics) {
-    check_links(document, Wires(document), diagnostics);
-}
-
-void check_links(const Document& document, const Wires& wires, Diagnostics& diagnostics) {
+Wires check_links(const Document& document, Diagnostics& diagnostics) {
+    Wires wires(document);
     Checker(document, wires, diagnostics).run();
+    return wires;
 }
 
 }  // namespace wrinkle

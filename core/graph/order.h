@@ -31,8 +31,8 @@ private:
 std::vector<uint32_t> evaluation_order(const Document& document);
 
 // Reports an error for each link to a missing node or graph input and for each wire that closes a
-// cycle, with the nodes on it. Part of read_document; call it again after edits.
-void check_links(const Document& document, Diagnostics& diagnostics);
-void check_links(const Document& document, const Wires& wires, Diagnostics& diagnostics);
+// cycle, with the nodes on it; returns the resolved links. Part of read_document; call it again
+// after edits.
+Wires check_links(const Document& document, Diagnostics& diagnostics);
 
 }  // namespace wrinkle

@@ -79,11 +79,8 @@ private:
 
     bool read_back_faces(const Value& value, Document& document) {
         if (!report_.expect(value, Kind::string, "\"back_faces\"", "")) return false;
-        for (size_t i = 0; i < back_faces_names.size(); ++i)
-            if (value.as_string() == back_faces_names[i]) {
-                document.back_faces = static_cast<BackFaces>(i);
-                return true;
-            }
+        document.back_faces = enumerator_named<BackFaces>(back_faces_names, value.as_string());
+        if (document.back_faces) return true;
         report_.at(value, "", "\"back_faces\" is " + json_quoted(value.as_string()),
                    "expected \"mirror\", \"flip\" or \"none\"");
         return false;
@@ -158,8 +155,7 @@ Document read_document(std::string bytes, std::string file, Diagnostics& diagnos
     Document document;
     document.file = file;
     Report report;
-    const json::Parsed parsed =
-        json::parse(std::move(bytes), std::move(file), report.list(), {limits.depth});
+    const json::Parsed parsed = json::parse(std::move(bytes), std::move(file), report.list());
     document.source = parsed.root;
     if (report.list().has_errors()) document.lost = to_text(report.list().list().front());
     Reader reader(report, limits);
@@ -167,8 +163,7 @@ Document read_document(std::string bytes, std::string file, Diagnostics& diagnos
     if (document.lost.empty()) document.lost = reader.lost();
     if (parsed.complete && reader.lost().empty()) {
         const size_t before = report.list().error_count();
-        auto wires = std::make_shared<const Wires>(document);
-        check_links(document, *wires, report.list());
+        auto wires = std::make_shared<const Wires>(check_links(document, report.list()));
         if (report.list().error_count() == before) document.read_wires = std::move(wires);
     }
     add_in_order(report.list(), diagnostics);

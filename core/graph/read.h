@@ -13,7 +13,6 @@
 namespace wrinkle {
 
 struct ReadLimits {
-    uint32_t depth = 64;         // nesting of arrays and objects
     uint32_t nodes = 1'000'000;  // nodes of a graph with its sub-graphs
     uint32_t nodes_before = 0;   // nodes of the files that were read before this one
     uint32_t ports = 256;        // inputs of a graph, and outputs; same limit as for a plugin node

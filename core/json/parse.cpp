@@ -44,8 +44,8 @@ bool is_number_character(char c) {
 // Receives the library's events and builds the tree.
 class Handler {
 public:
-    Handler(const std::shared_ptr<Tree>& tree, Diagnostics& diagnostics, ParseLimits limits)
-        : shared_(tree), tree_(*tree), diagnostics_(diagnostics), limits_(limits) {
+    Handler(const std::shared_ptr<Tree>& tree, Diagnostics& diagnostics, uint32_t max_depth)
+        : shared_(tree), tree_(*tree), diagnostics_(diagnostics), max_depth_(max_depth) {
         open_.reserve(16);
         open_.emplace_back();
         cursor_ = begin_of(tree_.source);
@@ -99,12 +99,10 @@ private:
     };
 
     void report(uint32_t offset, std::string pointer, std::string message, std::string expected) {
-        Diagnostic diagnostic;
-        diagnostic.where = tree_.location(offset);
-        diagnostic.pointer = std::move(pointer);
-        diagnostic.message = std::move(message);
-        diagnostic.expected = std::move(expected);
-        diagnostics_.add(std::move(diagnostic));
+        diagnostics_.add({.where = tree_.location(offset),
+                          .pointer = std::move(pointer),
+                          .message = std::move(message),
+                          .expected = std::move(expected)});
     }
 
     void report_syntax(bool out_of_range) {
@@ -130,11 +128,8 @@ private:
     Entry& add(Kind kind, uint32_t offset) {
         Open& parent = open_.back();
         ++parent.added;
-        Entry& entry = tree_.entries.emplace_back();
-        entry.offset = offset;
-        entry.parent = parent.entry;
-        entry.kind = kind;
-        return entry;
+        return tree_.entries.emplace_back(
+            Entry{.offset = offset, .parent = parent.entry, .kind = kind});
     }
 
     bool literal(Kind kind, uint32_t length, bool truth) {
@@ -165,18 +160,18 @@ private:
         if (entry.length == text.size()) return true;
         entry.length = static_cast<uint32_t>(text.size());
         entry.pooled = true;
-        entry.place = static_cast<uint32_t>(tree_.pool.size());
         tree_.pool += text;
+        entry.end = static_cast<uint32_t>(tree_.pool.size());
         return true;
     }
 
     bool open(Kind kind) {
         cursor_ = consumed();
         const uint32_t offset = cursor_ - 1;
-        if (open_.size() > limits_.depth) {
+        if (open_.size() > max_depth_) {
             report(offset, Value(shared_, open_.back().entry).pointer(),
-                   "nested more than " + std::to_string(limits_.depth) + " deep",
-                   "arrays and objects nest at most " + std::to_string(limits_.depth) + " deep");
+                   "nested more than " + std::to_string(max_depth_) + " deep",
+                   "arrays and objects nest at most " + std::to_string(max_depth_) + " deep");
             return false;
         }
         add(kind, offset);
@@ -190,39 +185,34 @@ private:
         open_.pop_back();
         Entry& entry = tree_.entries[ends.entry];
         entry.length = ends.added;
-        entry.place = static_cast<uint32_t>(tree_.entries.size());
+        entry.end = static_cast<uint32_t>(tree_.entries.size());
         if (entry.kind == Kind::array) return true;
         entry.length /= 2;
-        constexpr uint32_t few = 8;  // pairwise comparison is faster up to this number of members
-        if (entry.length > few)
-            find_duplicates(ends.entry, entry.place);
-        else if (entry.length > 1)
-            find_few_duplicates(ends.entry, entry.place);
+        find_duplicates(ends.entry, entry.end);
         return true;
+    }
+
+    // Returns false only if all keys differ: compares one bit of a hash.
+    bool may_have_duplicates(uint32_t object, uint32_t end) const {
+        uint64_t bits = 0;
+        for (uint32_t k = object + 1; k < end; k = tree_.after(k + 1)) {
+            const size_t hash = std::hash<std::string_view>()(tree_.text(tree_.entries[k]));
+            const uint64_t bit = uint64_t{1} << hash % 64;
+            if (bits & bit) return true;
+            bits |= bit;
+        }
+        return false;
     }
 
     // Marks each member with a key that occurred before.
     void find_duplicates(uint32_t object, uint32_t end) {
+        if (!may_have_duplicates(object, end)) return;
         std::unordered_map<std::string_view, uint32_t> first_with;
         first_with.reserve(tree_.entries[object].length);
         for (uint32_t k = object + 1; k < end; k = tree_.after(k + 1)) {
             const auto [first, is_new] = first_with.emplace(tree_.text(tree_.entries[k]), k);
             if (!is_new) duplicate(object, first->second, k);
         }
-    }
-
-    void find_few_duplicates(uint32_t object, uint32_t end) {
-        for (uint32_t k = tree_.after(object + 2); k < end; k = tree_.after(k + 1))
-            for (uint32_t first = object + 1; first < k; first = tree_.after(first + 1))
-                if (!tree_.entries[first].duplicate && same_text(first, k)) {
-                    duplicate(object, first, k);
-                    break;
-                }
-    }
-
-    bool same_text(uint32_t a, uint32_t b) const {
-        const Entry &one = tree_.entries[a], &two = tree_.entries[b];
-        return one.length == two.length && tree_.text(one) == tree_.text(two);
     }
 
     void duplicate(uint32_t object, uint32_t first, uint32_t again) {
@@ -240,7 +230,7 @@ private:
     std::shared_ptr<Tree> shared_;
     Tree& tree_;
     Diagnostics& diagnostics_;
-    ParseLimits limits_;
+    uint32_t max_depth_;
     const char* at_;          // next character of the library's lexer
     uint32_t cursor_ = 0;     // end of the last token understood
     std::vector<Open> open_;  // the text itself, and its open containers
@@ -251,20 +241,18 @@ constexpr size_t bytes_an_entry = 6, max_expected_entries = 1'000'000;
 
 }  // namespace
 
-Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, ParseLimits limits) {
+Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, uint32_t max_depth) {
     auto tree = std::make_shared<Tree>();
     tree->file = std::move(file);
     tree->source = std::move(text);
     if (tree->source.size() >= std::numeric_limits<uint32_t>::max()) {
-        Diagnostic diagnostic;
-        diagnostic.where.file = tree->file;
-        diagnostic.message = "the text is larger than 4 GiB";
-        diagnostics.add(std::move(diagnostic));
+        diagnostics.add(
+            file_problem(Severity::error, tree->file, "the text is larger than 4 GiB", ""));
         return {};
     }
     tree->is_parsed = true;
     tree->entries.reserve(std::min(tree->source.size() / bytes_an_entry, max_expected_entries));
-    Handler handler(tree, diagnostics, limits);
+    Handler handler(tree, diagnostics, max_depth);
     const bool complete =
         nlohmann::json::sax_parse(handler.iterator(), handler.iterator(), &handler) &&
         handler.is_at_end();

@@ -16,16 +16,12 @@
 
 namespace wrinkle::json {
 
-struct ParseLimits {
-    uint32_t depth = 64;  // maximum nesting depth of arrays and objects
-};
-
 struct Parsed {
     Value root;  // null if nothing could be parsed
     bool complete = false;
 };
 
-// `file` is the file name in locations.
-Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, ParseLimits limits = {});
+// `file` is the file name in locations, `max_depth` the maximum nesting of arrays and objects.
+Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, uint32_t max_depth = 64);
 
 }  // namespace wrinkle::json

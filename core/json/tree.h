@@ -18,11 +18,11 @@ namespace wrinkle::json {
 struct Entry {
     uint32_t offset = 0;  // offset of its first byte in the source
     uint32_t length = 0;  // string or number: length of the text; container: number of children
-    uint32_t place = 0;   // container: index after its last entry; pooled text: offset in the pool
+    uint32_t end = 0;     // container: index after its last entry; pooled text: its end in the pool
     uint32_t parent = 0;  // parent entry; the root's is the root
     Kind kind = Kind::null;
     bool truth : 1 = false;
-    bool pooled : 1 = false;     // text is in the pool: built, or had escapes
+    bool pooled : 1 = false;     // the decoded text is in the pool: the source has escapes
     bool cut_off : 1 = false;    // a container without its end
     bool duplicate : 1 = false;  // set on key and value; not counted as a child
 };
@@ -41,12 +41,12 @@ struct Tree {
 
     // Returns the spelling of a number, or a decoded string. Precondition: not a container.
     std::string_view text(const Entry& entry) const {
-        if (entry.pooled) return {pool.data() + entry.place, entry.length};
+        if (entry.pooled) return {pool.data() + entry.end - entry.length, entry.length};
         return {source.data() + entry.offset + (entry.kind == Kind::string), entry.length};
     }
     // Returns the index of the first entry after entry i and its descendants.
     uint32_t after(uint32_t i) const {
-        return is_container(entries[i].kind) ? entries[i].place : i + 1;
+        return is_container(entries[i].kind) ? entries[i].end : i + 1;
     }
     // Returns the location of a byte of the source. Linear in the offset.
     Location location(uint32_t offset) const;

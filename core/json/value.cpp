@@ -89,26 +89,33 @@ size_t Value::size() const {
     return is_container(entry.kind) ? entry.length : 0;
 }
 
-std::vector<Member> Value::children() const {
-    std::vector<Member> children;
-    if (!is_container(kind())) return children;
-    const bool object = is(Kind::object);  // each child has two entries: key, value
-    children.reserve(size());
-    const uint32_t end = tree_->after(index_);
-    for (uint32_t i = index_ + 1; i < end; i = tree_->after(i + object)) {
-        const Entry& entry = tree_->entries[i];
-        if (entry.duplicate) continue;
-        children.push_back({object ? tree_->text(entry) : "", Value(tree_, i + object)});
-    }
-    return children;
+ChildIterator::ChildIterator(const Value& parent) : left_(parent.size()) {
+    member_.value = parent;
+    if (left_ > 0) enter(parent.index_ + 1);
+}
+
+ChildIterator& ChildIterator::operator++() {
+    const Tree& tree = *member_.value.tree_;
+    if (--left_ == 0) return *this;
+    uint32_t entry = tree.after(member_.value.index_);
+    while (tree.entries[entry].duplicate)
+        entry = tree.after(entry + 1);
+    enter(entry);
+    return *this;
+}
+
+// Moves to the child that begins with this entry: its key in an object.
+void ChildIterator::enter(uint32_t entry) {
+    const Tree& tree = *member_.value.tree_;
+    const bool is_key = tree.entries[tree.entries[entry].parent].kind == Kind::object;
+    if (is_key) member_.key = tree.text(tree.entries[entry]);
+    member_.value.index_ = entry + is_key;
 }
 
 Value Value::find(std::string_view key) const {
     if (!is(Kind::object)) return {};
-    const Tree& tree = *tree_;
-    const uint32_t end = tree.after(index_);
-    for (uint32_t i = index_ + 1; i < end; i = tree.after(i + 1))
-        if (!tree.entries[i].duplicate && tree.text(tree.entries[i]) == key) return {tree_, i + 1};
+    for (const Member& member : children())
+        if (member.key == key) return member.value;
     return {};
 }
 
@@ -118,10 +125,10 @@ bool Value::has(std::string_view key) const {
 
 Value Value::at(size_t item) const {
     assert(is(Kind::array) && item < size());
-    uint32_t i = index_ + 1;
+    ChildIterator child(*this);
     for (; item > 0; --item)
-        i = tree_->after(i);
-    return {tree_, i};
+        ++child;
+    return (*child).value;
 }
 
 bool Value::has_location() const {
@@ -129,7 +136,7 @@ bool Value::has_location() const {
 }
 
 uint32_t Value::offset() const {
-    return entry_of(*this).offset;
+    return has_location() ? entry_of(*this).offset : 0;
 }
 
 Location Value::location() const {
@@ -160,7 +167,7 @@ bool Value::cut_off() const {
 }
 
 std::string_view Value::source() const {
-    return tree_ ? std::string_view(tree_->source) : std::string_view();
+    return has_location() ? std::string_view(tree_->source) : std::string_view();
 }
 
 bool Value::same(const Value& other) const {

@@ -1,21 +1,22 @@
 // An immutable JSON value with its location in the source text.
 //
 // A Value is a handle (shared tree, index), cheap to copy. All values of one text share one flat
-// tree in source order and the text itself. A number retains its spelling in the source; a value
-// that was built instead of parsed has no location. Objects preserve the order of members; of a
-// duplicate key (reported by parse) the first is used. A default Value is null.
+// tree in source order and the text itself. A number retains its spelling in the source. A built
+// value has no location, and its strings have U+FFFD for bytes that are not UTF-8. Objects preserve
+// the order of members; of a duplicate key (reported by parse) the first is used. A default Value
+// is null.
 //
 // Lines and columns count from 1; a column is a UTF-8 character, a tab is one column.
 #pragma once
 
 #include <cstdint>
 #include <initializer_list>
+#include <iterator>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/diagnostics.h"
 
@@ -30,7 +31,7 @@ const char* kind_name(Kind kind);
 std::string pointer_step(std::string_view key);
 
 struct Tree;
-struct Member;
+struct Children;
 
 class Value {
 public:
@@ -56,7 +57,7 @@ public:
     std::string_view as_string() const;  // decoded; valid as long as any value of the tree
 
     size_t size() const;                     // children of an array or object, else 0
-    std::vector<Member> children() const;    // empty if not an array or object
+    Children children() const;               // range of Member; empty if not an array or object
     Value find(std::string_view key) const;  // value of a member, linear; null if absent
     bool has(std::string_view key) const;
     Value at(size_t item) const;  // item of an array; linear; asserts item < size()
@@ -79,6 +80,8 @@ public:
     friend bool operator==(const Value&, const Value&);  // equal values; numbers by value
 
 private:
+    friend class ChildIterator;
+
     std::shared_ptr<const Tree> tree_;
     uint32_t index_ = 0;
 };
@@ -87,5 +90,31 @@ struct Member {
     std::string_view key;  // "" in an array
     Value value;
 };
+
+// Steps through the children of a value in their order.
+class ChildIterator {
+public:
+    explicit ChildIterator(const Value& parent);
+    const Member& operator*() const { return member_; }
+    ChildIterator& operator++();
+    bool operator==(std::default_sentinel_t) const { return left_ == 0; }
+
+private:
+    void enter(uint32_t entry);
+
+    Member member_;
+    size_t left_;  // children from this one on
+};
+
+struct Children {
+    Value parent;
+
+    ChildIterator begin() const { return ChildIterator(parent); }
+    std::default_sentinel_t end() const { return {}; }
+};
+
+inline Children Value::children() const {
+    return {*this};
+}
 
 }  // namespace wrinkle::json

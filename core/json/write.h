@@ -1,10 +1,10 @@
 // Serialises a Value to canonical text: numbers in their original spelling, strings with only the
-// escapes that JSON requires, order preserved.
+// escapes that JSON requires, order preserved. Recursive: parse() limits the depth of values.
 #pragma once
 
 #include <string>
-#include <vector>
 
+#include "base/text.h"
 #include "json/value.h"
 
 namespace wrinkle::json {
@@ -18,6 +18,9 @@ std::string one_line(const Value& value);
 std::string pretty(const Value& value, size_t indent = 0, size_t column = 0, size_t width = 100);
 
 // Returns ["a", "b"]; [] if there are no words.
-std::string string_array(const std::vector<std::string>& words);
+template <class Words>
+std::string string_array(const Words& words) {
+    return "[" + joined(words, ", ", json_quoted) + "]";
+}
 
 }  // namespace wrinkle::json

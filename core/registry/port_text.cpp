@@ -4,6 +4,7 @@
 #include <span>
 
 #include "base/text.h"
+#include "json/write.h"
 
 namespace wrinkle {
 namespace {
@@ -84,8 +85,7 @@ std::string port_json(const Port& port) {
     if (port.has_soft_range()) text += ", \"slider\": " + range_json(port.soft_min, port.soft_max);
     if (port.has_hard_range()) text += ", \"range\": " + range_json(port.hard_min, port.hard_max);
     if (port.kind == Port::Kind::field) text += ", \"domain\": " + json_quoted(surface_link(port));
-    if (!port.choices.empty())
-        text += ", \"choices\": [" + joined(port.choices, ", ", json_quoted) + "]";
+    if (!port.choices.empty()) text += ", \"choices\": " + json::string_array(port.choices);
     if (port.is_value() && port.type == PortType::image_)
         text += ", \"encoding\": " + json_quoted(name_of(port.encoding));
     return text + "}";

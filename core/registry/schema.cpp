@@ -3,22 +3,17 @@
 
 #include "base/back_faces.h"
 #include "base/text.h"
+#include "json/write.h"
 #include "registry/port_type.h"
 #include "registry/reference.h"
 
 namespace wrinkle {
 namespace {
 
-std::string word_list(std::span<const std::string_view> words) {
-    return "[" + joined(words, ", ", json_quoted) + "]";
-}
-
 std::string literal_schema(const Port& port) {
     if (port.kind == Port::Kind::flag) return "{\"type\": \"boolean\"}";
     if (port.kind == Port::Kind::choice)
-        return "{\"enum\": " +
-               word_list(std::vector<std::string_view>(port.choices.begin(), port.choices.end())) +
-               "}";
+        return "{\"enum\": " + json::string_array(port.choices) + "}";
     if (port.kind == Port::Kind::count) {
         std::string text = "{\"type\": \"integer\"";
         const auto bound = [&](const char* word, double value) {
@@ -88,8 +83,9 @@ std::string definitions(const Registry& registry) {
         "    \"image\": {\"anyOf\": [{\"type\": \"string\", \"minLength\": 1}, {\"type\": "
         "\"object\", \"required\": [\"file\"], \"properties\": {\"file\": {\"type\": "
         "\"string\"}, \"encoding\": {\"enum\": " +
-        word_list(encoding_names) + "}, \"wrap\": {\"enum\": " + word_list(wrap_names) +
-        "}, \"filter\": {\"enum\": " + word_list(filter_names) + "}}}]},\n";
+        json::string_array(encoding_names) +
+        "}, \"wrap\": {\"enum\": " + json::string_array(wrap_names) +
+        "}, \"filter\": {\"enum\": " + json::string_array(filter_names) + "}}}]},\n";
     text +=
         "    \"node\": {\"type\": \"object\", \"required\": [\"type\"],\n"
         "     \"properties\": {\"type\": " +
@@ -111,12 +107,12 @@ std::string graph_schema(const Registry& registry) {
         "    \"wrinkle\": {\"const\": 1},\n"
         "    \"name\": {\"type\": \"string\"},\n"
         "    \"back_faces\": {\"enum\": " +
-        word_list(back_faces_names) +
+        json::string_array(back_faces_names) +
         "},\n"
         "    \"inputs\": {\"type\": \"object\", \"additionalProperties\": "
         "{\"type\": \"object\", \"required\": [\"type\"], \"properties\": "
         "{\"type\": {\"enum\": " +
-        word_list(port_type_names()) +
+        json::string_array(port_type_names()) +
         "}, \"doc\": {\"type\": \"string\"}}}},\n"
         "    \"nodes\": {\"type\": \"object\", \"additionalProperties\": "
         "{\"$ref\": \"#/$defs/node\"}},\n"

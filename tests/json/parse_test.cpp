@@ -15,9 +15,9 @@
 namespace wrinkle::json {
 namespace {
 
-std::string problems(const std::string& text, ParseLimits limits = {}) {
+std::string problems(const std::string& text, uint32_t max_depth = 64) {
     Diagnostics diagnostics;
-    parse(text, "g.json", diagnostics, limits);
+    parse(text, "g.json", diagnostics, max_depth);
     return to_text(diagnostics);
 }
 
@@ -270,9 +270,16 @@ TEST(Parse, DepthIsLimitedWithAPlace) {
 TEST(Parse, DeepTextsAreReadWithoutRecursion) {
     const std::string deep = std::string(200000, '[') + std::string(200000, ']');
     Diagnostics diagnostics;
-    const Value v = parse(deep, "g.json", diagnostics, {300000}).root;
+    const Value v = parse(deep, "g.json", diagnostics, 300000).root;
     EXPECT_FALSE(diagnostics.has_errors());
+    EXPECT_TRUE(v == parse(deep, "h.json", diagnostics, 300000).root);
+}
+
+TEST(Parse, TheDeepestTextsAreWrittenAndBuilt) {
+    const std::string deep = std::string(64, '[') + std::string(64, ']');
+    const Value v = read(deep);
     EXPECT_EQ(one_line(v), deep);
+    EXPECT_EQ(one_line(Value::array({v})), "[" + deep + "]");
     EXPECT_TRUE(v == Value::array({v.at(0)}));
 }
 
