@@ -13,12 +13,10 @@ std::string pointer_to(std::initializer_list<std::string_view> keys) {
 }
 
 Diagnostic made(Location where, std::string pointer, std::string message, std::string expected) {
-    Diagnostic diagnostic;
-    diagnostic.where = std::move(where);
-    diagnostic.pointer = std::move(pointer);
-    diagnostic.message = std::move(message);
-    diagnostic.expected = std::move(expected);
-    return diagnostic;
+    return {.where = std::move(where),
+            .pointer = std::move(pointer),
+            .message = std::move(message),
+            .expected = std::move(expected)};
 }
 
 // Returns the file without a line if the value is not part of the text as read.

@@ -63,10 +63,11 @@ using editing::copy_of;
 using editing::mark_edited;
 using editing::set_link;
 
-Document with_node(const Document& document, Node node) {
+template <class T>
+Document with_table(const Document& document, Table<T> Document::*table, Table<T> value) {
+    if ((document.*table).same(value)) return document;
     Document changed = document;
-    mark_edited(node);
-    changed.nodes = document.nodes.with(std::make_shared<const Node>(std::move(node)));
+    changed.*table = std::move(value);
     mark_edited(changed);
     return changed;
 }
@@ -78,18 +79,16 @@ Document change_node(const Document& document, std::string_view id, Change chang
     const Node* node = document.find(id);
     if (!node) return document;
     Node copy = copy_of(*node);
-    return change(copy) ? with_node(document, std::move(copy)) : document;
-}
-
-Input* input_of(Node& node, std::string_view port) {
-    for (Input& input : node.inputs)
-        if (input.port == port) return &input;
-    return nullptr;
+    if (!change(copy)) return document;
+    mark_edited(copy);
+    return with_table(document, &Document::nodes,
+                      document.nodes.with(std::make_shared<const Node>(std::move(copy))));
 }
 
 bool put(Node& node, Input input) {
-    Input* old = input_of(node, input.port);
-    if (!old) {
+    const auto old = std::find_if(node.inputs.begin(), node.inputs.end(),
+                                  [&](const Input& each) { return each.port == input.port; });
+    if (old == node.inputs.end()) {
         node.inputs.push_back(std::move(input));
         return true;
     }
@@ -106,15 +105,6 @@ bool erase(Node& node, std::string_view port) {
 bool is_possible(const Link& link) {
     const bool node = link.is_surface() || link.is_input() || id_problem(link.node).empty();
     return node && !link.port.empty() && link.port.find('.') == link.port.npos;
-}
-
-template <class T>
-Document with_table(const Document& document, Table<T> Document::*table, Table<T> value) {
-    if ((document.*table).same(value)) return document;
-    Document changed = document;
-    changed.*table = std::move(value);
-    mark_edited(changed);
-    return changed;
 }
 
 template <class T>

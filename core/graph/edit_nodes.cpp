@@ -1,8 +1,11 @@
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
+#include "graph/depth_first.h"
 #include "graph/edit.h"
 #include "graph/edit_parts.h"
+#include "graph/order.h"
 
 namespace wrinkle {
 namespace {
@@ -10,15 +13,15 @@ namespace {
 using editing::copy_of;
 using editing::mark_edited;
 
-// Applies `change` to a copy of every node that it concerns; returns true if there was any.
+// Applies `change` to a copy of each node, and replaces those for which it returns true; returns
+// true if there was any.
 template <class Change>
 bool change_nodes(Document& document, Change change) {
     std::vector<NodePtr> nodes(document.nodes.begin(), document.nodes.end());
     bool changed = false;
     for (NodePtr& node : nodes) {
-        if (!change.concerns(*node)) continue;
         Node copy = copy_of(*node);
-        change.apply(copy);
+        if (!change(copy)) continue;
         mark_edited(copy);
         node = std::make_shared<const Node>(std::move(copy));
         changed = true;
@@ -27,28 +30,21 @@ bool change_nodes(Document& document, Change change) {
     return changed;
 }
 
+// Changes links of inputs and outputs in the same way.
 template <class Change>
-bool any_concerned(const Node& node, const Change& change) {
-    return std::any_of(node.inputs.begin(), node.inputs.end(),
-                       [&](const Input& input) { return change.concerns(input); });
-}
-
-template <class Change>
-void apply_to_inputs(Node& node, const Change& change) {
-    for (Input& input : node.inputs)
-        change.apply(input);
-}
-
-// Applies `change` to the link of every output that it concerns; returns true if there was any.
-template <class Change>
-bool change_outputs(Document& document, const Change& change) {
-    const auto concerned = [&](const Output& output) { return change.concerns(output.from); };
-    if (std::none_of(document.outputs.begin(), document.outputs.end(), concerned)) return false;
+bool change_links(Document& document, Change change) {
+    const bool nodes_changed = change_nodes(document, [&](Node& node) {
+        bool changed = false;
+        for (Input& input : node.inputs)
+            changed |= change(input);
+        return changed;
+    });
     std::vector<Output> outputs(document.outputs.begin(), document.outputs.end());
+    bool outputs_changed = false;
     for (Output& output : outputs)
-        change.apply(output.from);
-    document.outputs = Table<Output>(std::move(outputs));
-    return true;
+        outputs_changed |= change(output.from);
+    if (outputs_changed) document.outputs = Table<Output>(std::move(outputs));
+    return nodes_changed || outputs_changed;
 }
 
 // Removes the entries for which `dropped` is true; returns true if there was any.
@@ -60,109 +56,41 @@ bool erase_if(Table<T>& table, Dropped dropped) {
     return true;
 }
 
-struct DropLinks {
-    const std::set<std::string>& ids;
-
-    bool concerns(const Input& input) const { return ids.contains(input.link.node); }
-    bool concerns(const Node& node) const { return any_concerned(node, *this); }
-    void apply(Node& node) const {
-        std::erase_if(node.inputs, [&](const Input& input) { return concerns(input); });
-    }
-};
-
-struct RenameLinks {
-    std::string_view id, new_id;
-
-    bool concerns(const Input& input) const { return input.link.node == id; }
-    bool concerns(const Node& node) const { return any_concerned(node, *this); }
-    void apply(Input& input) const {
-        if (concerns(input)) editing::set_link(input, {std::string(new_id), input.link.port});
-    }
-    void apply(Node& node) const { apply_to_inputs(node, *this); }
-};
-
-struct Mute {
-    const std::set<std::string>& ids;
-    bool muted;
-
-    bool concerns(const Node& node) const { return node.muted != muted && ids.contains(node.id); }
-    void apply(Node& node) const { node.muted = muted; }
-};
-
-class Upgrades {
-public:
-    explicit Upgrades(const std::vector<NodeUpgrade>& upgrades) {
-        for (const NodeUpgrade& upgrade : upgrades)
-            by_id_.emplace(upgrade.id, &upgrade);
-    }
-
-    bool concerns(const Input& input) const {
-        return input.link.is_node() && renamed(input.link) != input.link.port;
-    }
-    bool concerns(const Node& node) const {
-        if (const NodeUpgrade* upgrade = find(node.id)) {
-            if (upgrade->version != node.version) return true;
-            for (const NodeUpgrade::Rename& rename : upgrade->inputs)
-                if (node.find(rename.old_name) && !node.find(rename.new_name)) return true;
+bool upgrade_node(Node& node, const NodeUpgrade& upgrade) {
+    bool changed = std::exchange(node.version, upgrade.version) != upgrade.version;
+    for (const NodeUpgrade::Rename& rename : upgrade.inputs)
+        for (Input& input : node.inputs) {
+            if (input.port != rename.old_name || node.find(rename.new_name)) continue;
+            input.port = rename.new_name;
+            changed = true;
         }
-        return any_concerned(node, *this);
-    }
-
-    void apply(Input& input) const {
-        if (concerns(input)) editing::set_link(input, {input.link.node, renamed(input.link)});
-    }
-    void apply(Node& node) const {
-        apply_to_inputs(node, *this);
-        const NodeUpgrade* upgrade = find(node.id);
-        if (!upgrade) return;
-        node.version = upgrade->version;
-        for (const NodeUpgrade::Rename& rename : upgrade->inputs)
-            for (Input& input : node.inputs)
-                if (input.port == rename.old_name && !node.find(rename.new_name))
-                    input.port = rename.new_name;
-    }
-
-private:
-    const NodeUpgrade* find(const std::string& id) const {
-        const auto found = by_id_.find(id);
-        return found == by_id_.end() ? nullptr : found->second;
-    }
-    std::string renamed(const Link& link) const {
-        std::string port = link.port;
-        if (const NodeUpgrade* upgrade = find(link.node))
-            for (const NodeUpgrade::Rename& rename : upgrade->outputs)
-                if (rename.old_name == port) port = rename.new_name;
-        return port;
-    }
-
-    std::unordered_map<std::string, const NodeUpgrade*> by_id_;
-};
-
-// Marks the nodes reachable from `start` by index, including `start`.
-std::vector<bool> reached(const std::vector<std::vector<size_t>>& edges, size_t start) {
-    std::vector<bool> seen(edges.size(), false);
-    std::vector<size_t> todo{start};
-    while (!todo.empty()) {
-        const size_t i = todo.back();
-        todo.pop_back();
-        if (i >= seen.size() || seen[i]) continue;
-        seen[i] = true;
-        todo.insert(todo.end(), edges[i].begin(), edges[i].end());
-    }
-    return seen;
+    return changed;
 }
 
-// Returns for each node those that it reads; if `reversed`, those that read it.
-std::vector<std::vector<size_t>> edges_of(const Document& document, bool reversed) {
-    std::vector<std::vector<size_t>> edges(document.nodes.size());
-    for (size_t i = 0; i < edges.size(); ++i)
-        for (const Input& input : document.nodes[i]->inputs) {
-            if (!input.link.is_node()) continue;
-            const size_t from = document.nodes.index_of(input.link.node);
-            if (from != Table<NodePtr>::npos)
-                edges[reversed ? from : i].push_back(reversed ? i : from);
-        }
-    return edges;
+bool upgrade_link(Input& input, const NodeUpgrade& upgrade) {
+    std::string port = input.link.port;
+    for (const NodeUpgrade::Rename& rename : upgrade.outputs)
+        if (rename.old_name == port) port = rename.new_name;
+    if (port == input.link.port) return false;
+    editing::set_link(input, {input.link.node, port});
+    return true;
+}
+
+// Returns node `start` and the nodes that it depends on, or that depend on it.
+std::vector<uint32_t> reached(const Document& document, size_t start, bool upstream) {
+    const size_t count = document.nodes.size();
+    if (start >= count) return {};
+    std::vector<std::vector<uint32_t>> edges(count);
+    const Wires wires(document);
+    for (uint32_t i = 0; i < count; ++i)
+        for (const uint32_t from : wires.of(i))
+            if (from != Wires::none) edges[upstream ? i : from].push_back(upstream ? from : i);
+    DepthFirst walk(count);
+    walk.visit(
+        static_cast<uint32_t>(start), [&](uint32_t node) { return edges[node].size(); },
+        [&](uint32_t node, uint32_t edge) { return edges[node][edge]; },
+        [](uint32_t, uint32_t, uint32_t) {});
+    return std::move(walk.order());
 }
 
 }  // namespace
@@ -189,8 +117,11 @@ Document rename_node(const Document& document, std::string_view id, std::string_
     renamed.id = new_id;
     nodes[document.nodes.index_of(id)] = std::make_shared<const Node>(std::move(renamed));
     changed.nodes = Table<NodePtr>(std::move(nodes));
-    change_nodes(changed, RenameLinks{id, new_id});
-    change_outputs(changed, RenameLinks{id, new_id});
+    change_links(changed, [&](Input& input) {
+        if (input.link.node != id) return false;
+        editing::set_link(input, {std::string(new_id), input.link.port});
+        return true;
+    });
     std::vector<Position> positions(document.positions.begin(), document.positions.end());
     for (Position& position : positions)
         if (position.id == id) position.id = new_id;
@@ -237,7 +168,10 @@ Document remove_nodes(const Document& document, const std::set<std::string>& wan
              [&](const Output& output) { return ids.contains(output.from.link.node); });
     erase_if(changed.positions,
              [&](const Position& position) { return ids.contains(position.id); });
-    change_nodes(changed, DropLinks{ids});
+    change_nodes(changed, [&](Node& node) {
+        return std::erase_if(node.inputs,
+                             [&](const Input& input) { return ids.contains(input.link.node); }) > 0;
+    });
     mark_edited(changed);
     return changed;
 }
@@ -275,32 +209,44 @@ Document set_muted(const Document& document, std::string_view id, bool muted) {
 
 Document mute_nodes(const Document& document, const std::set<std::string>& ids, bool muted) {
     Document changed = document;
-    if (!change_nodes(changed, Mute{ids, muted})) return document;
+    const auto mute = [&](Node& node) {
+        return ids.contains(node.id) && std::exchange(node.muted, muted) != muted;
+    };
+    if (!change_nodes(changed, mute)) return document;
     mark_edited(changed);
     return changed;
 }
 
 Document upgrade_nodes(const Document& document, const std::vector<NodeUpgrade>& list) {
-    const Upgrades upgrades(list);
+    std::unordered_map<std::string_view, const NodeUpgrade*> upgrades;
+    for (const NodeUpgrade& upgrade : list)
+        upgrades.emplace(upgrade.id, &upgrade);
+    const auto upgrade_of = [&](const std::string& id) {
+        const auto found = upgrades.find(id);
+        return found == upgrades.end() ? nullptr : found->second;
+    };
     Document changed = document;
-    const bool nodes = change_nodes(changed, upgrades);
-    const bool outputs = change_outputs(changed, upgrades);
-    if (!nodes && !outputs) return document;
+    const bool nodes = change_nodes(changed, [&](Node& node) {
+        const NodeUpgrade* upgrade = upgrade_of(node.id);
+        return upgrade && upgrade_node(node, *upgrade);
+    });
+    const bool links = change_links(changed, [&](Input& input) {
+        const NodeUpgrade* upgrade = input.link.is_node() ? upgrade_of(input.link.node) : nullptr;
+        return upgrade && upgrade_link(input, *upgrade);
+    });
+    if (!nodes && !links) return document;
     mark_edited(changed);
     return changed;
 }
 
 bool would_cycle(const Document& document, const Link& from, std::string_view id) {
-    const size_t reader = document.nodes.index_of(id);
-    if (!from.is_node() || reader == Table<NodePtr>::npos) return false;
-    return reached(edges_of(document, false), document.nodes.index_of(from.node))[reader];
+    return from.is_node() && cycle_partners(document, from.node, true).contains(std::string(id));
 }
 
 std::set<std::string> cycle_partners(const Document& document, std::string_view id, bool begins) {
-    const auto found = reached(edges_of(document, !begins), document.nodes.index_of(id));
     std::set<std::string> ids;
-    for (size_t i = 0; i < found.size(); ++i)
-        if (found[i]) ids.insert(document.nodes[i]->id);
+    for (const uint32_t node : reached(document, document.nodes.index_of(id), begins))
+        ids.insert(document.nodes[node]->id);
     return ids;
 }
 

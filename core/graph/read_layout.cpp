@@ -13,11 +13,6 @@ bool numbers(const Value& value, size_t count) {
     return true;
 }
 
-Rectangle rectangle(const Value& value) {
-    return {value.at(0).as_number(), value.at(1).as_number(), value.at(2).as_number(),
-            value.at(3).as_number()};
-}
-
 Box read_box(std::string_view id, const Value& value, std::string_view text_key, Report& report) {
     Box box;
     box.id = id;
@@ -27,7 +22,8 @@ Box read_box(std::string_view id, const Value& value, std::string_view text_key,
         if (key == text_key && report.expect(member, Kind::string, text_key, ""))
             box.text = member.as_string();
         else if (key == "rect" && numbers(member, 4))
-            box.rect = rectangle(member);
+            box.rect = {member.at(0).as_number(), member.at(1).as_number(),
+                        member.at(2).as_number(), member.at(3).as_number()};
         else
             box.unknown.push_back({std::string(key), member});
     }

@@ -10,19 +10,18 @@ using json::Kind;
 using json::one_line;
 using json::Value;
 
-// Writes the members of one object, each on its own line.
+// Writes the members of one object, each on its own line, or all on one line.
 class Block {
 public:
+    static constexpr size_t flat = 0;  // instead of an indentation
+
     Block(std::string& out, size_t indent) : out_(out), indent_(indent) { out_ += '{'; }
-    // Continues an object that is already open; `empty`: it has no members yet.
-    Block(std::string& out, size_t indent, bool empty)
-        : out_(out), indent_(indent), empty_(empty) {}
 
     // Begins a member; the caller appends its value.
     std::string& key(std::string_view name) {
-        out_ += empty_ ? "\n" : ",\n";
+        if (!empty_) out_ += ',';
         empty_ = false;
-        out_.append(indent_, ' ');
+        new_line(indent_);
         out_ += json_quoted(name);
         out_ += ": ";
         return out_;
@@ -32,17 +31,21 @@ public:
             verbatim(extra);
     }
     void verbatim(const Extra& extra) {
-        key(extra.key) += json::pretty(extra.value, indent_, indent_ + extra.key.size() + 4);
+        key(extra.key) += indent_ == flat
+                              ? one_line(extra.value)
+                              : json::pretty(extra.value, indent_, indent_ + extra.key.size() + 4);
     }
     void close() {
-        if (!empty_) {
-            out_ += '\n';
-            out_.append(indent_ - 2, ' ');
-        }
+        if (!empty_) new_line(indent_ - 2);
         out_ += '}';
     }
 
 private:
+    void new_line(size_t indent) {
+        out_ += indent_ == flat ? ' ' : '\n';
+        if (indent_ != flat) out_.append(indent, ' ');
+    }
+
     std::string& out_;
     size_t indent_;
     bool empty_ = true;
@@ -54,47 +57,24 @@ bool has(const std::vector<Extra>& extras, std::string_view key) {
     return false;
 }
 
-bool is_kept_whole(const Value& source) {
-    return source.has_location() && !source.is(Kind::object);
-}
-
-// Returns those of "type", "version" and "muted" that are written.
-std::vector<std::pair<const char*, std::string>> head(const Node& node) {
-    std::vector<std::pair<const char*, std::string>> members;
-    if (!has(node.unknown, "type") && !node.type.empty())
-        members.emplace_back("type", json_quoted(node.type));
-    if (node.version > 1) members.emplace_back("version", std::to_string(node.version));
-    if (node.muted) members.emplace_back("muted", "true");
-    return members;
-}
-
-std::string node_line(const Node& node) {
-    std::string inputs;
-    for (const Input& input : node.inputs)
-        inputs +=
-            (inputs.empty() ? "" : ", ") + json_quoted(input.port) + ": " + one_line(input.value);
-    std::string text;
-    for (const auto& [key, value] : head(node))
-        text += (text.empty() ? "\"" : ", \"") + std::string(key) + "\": " + value;
-    if (!inputs.empty()) text += (text.empty() ? "" : ", ") + ("\"in\": { " + inputs) + " }";
-    return text.empty() ? "{}" : "{ " + text + " }";
+// Writes the source as it was read if it is not an object; returns false otherwise.
+bool write_whole(std::string& out, const Value& source) {
+    const bool whole = source.has_location() && !source.is(Kind::object);
+    if (whole) out += one_line(source);
+    return whole;
 }
 
 void write_node(std::string& out, const Node& node) {
     constexpr size_t max_on_one_line = 2;
-    if (is_kept_whole(node.source)) {
-        out += one_line(node.source);
-        return;
-    }
-    if (node.inputs.size() <= max_on_one_line && node.unknown.empty()) {
-        out += node_line(node);
-        return;
-    }
-    Block block(out, 6);
-    for (const auto& [key, value] : head(node))
-        block.key(key) += value;
+    if (write_whole(out, node.source)) return;
+    const bool flat = node.inputs.size() <= max_on_one_line && node.unknown.empty();
+    Block block(out, flat ? Block::flat : 6);
+    if (!has(node.unknown, "type") && !node.type.empty())
+        block.key("type") += json_quoted(node.type);
+    if (node.version > 1) block.key("version") += std::to_string(node.version);
+    if (node.muted) block.key("muted") += "true";
     if (!node.inputs.empty()) {
-        Block in(block.key("in"), 8);
+        Block in(block.key("in"), flat ? Block::flat : 8);
         for (const Input& input : node.inputs)
             in.key(input.port) += one_line(input.value);
         in.close();
@@ -103,54 +83,60 @@ void write_node(std::string& out, const Node& node) {
     block.close();
 }
 
-Value graph_input_value(const GraphInput& input) {
-    std::vector<std::pair<std::string, Value>> members;
-    if (!input.type.empty()) members.emplace_back("type", Value::string(input.type));
-    if (!input.default_value.is(Kind::null)) members.emplace_back("default", input.default_value);
-    if (!input.doc.empty()) members.emplace_back("doc", Value::string(input.doc));
-    for (const Extra& extra : input.unknown)
-        members.emplace_back(extra.key, extra.value);
-    return Value::object(members);
+void write_graph_input(std::string& out, const GraphInput& input) {
+    if (write_whole(out, input.source)) return;
+    Block block(out, Block::flat);
+    if (!input.type.empty()) block.key("type") += json_quoted(input.type);
+    if (!input.default_value.is(Kind::null)) block.key("default") += one_line(input.default_value);
+    if (!input.doc.empty()) block.key("doc") += json_quoted(input.doc);
+    block.verbatim(input.unknown);
+    block.close();
 }
 
 // Returns an array of these numbers; a number equal to that of `old` at its index retains its
 // spelling.
-Value number_array(std::initializer_list<double> numbers, const Value& old) {
-    std::vector<Value> items;
-    for (const double number : numbers) {
-        const size_t i = items.size();
-        const bool had = old.is(Kind::array) && i < old.size() && old.at(i).is(Kind::number);
-        const bool keep = had && old.at(i).as_number() == number;
-        items.push_back(keep ? old.at(i) : Value::number(number));
-    }
-    return Value::array(items);
+std::string number_array(std::initializer_list<double> numbers, const Value& old) {
+    size_t i = 0;
+    const auto spelled = [&](double number) {
+        const Value kept = old.is(Kind::array) && i < old.size() ? old.at(i) : Value();
+        ++i;
+        const bool same = kept.is(Kind::number) && kept.as_number() == number;
+        return same ? std::string(kept.spelling()) : shortest(number);
+    };
+    return "[" + joined(numbers, ", ", spelled) + "]";
 }
 
-// Returns the JSON of a frame (text key "title") or note ("text").
-Value box_value(const Box& box, std::string_view text_key) {
-    std::vector<std::pair<std::string, Value>> members;
-    if (!box.text.empty()) members.emplace_back(text_key, Value::string(box.text));
+// Writes a frame (text key "title") or note ("text").
+void write_box(std::string& out, const Box& box, const char* text_key) {
+    if (write_whole(out, box.source)) return;
+    Block block(out, Block::flat);
+    if (!box.text.empty()) block.key(text_key) += json_quoted(box.text);
     if (!has(box.unknown, "rect"))
-        members.emplace_back("rect",
-                             number_array({box.rect.x, box.rect.y, box.rect.width, box.rect.height},
-                                          box.source.find("rect")));
-    for (const Extra& extra : box.unknown)
-        members.emplace_back(extra.key, extra.value);
-    return Value::object(members);
+        block.key("rect") += number_array({box.rect.x, box.rect.y, box.rect.width, box.rect.height},
+                                          box.source.find("rect"));
+    block.verbatim(box.unknown);
+    block.close();
 }
 
 void write_boxes(Block& layout, const char* name, const Table<Box>& boxes, const char* text_key) {
     if (boxes.empty()) return;
     Block block(layout.key(name), 6);
     for (const Box& box : boxes)
-        block.key(box.id) +=
-            one_line(is_kept_whole(box.source) ? box.source : box_value(box, text_key));
+        write_box(block.key(box.id), box, text_key);
     block.close();
 }
 
-bool has_layout(const Document& document) {
-    return !document.positions.empty() || !document.frames.empty() || !document.notes.empty() ||
-           !document.unknown_layout.empty();
+void write_layout(Block& top, const Document& document) {
+    if (document.positions.empty() && document.frames.empty() && document.notes.empty() &&
+        document.unknown_layout.empty())
+        return;
+    Block layout(top.key("layout"), 4);
+    for (const Position& position : document.positions)
+        layout.key(position.id) += number_array({position.x, position.y}, position.source);
+    write_boxes(layout, "$frames", document.frames, "title");
+    write_boxes(layout, "$notes", document.notes, "text");
+    layout.verbatim(document.unknown_layout);
+    layout.close();
 }
 
 void write_head(Block& top, const Document& document) {
@@ -164,8 +150,7 @@ void write_head(Block& top, const Document& document) {
     if (document.inputs.empty()) return;
     Block block(top.key("inputs"), 4);
     for (const GraphInput& input : document.inputs)
-        block.key(input.name) +=
-            one_line(is_kept_whole(input.source) ? input.source : graph_input_value(input));
+        write_graph_input(block.key(input.name), input);
     block.close();
 }
 
@@ -178,66 +163,22 @@ std::string write_document(const Document& document) {
 }
 
 std::string canonical_text(const Document& document) {
-    const CanonicalParts parts{document};
-    std::string out = parts.head();
-    if (parts.has_node_parts())
-        for (size_t i = 0; i < document.nodes.size(); ++i)
-            out += CanonicalParts::node(*document.nodes[i], i == 0);
-    out += parts.middle(out.size() == 1);
-    for (size_t i = 0; i < document.positions.size(); ++i)
-        out += CanonicalParts::position(document.positions[i], i == 0);
-    return out + parts.end(out.size() == 1);
-}
-
-bool CanonicalParts::has_node_parts() const {
-    return !has(document.unknown, "nodes");
-}
-
-std::string CanonicalParts::head() const {
     std::string out;
     Block top(out, 2);
     write_head(top, document);
-    if (has_node_parts()) top.key("nodes") += '{';
-    return out;
-}
-
-std::string CanonicalParts::node(const Node& node, bool first) {
-    std::string out;
-    write_node(Block(out, 4, first).key(node.id), node);
-    return out;
-}
-
-std::string CanonicalParts::middle(bool first) const {
-    std::string out;
-    if (has_node_parts()) Block(out, 4, document.nodes.empty()).close();
-    Block top(out, 2, first);
+    if (!has(document.unknown, "nodes")) {
+        Block nodes(top.key("nodes"), 4);
+        for (const NodePtr& node : document.nodes)
+            write_node(nodes.key(node->id), *node);
+        nodes.close();
+    }
     if (!has(document.unknown, "outputs")) {
         Block outputs(top.key("outputs"), 4);
         for (const Output& output : document.outputs)
             outputs.key(output.name) += one_line(output.from.value);
         outputs.close();
     }
-    if (has_layout(document)) top.key("layout") += '{';
-    return out;
-}
-
-std::string CanonicalParts::position(const Position& position, bool first) {
-    std::string out;
-    Block(out, 4, first).key(position.id) +=
-        one_line(number_array({position.x, position.y}, position.source));
-    return out;
-}
-
-std::string CanonicalParts::end(bool first) const {
-    std::string out;
-    if (has_layout(document)) {
-        Block layout(out, 4, document.positions.empty());
-        write_boxes(layout, "$frames", document.frames, "title");
-        write_boxes(layout, "$notes", document.notes, "text");
-        layout.verbatim(document.unknown_layout);
-        layout.close();
-    }
-    Block top(out, 2, first);
+    write_layout(top, document);
     for (const Extra& extra : document.unknown)
         if (extra.key != "$schema") top.verbatim(extra);
     top.close();
