@@ -29,6 +29,16 @@ enum Call : uint32_t {
 constexpr uint32_t no_text = ~0u;        // instead of a size
 constexpr uint32_t no_such_value = ~0u;  // invalid for the host
 constexpr size_t max_text = 4096;        // bytes, as in wrinkle/plugin.h
+constexpr uint32_t max_lanes = 9;
+
+// A recorded call: this, then the list and the text.
+struct Head {
+    uint32_t function;
+    uint32_t words[3];   // arguments in their order
+    uint32_t count;      // as it was passed
+    uint32_t has_list;   // 0 if the pointer was null or the count too large
+    uint32_t text_size;  // bytes, or no_text
+};
 
 constexpr uint32_t lanes_of_type(uint32_t type) {
     constexpr std::array<uint32_t, 14> lanes{
@@ -39,15 +49,28 @@ constexpr uint32_t lanes_of_type(uint32_t type) {
     return type < lanes.size() ? lanes[type] : 0;
 }
 
-Recorder& self(const wr_builder* b) {
-    return *static_cast<Recorder*>(b->host);
-}
+struct Arguments {
+    std::array<uint32_t, 3> words{};
+    const uint32_t* list = nullptr;
+    uint32_t count = 0;
+    const char* text = nullptr;
+};
 
-template <class... Words>
-Recorder& record(const wr_builder* b, uint32_t call, Words... words) {
-    Recorder& recorder = self(b);
-    recorder.begin(call);
-    (recorder.word(words), ...);
+Recorder& record(const wr_builder* b, Call function, const Arguments& arguments) {
+    const auto& [words, list, count, text] = arguments;
+    const bool has_list = list && count <= max_build_values;
+    // One byte more than the host accepts, so that the host reports a longer text.
+    const size_t text_size = text ? strnlen(text, max_text + 1) : 0;
+    const Head head{function,
+                    {words[0], words[1], words[2]},
+                    count,
+                    has_list,
+                    text ? static_cast<uint32_t>(text_size) : no_text};
+    std::string bytes(reinterpret_cast<const char*>(&head), sizeof head);
+    if (has_list) bytes.append(reinterpret_cast<const char*>(list), count * sizeof *list);
+    if (text) bytes.append(text, text_size);
+    auto& recorder = *static_cast<Recorder*>(b->host);
+    recorder.add(bytes);
     return recorder;
 }
 
@@ -59,26 +82,23 @@ void give_numbers(Recorder& recorder, uint32_t* values, uint32_t count, uint32_t
 
 uint32_t record_literal(const wr_builder* b, uint32_t type, const double* lanes) {
     const uint32_t count = lanes ? lanes_of_type(type) : 0;
-    Recorder& recorder = record(b, call_literal, type, count);
-    for (uint32_t i = 0; i < count; ++i)
-        recorder.number(lanes[i]);
-    return recorder.next();
+    std::array<uint32_t, 2 * max_lanes> words{};
+    if (count > 0) std::memcpy(words.data(), lanes, count * sizeof *lanes);
+    return record(b, call_literal, {{type}, words.data(), 2 * count}).next();
 }
 
 void record_begin_region(const wr_builder* b, uint32_t kind, const char* name,
                          const uint32_t* types, uint32_t count, wr_value* params) {
     const bool possible = types && params && count <= max_build_values;
-    Recorder& recorder = record(b, call_begin_region, kind);
-    recorder.text(name);
-    recorder.words(possible ? types : nullptr, count);
+    Recorder& recorder =
+        record(b, call_begin_region, {{kind}, possible ? types : nullptr, count, name});
     give_numbers(recorder, params, count, possible ? count : 0);
 }
 
 void record_apply(const wr_builder* b, wr_region region, const wr_value* args, uint32_t count,
                   wr_value* results, uint32_t result_count) {
     const uint32_t room = results ? std::min(result_count, max_build_values) : 0;
-    Recorder& recorder = record(b, call_apply, region, room, results ? 1u : 0u);
-    recorder.words(args, count);
+    Recorder& recorder = record(b, call_apply, {{region, room, results ? 1u : 0u}, args, count});
     give_numbers(recorder, results, result_count, room);
 }
 
@@ -86,36 +106,32 @@ wr_builder calls_of_recorder() {
     using B = const wr_builder*;
     wr_builder face{};
     face.size = sizeof face;
-    face.input = [](B b, uint32_t port) { return record(b, call_input, port).next(); };
-    face.image = [](B b, uint32_t port) { return record(b, call_image, port).next(); };
-    face.option = [](B b, uint32_t port) { return record(b, call_option, port).option(port); };
+    face.input = [](B b, uint32_t port) { return record(b, call_input, {{port}}).next(); };
+    face.image = [](B b, uint32_t port) { return record(b, call_image, {{port}}).next(); };
+    face.option = [](B b, uint32_t port) { return record(b, call_option, {{port}}).option(port); };
     face.field = [](B b, uint32_t port, wr_value at) {
-        return record(b, call_field, port, at).next();
+        return record(b, call_field, {{port, at}}).next();
     };
     face.literal = record_literal;
-    face.surface = [](B b, uint32_t input) { return record(b, call_surface, input).next(); };
+    face.surface = [](B b, uint32_t input) { return record(b, call_surface, {{input}}).next(); };
     face.emit = [](B b, uint32_t op, uint32_t type, const wr_value* args, uint32_t count,
                    uint32_t extra) {
-        Recorder& recorder = record(b, call_emit, op, type, extra);
-        recorder.words(args, count);
-        return recorder.next();
+        return record(b, call_emit, {{op, type, extra}, args, count}).next();
     };
     face.sample = [](B b, uint32_t op, wr_image image, const wr_value* args, uint32_t count) {
-        Recorder& recorder = record(b, call_sample, op, image);
-        recorder.words(args, count);
-        return recorder.next();
+        return record(b, call_sample, {{op, image}, args, count}).next();
     };
     face.begin_region = record_begin_region;
     face.end_region = [](B b, const wr_value* results, uint32_t count, uint32_t max) {
-        Recorder& recorder = record(b, call_end_region, max);
-        recorder.words(results, count);
-        return recorder.next();
+        return record(b, call_end_region, {{max}, results, count}).next();
     };
     face.apply = record_apply;
-    face.output = [](B b, uint32_t port, wr_value value) { record(b, call_output, port, value); };
-    face.error = [](B b, const char* text) { record(b, call_error).text(text); };
+    face.output = [](B b, uint32_t port, wr_value value) {
+        record(b, call_output, {{port, value}});
+    };
+    face.error = [](B b, const char* text) { record(b, call_error, {.text = text}); };
     face.name = [](B b, wr_value value, const char* name) {
-        record(b, call_name, value).text(name);
+        record(b, call_name, {.words = {value}, .text = name});
     };
     face.get_extension = [](B, const char*) -> const void* { return nullptr; };
     return face;
@@ -126,163 +142,109 @@ public:
     Replay(std::string_view calls, const wr_builder* host) : calls_(calls), b_(host) {}
 
     bool run() {
-        size_t count = 0;
-        while (fine_ && !calls_.empty() && count++ < max_build_calls)
-            call(word());
-        return fine_ && calls_.empty();
+        for (size_t i = 0; i < max_build_calls && !calls_.empty(); ++i)
+            if (!read() || !call()) return false;
+        return calls_.empty();
     }
 
 private:
-    uint32_t word() {
-        uint32_t value = 0;
-        if (calls_.size() < sizeof value) return fine_ = false, 0;
-        std::memcpy(&value, calls_.data(), sizeof value);
-        calls_.remove_prefix(sizeof value);
-        return value;
+    bool take(void* to, size_t size) {
+        if (calls_.size() < size) return false;
+        std::memcpy(to, calls_.data(), size);
+        calls_.remove_prefix(size);
+        return true;
     }
 
-    // As many as were passed; `list` is null if the pointer was null or there were too many.
-    struct Array {
-        uint32_t count = 0;
-        const uint32_t* list = nullptr;  // in words_
-    };
-    Array words() {
-        Array array{word()};
-        const bool given = word() != 0;
-        if (!given) return array;
-        if (array.count > max_build_values) return fine_ = false, array;
-        for (uint32_t i = 0; i < array.count; ++i)
-            words_[i] = word();
-        array.list = words_.data();
-        return array;
+    // Reads the next call; returns false if it is damaged.
+    bool read() {
+        if (!take(&head_, sizeof head_)) return false;
+        if (head_.has_list &&
+            (head_.count > max_build_values || !take(list_.data(), head_.count * sizeof list_[0])))
+            return false;
+        if (head_.text_size == no_text) return true;
+        if (head_.text_size > calls_.size()) return false;
+        text_.resize(head_.text_size);
+        return take(text_.data(), text_.size());
     }
 
-    // Reads values and maps them to those of the host.
-    Array values() {
-        const Array array = words();
-        for (uint32_t i = 0; array.list && i < array.count; ++i)
-            words_[i] = of_host(words_[i]);
-        return array;
+    const uint32_t* list() const { return head_.has_list ? list_.data() : nullptr; }
+    const char* text() const { return head_.text_size == no_text ? nullptr : text_.c_str(); }
+
+    // Returns the list as values of the host.
+    const wr_value* values() {
+        for (uint32_t i = 0; head_.has_list && i < head_.count; ++i)
+            list_[i] = of_host(list_[i]);
+        return list();
     }
-    uint32_t value() { return of_host(word()); }
     uint32_t of_host(uint32_t number) const {
         if (number == WR_POISON) return WR_POISON;
         return number <= of_host_.size() ? of_host_[number - 1] : no_such_value;
     }
 
-    const char* text() {
-        const uint32_t size = word();
-        if (size == no_text) return nullptr;
-        if (size > calls_.size()) return fine_ = false, nullptr;
-        text_ = calls_.substr(0, size);
-        calls_.remove_prefix(size);
-        return text_.c_str();
+    bool gives(uint32_t number) {
+        of_host_.push_back(number);
+        return true;
+    }
+    bool gives(const wr_value* list, uint32_t count) {
+        of_host_.insert(of_host_.end(), list, list + count);
+        return true;
     }
 
-    void gives(uint32_t number) { of_host_.push_back(number); }
-
-    void call(uint32_t which) {
-        switch (which) {
+    // Makes the call; returns false if its arguments are impossible.
+    bool call() {
+        const auto& [x, y, z] = head_.words;
+        switch (head_.function) {
             case call_input:
-                return one([&](uint32_t p) { gives(b_->input(b_, p)); });
+                return gives(b_->input(b_, x));
             case call_image:
-                return one([&](uint32_t p) { gives(b_->image(b_, p)); });
+                return gives(b_->image(b_, x));
             case call_option:
-                return one([&](uint32_t p) { b_->option(b_, p); });
+                return b_->option(b_, x), true;
             case call_surface:
-                return one([&](uint32_t p) { gives(b_->surface(b_, p)); });
+                return gives(b_->surface(b_, x));
             case call_field:
-                return field();
+                return gives(b_->field(b_, x, of_host(y)));
             case call_literal:
-                return literal();
+                return literal(x);
             case call_emit:
-                return emit();
+                return gives(b_->emit(b_, x, y, values(), head_.count, base_of(x, z)));
             case call_sample:
-                return sample();
+                return gives(b_->sample(b_, x, of_host(y), values(), head_.count));
             case call_begin_region:
-                return begin_region();
+                return begin_region(x);
             case call_end_region:
-                return end_region();
+                return gives(b_->end_region(b_, values(), head_.count, x));
             case call_apply:
-                return apply();
+                return apply(of_host(x), y, z != 0);
             case call_output:
-                return output();
+                return b_->output(b_, x, of_host(y)), true;
             case call_error:
-                return error();
+                return b_->error(b_, text()), true;
             case call_name:
-                return name();
+                return b_->name(b_, of_host(x), text()), true;
             default:
-                fine_ = false;
+                return false;
         }
     }
 
-    template <class F>
-    void one(F make) {
-        const uint32_t argument = word();
-        if (fine_) make(argument);
+    bool literal(uint32_t type) {
+        const uint32_t count = head_.count;
+        if (count == 0) return gives(b_->literal(b_, type, nullptr));
+        if (!head_.has_list || count != 2 * lanes_of_type(type)) return false;
+        std::array<double, max_lanes> lanes{};
+        std::memcpy(lanes.data(), list_.data(), count * sizeof list_[0]);
+        return gives(b_->literal(b_, type, lanes.data()));
     }
-    void field() {
-        const uint32_t port = word(), at = value();
-        if (fine_) gives(b_->field(b_, port, at));
-    }
-    void literal() {
-        const uint32_t type = word(), count = word();
-        std::array<double, 9> lanes{};
-        if (count > lanes.size() || (count > 0 && count != lanes_of_type(type))) fine_ = false;
-        for (uint32_t i = 0; fine_ && i < count; ++i) {
-            const uint32_t halves[2] = {word(), word()};
-            std::memcpy(&lanes[i], halves, sizeof halves);
-        }
-        if (fine_) gives(b_->literal(b_, type, count > 0 ? lanes.data() : nullptr));
-    }
-    void emit() {
-        const uint32_t op = word(), type = word(), extra = base_of(op, word());
-        const Array args = values();
-        if (fine_) gives(b_->emit(b_, op, type, args.list, args.count, extra));
-    }
-    void sample() {
-        const uint32_t op = word(), image = value();
-        const Array args = values();
-        if (fine_) gives(b_->sample(b_, op, image, args.list, args.count));
-    }
-    void begin_region() {
-        const uint32_t kind = word();
-        const char* name = text();
-        const Array types = words();
-        if (!fine_) return;
+    bool begin_region(uint32_t kind) {
         std::array<wr_value, max_build_values> params{};
-        b_->begin_region(b_, kind, name, types.list, types.count,
-                         types.list ? params.data() : nullptr);
-        for (uint32_t i = 0; types.list && i < types.count; ++i)
-            gives(params[i]);
+        b_->begin_region(b_, kind, text(), list(), head_.count, list() ? params.data() : nullptr);
+        return gives(params.data(), list() ? head_.count : 0);
     }
-    void end_region() {
-        const uint32_t max = word();
-        const Array results = values();
-        if (fine_) gives(b_->end_region(b_, results.list, results.count, max));
-    }
-    void apply() {
-        const uint32_t region = value(), room = word(), has_results = word();
-        const Array args = values();
-        if (room > max_build_values) fine_ = false;
-        if (!fine_) return;
+    bool apply(uint32_t region, uint32_t room, bool has_results) {
+        if (room > max_build_values) return false;
         std::array<wr_value, max_build_values> results{};
-        b_->apply(b_, region, args.list, args.count, has_results ? results.data() : nullptr, room);
-        for (uint32_t i = 0; i < room; ++i)
-            gives(results[i]);
-    }
-    void output() {
-        const uint32_t port = word(), given = value();
-        if (fine_) b_->output(b_, port, given);
-    }
-    void error() {
-        const char* message = text();
-        if (fine_) b_->error(b_, message);
-    }
-    void name() {
-        const uint32_t named = value();
-        const char* words = text();
-        if (fine_) b_->name(b_, named, words);
+        b_->apply(b_, region, values(), head_.count, has_results ? results.data() : nullptr, room);
+        return gives(results.data(), room);
     }
 
     // Maps `extra` if it is a value for this op.
@@ -295,9 +257,9 @@ private:
 
     std::string_view calls_;
     const wr_builder* b_;
-    bool fine_ = true;
     std::vector<uint32_t> of_host_;  // indexed by the recorder's number - 1
-    std::array<uint32_t, max_build_values> words_{};
+    Head head_{};
+    std::array<uint32_t, max_build_values> list_{};
     std::string text_;
 };
 
@@ -308,32 +270,9 @@ Recorder::Recorder(std::span<const int32_t> options, void (*on_full)())
     face_.host = this;
 }
 
-void Recorder::begin(uint32_t call) {
+void Recorder::add(std::string_view call) {
     if (++count_ > max_build_calls) on_full_();
-    word(call);
-}
-
-void Recorder::word(uint32_t value) {
-    calls_.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-void Recorder::words(const uint32_t* values, uint32_t count) {
-    const bool given = values && count <= max_build_values;
-    word(count);
-    word(given ? 1 : 0);
-    for (uint32_t i = 0; given && i < count; ++i)
-        word(values[i]);
-}
-
-void Recorder::number(double value) {
-    calls_.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
-void Recorder::text(const char* source) {
-    if (!source) return word(no_text);
-    const size_t size = strnlen(source, max_text + 1);
-    word(static_cast<uint32_t>(size));
-    calls_.append(source, size);
+    calls_ += call;
 }
 
 bool replay(std::string_view calls, const wr_builder* host) {

@@ -32,13 +32,8 @@ public:
     const wr_builder* builder() const { return &face_; }
     const std::string& calls() const { return calls_; }
 
-    // Append to the recording; used by the functions of the builder.
-    void begin(uint32_t call);
-    void word(uint32_t value);
-    void words(const uint32_t* values, uint32_t count);  // only the count if too many
-    void number(double value);
-    // Truncates to one byte more than the host accepts, so that the host reports it as too long.
-    void text(const char* source);
+    // Used by the functions of the builder.
+    void add(std::string_view call);
     uint32_t next() { return ++last_; }
     int32_t option(uint32_t port) const { return port < options_.size() ? options_[port] : 0; }
 
