@@ -93,7 +93,7 @@ private:
 
     bool deterministic(const Subject& subject) {
         Diagnostics diagnostics;
-        if (type_.code) type_.code->build_again();
+        if (type_.code) type_.code->toggle_second_run();
         const Compiled again = compile(subject.project, context_, {}, diagnostics);
         const std::string difference =
             again.ok ? text_difference(text_of(subject.compiled.module), text_of(again.module))

@@ -22,93 +22,79 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto short_while = std::chrono::milliseconds(10);
 
-std::string probe_program() {
-    return (installation_folder() / "lib/wrinkle/wrinkle-plugin-probe").string();
+struct Process {
+    pid_t id = -1;
+    int output = -1;
+    int error = 0;  // not 0: no process was started
+};
+
+Process start(const std::string& program, std::span<const std::string> words) {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) return {.error = errno};
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        posix_spawn_file_actions_addopen(&files, file, "/dev/null", O_RDWR, 0);
+    posix_spawn_file_actions_adddup2(&files, ends[1], probe_output);
+    posix_spawn_file_actions_addclosefrom_np(&files, probe_output + 1);
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    std::vector<char*> arguments{const_cast<char*>(program.c_str())};
+    for (const std::string& word : words)
+        arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    Process process{.output = ends[0]};
+    process.error =
+        posix_spawn(&process.id, program.c_str(), &files, &attributes, arguments.data(), environ);
+    posix_spawnattr_destroy(&attributes);
+    posix_spawn_file_actions_destroy(&files);
+    close(ends[1]);
+    fcntl(process.output, F_SETFL, O_NONBLOCK);
+    return process;
 }
 
-class Process {
-public:
-    // On failure `error` is set and no process is started.
-    Process(const std::string& program, std::span<const std::string> words) {
-        int ends[2];
-        if (pipe2(ends, O_CLOEXEC) != 0) {
-            error = errno;
-            return;
-        }
-        posix_spawn_file_actions_t files;
-        posix_spawn_file_actions_init(&files);
-        for (const int file : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-            posix_spawn_file_actions_addopen(&files, file, "/dev/null", O_RDWR, 0);
-        posix_spawn_file_actions_adddup2(&files, ends[1], probe_output);
-        posix_spawn_file_actions_addclosefrom_np(&files, probe_output + 1);
-        posix_spawnattr_t attributes;
-        posix_spawnattr_init(&attributes);
-        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-        std::vector<char*> arguments{const_cast<char*>(program.c_str())};
-        for (const std::string& word : words)
-            arguments.push_back(const_cast<char*>(word.c_str()));
-        arguments.push_back(nullptr);
-        error =
-            posix_spawn(&process_, program.c_str(), &files, &attributes, arguments.data(), environ);
-        posix_spawnattr_destroy(&attributes);
-        posix_spawn_file_actions_destroy(&files);
-        close(ends[1]);
-        output_ = ends[0];
-        fcntl(output_, F_SETFL, O_NONBLOCK);
-    }
-    Process(const Process&) = delete;
-    Process& operator=(const Process&) = delete;
-    ~Process() {
-        if (output_ >= 0) close(output_);
-    }
+// If this program ignores SIGCHLD the exit status is lost (ECHILD); the result then depends only on
+// the output.
+bool has_ended(const Process& process, ProbeResult& result) {
+    siginfo_t how{};
+    const int failed =
+        waitid(P_PID, static_cast<id_t>(process.id), &how, WEXITED | WNOHANG | WNOWAIT);
+    if (failed != 0 && errno == ECHILD) return true;
+    if (how.si_pid != process.id) return false;
+    (how.si_code == CLD_EXITED ? result.exit_code : result.signal) = how.si_status;
+    return true;
+}
 
-    ProbeResult finish(std::chrono::milliseconds limit) {
-        ProbeResult result;
-        const auto end = Clock::now() + limit;
-        bool open = true;
-        while (!has_ended(result)) {
-            result.timed_out = Clock::now() >= end;
-            result.output_too_large = result.output.size() > max_child_output;
-            if (result.timed_out || result.output_too_large) break;
-            pollfd waiting{open ? output_ : -1, POLLIN, 0};
-            poll(&waiting, 1, static_cast<int>(short_while.count()));
-            open = open && take(result.output);
-        }
-        kill(-process_, SIGKILL);  // before waitpid(), while the group id cannot be reused
-        while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
-        }
-        if (open) take(result.output);  // once only: a child that left the group may hold it open
-        return result;
+// Returns false at the end of the output, on an error, or beyond max_child_output; true if more may
+// come.
+bool take(const Process& process, std::string& output) {
+    char part[1 << 16];
+    ssize_t count = 0;
+    while ((count = read(process.output, part, sizeof part)) > 0 &&
+           output.size() <= max_child_output)
+        output.append(part, static_cast<size_t>(count));
+    return count < 0 && (errno == EAGAIN || errno == EINTR);
+}
+
+ProbeResult finish(const Process& process, std::chrono::milliseconds limit) {
+    ProbeResult result;
+    const auto end = Clock::now() + limit;
+    bool open = true;
+    while (!has_ended(process, result)) {
+        result.timed_out = Clock::now() >= end;
+        result.output_too_large = result.output.size() > max_child_output;
+        if (result.timed_out || result.output_too_large) break;
+        pollfd waiting{open ? process.output : -1, POLLIN, 0};
+        poll(&waiting, 1, static_cast<int>(short_while.count()));
+        open = open && take(process, result.output);
     }
-
-    int error = 0;
-
-private:
-    // If this program ignores SIGCHLD the exit status is lost (ECHILD); the result then depends
-    // only on the output.
-    bool has_ended(ProbeResult& result) const {
-        siginfo_t how{};
-        const int failed =
-            waitid(P_PID, static_cast<id_t>(process_), &how, WEXITED | WNOHANG | WNOWAIT);
-        if (failed != 0 && errno == ECHILD) return true;
-        if (how.si_pid != process_) return false;
-        (how.si_code == CLD_EXITED ? result.exit_code : result.signal) = how.si_status;
-        return true;
+    kill(-process.id, SIGKILL);  // before waitpid(), while the group id cannot be reused
+    while (waitpid(process.id, nullptr, 0) < 0 && errno == EINTR) {
     }
-
-    // Returns false at the end of the output, on an error, or beyond max_child_output; true if more
-    // may come.
-    bool take(std::string& output) const {
-        char part[1 << 16];
-        ssize_t count = 0;
-        while ((count = read(output_, part, sizeof part)) > 0 && output.size() <= max_child_output)
-            output.append(part, static_cast<size_t>(count));
-        return count < 0 && (errno == EAGAIN || errno == EINTR);
-    }
-
-    pid_t process_ = -1;
-    int output_ = -1;
-};
+    if (open) take(process, result.output);  // once: a child that left the group may hold it open
+    return result;
+}
 
 std::string signal_text(int number) {
     const char* name = sigabbrev_np(number);
@@ -121,11 +107,15 @@ std::string signal_text(int number) {
 
 std::optional<ProbeResult> run_child(std::span<const std::string> words,
                                      std::chrono::milliseconds limit, std::string& why) {
-    const std::string program = probe_program();
-    Process process(program, words);
-    if (process.error == 0) return process.finish(limit);
-    why = program + ": " + strerror(process.error);
-    return std::nullopt;
+    const std::string program = installation_folder() / "lib/wrinkle/wrinkle-plugin-probe";
+    const Process process = start(program, words);
+    std::optional<ProbeResult> result;
+    if (process.error == 0)
+        result = finish(process, limit);
+    else
+        why = program + ": " + strerror(process.error);
+    close(process.output);
+    return result;
 }
 
 std::string ending(const ProbeResult& result, const std::string& doing,

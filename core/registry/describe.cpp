@@ -12,34 +12,26 @@ namespace {
 
 constexpr const char* manifest_remedy = "`wrinkle plugins --manifest` writes it anew";
 
-void warn(Diagnostics& diagnostics, const Location& where, std::string message) {
-    diagnostics.add({.severity = Severity::warning,
-                     .where = where,
-                     .message = std::move(message),
-                     .expected = manifest_remedy});
-}
-
 std::optional<PluginListing> from_manifest(const PluginFile& file, const std::string& hash,
                                            Diagnostics& diagnostics) {
     const std::string name = manifest_of(file.origin), path = manifest_of(file.original);
+    const auto ignore = [&](const Location& where, const std::string& why) {
+        diagnostics.add({.severity = Severity::warning,
+                         .where = where,
+                         .message = "the manifest is ignored: " + why,
+                         .expected = manifest_remedy});
+        return std::nullopt;
+    };
     std::error_code error;
     if (!fs::exists(path, error)) return std::nullopt;
     std::string why;
     auto text = read_file(path, why);
-    if (!text) {
-        warn(diagnostics, {name}, "the manifest is ignored: it " + why);
-        return std::nullopt;
-    }
+    if (!text) return ignore({name}, "it " + why);
     Diagnostics problems;
     auto listing = read_listing(std::move(*text), name, file.origin, problems);
-    if (!listing) {
-        const Diagnostic& first = problems.list().front();
-        warn(diagnostics, first.where, "the manifest is ignored: " + first.message);
-        return std::nullopt;
-    }
-    if (listing->sha256 == hash) return listing;
-    warn(diagnostics, {name}, "the manifest is ignored: the plugin was built anew since");
-    return std::nullopt;
+    if (!listing) return ignore(problems.list().front().where, problems.list().front().message);
+    if (listing->sha256 != hash) return ignore({name}, "the plugin was built anew since");
+    return listing;
 }
 
 std::optional<PluginListing> from_cache(const fs::path& file, const std::string& origin,

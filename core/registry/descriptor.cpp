@@ -28,26 +28,18 @@ constexpr uint32_t max_ports = 256;  // also the limit of choices and renames
 constexpr size_t max_text = 4096;
 constexpr size_t max_faults = 20;  // per plugin; reading stops there
 
-// Size of a struct in the first version of the ABI; later versions have more members.
-template <class T>
-constexpr size_t first_size = 0;
-template <>
-constexpr size_t first_size<wr_plugin> = offsetof(wr_plugin, get_extension) +
-                                         sizeof(wr_plugin::get_extension);
-template <>
-constexpr size_t first_size<wr_node> = offsetof(wr_node, build) + sizeof(wr_node::build);
-template <>
-constexpr size_t first_size<wr_port> = offsetof(wr_port, encoding) + sizeof(wr_port::encoding);
-template <>
-constexpr size_t first_size<wr_rename> = offsetof(wr_rename, new_name) +
-                                         sizeof(wr_rename::new_name);
+// Sizes of the structs in the first version of the ABI, in which each ends with a pointer; later
+// versions have more members.
+constexpr size_t first_plugin = offsetof(wr_plugin, get_extension) + sizeof(void*);
+constexpr size_t first_node = offsetof(wr_node, build) + sizeof(void*);
+constexpr size_t first_port = offsetof(wr_port, encoding) + sizeof(void*);
+constexpr size_t first_rename = offsetof(wr_rename, new_name) + sizeof(void*);
 
 // Fills with zeros if the plugin's struct is shorter.
 template <class T>
-bool read_struct(const T* source, T& copy) {
-    static_assert(first_size<T> > 0);
+bool read_struct(const T* source, size_t first_size, T& copy) {
     copy = {};
-    if (source->size < first_size<T>) return false;
+    if (source->size < first_size) return false;
     std::memcpy(&copy, source, std::min<size_t>(source->size, sizeof(T)));
     return true;
 }
@@ -62,7 +54,7 @@ public:
 
     bool plugin(const wr_plugin* source, wr_plugin& copy) {
         if (!source) return fault("its descriptor is null");
-        if (!read_struct(source, copy)) return too_small("its descriptor", source->size);
+        if (!read_struct(source, first_plugin, copy)) return too_small(source->size);
         if (copy.abi != WR_ABI)
             return fault("it is made for plugin interface " + std::to_string(copy.abi),
                          "this program has interface " + std::to_string(WR_ABI));
@@ -78,7 +70,7 @@ public:
         node_ = "number " + std::to_string(index);
         wr_node copy;
         if (!source) return void(fault("its descriptor is null"));
-        if (!read_struct(source, copy)) return void(too_small("its descriptor", source->size));
+        if (!read_struct(source, first_node, copy)) return void(too_small(source->size));
         if (!name(copy.id, "the id", type.id)) return;
         if (!type.id.empty()) node_ = type.id;
         if (!is_name(type.id))
@@ -112,8 +104,8 @@ private:
         return false;
     }
 
-    bool too_small(const std::string& what, uint32_t size) {
-        return fault(what + " has the impossible size " + std::to_string(size));
+    bool too_small(uint32_t size) {
+        return fault("its descriptor has the impossible size " + std::to_string(size));
     }
 
     bool too_many(uint32_t count, const char* what, uint32_t max) {
@@ -165,7 +157,7 @@ private:
     bool port(const wr_port* source, Port& port) {
         wr_port copy;
         if (!source) return fault("its descriptor is null");
-        if (!read_struct(source, copy)) return too_small("its descriptor", source->size);
+        if (!read_struct(source, first_port, copy)) return too_small(source->size);
         if (!name(copy.name, "the name", port.name)) return false;
         port_ = "port '" + port.name + "'";
         if (!is_name(port.name))
@@ -281,7 +273,7 @@ private:
         for (uint32_t i = 0; i < node.rename_count; ++i) {
             Rename rename;
             wr_rename copy;
-            if (!node.renames[i] || !read_struct(node.renames[i], copy)) {
+            if (!node.renames[i] || !read_struct(node.renames[i], first_rename, copy)) {
                 fault("a renamed port is null or has an impossible size");
                 continue;
             }
@@ -318,7 +310,7 @@ private:
 }  // namespace
 
 bool read_plugin(const wr_plugin* plugin, wr_plugin& copy) {
-    return read_struct(plugin, copy);
+    return read_struct(plugin, first_plugin, copy);
 }
 
 bool read_descriptors(const wr_plugin* plugin, std::string_view origin,

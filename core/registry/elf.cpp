@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 
 namespace wrinkle {
 namespace {
@@ -20,22 +21,13 @@ constexpr uint32_t own_machine = EM_NONE;  // not compared
 #endif
 
 std::string machine_name(uint32_t machine) {
-    switch (machine) {
-        case EM_386:
-            return "x86";
-        case EM_X86_64:
-            return "x86-64";
-        case EM_ARM:
-            return "ARM";
-        case EM_AARCH64:
-            return "AArch64";
-        case EM_RISCV:
-            return "RISC-V";
-        case EM_PPC64:
-            return "PowerPC 64";
-        default:
-            return "machine " + std::to_string(machine);
-    }
+    constexpr std::pair<uint32_t, const char*> names[] = {
+        {EM_386, "x86"},         {EM_X86_64, "x86-64"}, {EM_ARM, "ARM"},
+        {EM_AARCH64, "AArch64"}, {EM_RISCV, "RISC-V"},  {EM_PPC64, "PowerPC 64"},
+    };
+    for (const auto& [number, name] : names)
+        if (number == machine) return name;
+    return "machine " + std::to_string(machine);
 }
 
 bool is_cut_short(const Elf64_Ehdr& head, std::string_view bytes) {

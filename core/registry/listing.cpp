@@ -33,10 +33,6 @@ std::string node_json(const NodeType& type) {
     return text + ", \"ports\": [" + joined(type.ports, ", ", port_json) + "]}";
 }
 
-Value member(const Value& object, std::string_view key) {
-    return object.is(Kind::object) ? object.find(key) : Value();
-}
-
 // Converts JSON to the C structs of a plugin, which are valid during the lifetime of this object.
 class Descriptors {
 public:
@@ -46,7 +42,7 @@ public:
         plugin_.abi = number(root, "abi");
         plugin_.id = text(root, "id");
         plugin_.version = text(root, "version");
-        const Value list = member(root, "nodes");
+        const Value list = root.find("nodes");
         if (!list.is(Kind::array)) wrong(root, "has no list of nodes");
         for (const json::Member& each : list.children())
             node_list_.push_back(node(each.value));
@@ -67,7 +63,7 @@ private:
 
     // Returns null if absent; another kind is an error.
     const char* text(const Value& object, std::string_view key) {
-        const Value value = member(object, key);
+        const Value value = object.find(key);
         if (value.is(Kind::null)) return nullptr;
         if (!value.is(Kind::string)) {
             wrong(value, "\"" + std::string(key) + "\" is no text");
@@ -77,7 +73,7 @@ private:
     }
 
     uint32_t number(const Value& object, std::string_view key) {
-        const Value value = member(object, key);
+        const Value value = object.find(key);
         const double x = value.is(Kind::number) ? value.as_number() : -1;
         if (x >= 0 && x < 4294967296.0 && x == std::floor(x)) return static_cast<uint32_t>(x);
         wrong(value.is(Kind::null) ? object : value,
@@ -95,12 +91,12 @@ private:
         node.family = text(object, "family");
         node.build = [](const wr_builder*) {};
         auto& ports = port_lists_.emplace_back();
-        for (const json::Member& each : member(object, "ports").children())
+        for (const json::Member& each : object.find("ports").children())
             ports.push_back(port(each.value));
         node.ports = ports.data();
         node.port_count = static_cast<uint32_t>(ports.size());
         auto& renames = rename_lists_.emplace_back();
-        for (const json::Member& each : member(object, "renames").children())
+        for (const json::Member& each : object.find("renames").children())
             renames.push_back(rename(each.value));
         node.renames = renames.data();
         node.rename_count = static_cast<uint32_t>(renames.size());
@@ -126,10 +122,10 @@ private:
         port.encoding = text(object, "encoding");
         if (const char* type = text(object, "type"))
             if (const auto named = port_type_named(type)) port.type = static_cast<uint32_t>(*named);
-        range(member(object, "slider"), port.soft_min, port.soft_max);
-        range(member(object, "range"), port.hard_min, port.hard_max);
+        range(object.find("slider"), port.soft_min, port.soft_max);
+        range(object.find("range"), port.hard_min, port.hard_max);
         auto& choices = choice_lists_.emplace_back();
-        for (const json::Member& each : member(object, "choices").children()) {
+        for (const json::Member& each : object.find("choices").children()) {
             if (!each.value.is(Kind::string))
                 wrong(each.value, "a choice is no text");
             else
@@ -138,7 +134,7 @@ private:
         port.choices = choices.data();
         port.choice_count = static_cast<uint32_t>(choices.size());
         if (const char* domain = text(object, "domain")) port.default_surface = surface(domain);
-        default_value(member(object, "default"), port);
+        default_value(object.find("default"), port);
         return &port;
     }
 
@@ -221,8 +217,7 @@ std::string to_json(const PluginListing& listing) {
 std::optional<PluginListing> read_listing(std::string text, const std::string& name,
                                           const std::string& origin, Diagnostics& diagnostics) {
     const auto refuse = [&](const Value& at, std::string message, std::string expected = {}) {
-        const Location where = at.location();
-        diagnostics.add({.where = Location{name, where.line, where.column},
+        diagnostics.add({.where = at.location(),
                          .message = std::move(message),
                          .expected = std::move(expected)});
         return std::nullopt;
@@ -231,7 +226,7 @@ std::optional<PluginListing> read_listing(std::string text, const std::string& n
     const json::Parsed parsed = json::parse(std::move(text), name, problems);
     diagnostics.append(problems);
     if (!parsed.complete || problems.has_errors()) return std::nullopt;
-    const Value form = member(parsed.root, "wrinkle_plugin");
+    const Value form = parsed.root.find("wrinkle_plugin");
     if (!form.is(Kind::number) || form.as_number() != listing_form)
         return refuse(parsed.root, "this is no description of a plugin that this program knows",
                       "\"wrinkle_plugin\": " + shortest(listing_form));
@@ -239,7 +234,7 @@ std::optional<PluginListing> read_listing(std::string text, const std::string& n
     const wr_plugin* plugin = descriptors.plugin(parsed.root);
     if (!descriptors.problem().empty())
         return refuse(descriptors.problem_value(), descriptors.problem());
-    const Value hash = member(parsed.root, "sha256");
+    const Value hash = parsed.root.find("sha256");
     if (!hash.is(Kind::string)) return refuse(parsed.root, "\"sha256\" is missing");
     PluginListing listing;
     listing.sha256 = hash.as_string();

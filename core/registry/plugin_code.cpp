@@ -5,11 +5,8 @@
 #include "registry/library.h"
 
 namespace wrinkle {
-namespace {
 
 constexpr size_t max_cached_bytes = size_t{64} << 20;  // bytes
-
-}  // namespace
 
 PluginCode::PluginCode(PluginFile file, const PluginListing& listing, bool tried,
                        std::chrono::milliseconds limit)
@@ -49,7 +46,7 @@ bool PluginCode::try_out(std::string& why) {
     return check(why);
 }
 
-void PluginCode::build_again() {
+void PluginCode::toggle_second_run() {
     const std::lock_guard lock(mutex_);
     twice_ = !twice_;
     runs_.clear();

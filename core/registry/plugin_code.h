@@ -33,7 +33,7 @@ public:
     // Clears the cache and toggles between one and two runs of build() per process. With two, the
     // calls are those of the second run, so the next calls() differ if build() has state. Runs no
     // code itself.
-    void build_again();
+    void toggle_second_run();
 
 private:
     using Key = std::pair<size_t, std::vector<int32_t>>;

@@ -84,8 +84,7 @@ private:
         std::error_code error;
         const fs::path real = fs::canonical(path, error);
         if (!seen_.insert(error ? fs::path(path) : real).second) return;
-        PluginReport report;
-        report.path = path;
+        PluginReport report{.path = path};
         Diagnostics problems;
         if (!take(error ? path : real.string(), report, problems)) {
             report.state = PluginReport::State::refused;
@@ -129,6 +128,10 @@ private:
     }
 
     bool take(const PluginFile& file, PluginReport& report, Diagnostics& problems) {
+        const auto refuse = [&](std::string message, std::string expected) {
+            add_fault(problems, report.path, std::move(message), std::move(expected));
+            return false;
+        };
         auto described = describe_plugin(file, {options_.cache, options_.limit}, problems);
         if (!described) return false;
         PluginListing& listing = described->listing;
@@ -139,21 +142,16 @@ private:
         for (const NodeType& type : listing.types)
             report.nodes.push_back(type.id);
         const auto other = ids_.find(listing.id);
-        if (other != ids_.end()) {
-            add_fault(problems, report.path,
-                      "the plugin id '" + listing.id + "' is taken: " + other->second + " has it",
-                      "remove one of them");
-            return false;
-        }
+        if (other != ids_.end())
+            return refuse(
+                "the plugin id '" + listing.id + "' is taken: " + other->second + " has it",
+                "remove one of them");
         // A cache entry was not made from this copy, so the copy is not known to load.
         const bool tried = described->by == DescribedBy::probe ||
                            (described->by == DescribedBy::cache && !options_.copies);
         const auto code = std::make_shared<PluginCode>(file, listing, tried, options_.limit);
         std::string why;
-        if (options_.copies && !code->try_out(why)) {
-            add_fault(problems, report.path, why);
-            return false;
-        }
+        if (options_.copies && !code->try_out(why)) return refuse(why, "");
         size_t index = 0;
         for (NodeType& type : listing.types) {
             type.code = code;
@@ -176,10 +174,7 @@ private:
     }
 
     void print_error(const std::string& path, std::string message) {
-        PluginReport report;
-        report.path = path;
-        report.why = message;
-        reports_.push_back(std::move(report));
+        reports_.push_back({.path = path, .why = message});
         add_fault(diagnostics_, path, std::move(message));
     }
 

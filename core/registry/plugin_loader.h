@@ -35,12 +35,12 @@ namespace wrinkle {
 struct PluginReport {
     enum class State : uint8_t { found, refused };  // found: its nodes are in the registry
     std::string path;
-    std::string id;  // "" if not yet known when it was refused
-    std::string version;
-    std::vector<std::string> nodes;
+    std::string id{};  // "" if not yet known when it was refused
+    std::string version{};
+    std::vector<std::string> nodes{};
     State state = State::refused;
     bool by_manifest = false;  // found without running its code
-    std::string why;           // reason of a refusal, in one or more sentences
+    std::string why{};         // reason of a refusal, in one or more sentences
 
     bool is_taken() const { return state != State::refused; }
 };

@@ -44,16 +44,13 @@ void read_faults(std::string_view text, const std::string& origin, Diagnostics& 
     Diagnostics none;
     const json::Value root = json::parse(std::string(text), origin, none).root;
     const auto word = [](const json::Value& object, std::string_view key) {
-        const json::Value value = object.is(json::Kind::object) ? object.find(key) : json::Value();
-        return value.is(json::Kind::string) ? std::string(value.as_string()) : std::string();
+        const json::Value value = object.find(key);
+        return value.is(json::Kind::string) ? plugin_text(value.as_string()) : std::string();
     };
-    if (text.empty() || !root.is(json::Kind::object)) return;
     for (const json::Member& each : root.find("diagnostics").children()) {
-        Diagnostic fault;
-        fault.where.file = origin;
-        fault.node = plugin_text(word(each.value, "node"));
-        fault.message = plugin_text(word(each.value, "message"));
-        fault.expected = plugin_text(word(each.value, "expected"));
+        Diagnostic fault = file_problem(Severity::error, origin, word(each.value, "message"),
+                                        word(each.value, "expected"));
+        fault.node = word(each.value, "node");
         if (!fault.message.empty()) diagnostics.add(std::move(fault));
     }
 }

@@ -29,8 +29,7 @@ bool NodeType::run(const wr_builder* builder, Unbuilt& reason) const {
     for (uint32_t p = 0; p < ports.size(); ++p)
         if (ports[p].is_option()) options[p] = builder->option(builder, p);
     const auto calls = code->calls(code_index, options, reason);
-    bool whole = false;
-    if (calls) whole = replay(*calls, builder);
+    const bool whole = calls && replay(*calls, builder);
     if (calls && !whole) reason.why = "its build() wrote over what it had recorded";
     if (!whole) reason.why = "the plugin " + origin + " cannot be used: " + reason.why;
     return whole;

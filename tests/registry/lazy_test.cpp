@@ -214,7 +214,7 @@ TEST_F(Lazy, ANodeIsBuiltOnceForEachSetOfOptions) {
     EXPECT_EQ(runs(), Runs(1, 0));
     EXPECT_NE(code.calls(0, other, reason), calls);
     EXPECT_EQ(runs(), Runs(1, 0));
-    code.build_again();
+    code.toggle_second_run();
     const auto again = code.calls(0, one, reason);
     EXPECT_NE(again, calls);
     EXPECT_EQ(*again, *calls);
