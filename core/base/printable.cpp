@@ -7,10 +7,6 @@
 namespace wrinkle {
 namespace {
 
-bool is_plain(char c) {
-    return c >= 0x20 && c < 0x7F;
-}
-
 bool is_between(uint32_t code, uint32_t first, uint32_t last) {
     return first <= code && code <= last;
 }
@@ -59,7 +55,6 @@ bool is_printable(const Character& character) {
 }
 
 std::string printable(std::string_view text) {
-    if (std::all_of(text.begin(), text.end(), is_plain)) return std::string(text);
     std::string line;
     while (!text.empty()) {
         const Character character = first_character(text);

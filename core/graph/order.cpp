@@ -9,11 +9,7 @@ namespace {
 constexpr size_t shown = 8;                                    // nodes of a cycle in a diagnostic
 constexpr size_t max_cycles = Diagnostics::default_limit + 1;  // further cycles are not reported
 
-uint32_t index_of(const Document& document, const Link& link) {
-    if (!link.is_node()) return Wires::none;
-    const size_t index = document.nodes.index_of(link.node);
-    return index == Table<NodePtr>::npos ? Wires::none : static_cast<uint32_t>(index);
-}
+static_assert(static_cast<uint32_t>(Table<NodePtr>::npos) == Wires::none);
 
 // Searches all nodes; calls `close_cycle` as DepthFirst::visit() does.
 template <class CloseCycle>
@@ -137,7 +133,9 @@ Wires::Wires(const Document& document) {
     for (const NodePtr& node : document.nodes) {
         first_.push_back(static_cast<uint32_t>(read_.size()));
         for (const Input& input : node->inputs)
-            read_.push_back(index_of(document, input.link));
+            read_.push_back(input.link.is_node()
+                                ? static_cast<uint32_t>(document.nodes.index_of(input.link.node))
+                                : none);
     }
     first_.push_back(static_cast<uint32_t>(read_.size()));
 }

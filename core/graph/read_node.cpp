@@ -77,10 +77,11 @@ void Report::at_key(const Value& value, std::string node, std::string message,
     list_.add(std::move(diagnostic));
 }
 
-void Report::wrong_kind(const Value& value, Kind kind, std::string_view name,
-                        std::string_view node) {
+bool Report::expect(const Value& value, Kind kind, std::string_view name, std::string_view node) {
+    if (value.is(kind)) return true;
     at(value, std::string(node), std::string(name) + " is " + json::kind_name(value.kind()),
        std::string("expected ") + json::kind_name(kind));
+    return false;
 }
 
 bool Report::expect_id(const Value& value, std::string_view what, std::string_view id,

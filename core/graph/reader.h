@@ -18,10 +18,7 @@ public:
     // Reports an error and returns false if the value is of another kind; `name` names it in the
     // message.
     bool expect(const json::Value& value, json::Kind kind, std::string_view name,
-                std::string_view node) {
-        if (!value.is(kind)) wrong_kind(value, kind, name, node);
-        return value.is(kind);
-    }
+                std::string_view node);
     // Reports an error and returns false if the key of `value` is not a valid id or name.
     bool expect_id(const json::Value& value, std::string_view what, std::string_view id,
                    bool reserved);
@@ -29,9 +26,6 @@ public:
     Diagnostics& list() { return list_; }
 
 private:
-    void wrong_kind(const json::Value& value, json::Kind kind, std::string_view name,
-                    std::string_view node);
-
     Diagnostics list_;
 };
 

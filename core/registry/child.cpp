@@ -20,8 +20,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr auto short_while = std::chrono::milliseconds(10);
-
 struct Process {
     pid_t id = -1;
     int output = -1;
@@ -86,7 +84,7 @@ ProbeResult finish(const Process& process, std::chrono::milliseconds limit) {
         result.output_too_large = result.output.size() > max_child_output;
         if (result.timed_out || result.output_too_large) break;
         pollfd waiting{open ? process.output : -1, POLLIN, 0};
-        poll(&waiting, 1, static_cast<int>(short_while.count()));
+        poll(&waiting, 1, 10);  // milliseconds: the process may end with its output open
         open = open && take(process, result.output);
     }
     kill(-process.id, SIGKILL);  // before waitpid(), while the group id cannot be reused
