@@ -66,7 +66,10 @@ private:
     void read_lanes(const InputNeed& need, const json::Member& member) {
         const size_t lanes = lanes_of(need);
         const bool has_form = lanes == 1 || member.value.is(json::Kind::array);
-        const auto numbers = lanes == 1 ? std::vector{member} : member.value.children();
+        std::vector<json::Member> numbers;
+        if (lanes == 1) numbers.push_back(member);
+        for (const json::Member& each : member.value.children())
+            numbers.push_back(each);
         const auto is_number = [](const json::Member& each) {
             return each.value.is(json::Kind::number);
         };
