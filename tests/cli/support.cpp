@@ -117,7 +117,7 @@ std::string CliTest::get(const std::string& name) const {
 std::vector<std::string> CliTest::files() const {
     std::vector<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        names.push_back(fs::relative(entry.path(), folder).string());
+        names.push_back(entry.path().lexically_relative(folder).string());
     std::sort(names.begin(), names.end());
     return names;
 }

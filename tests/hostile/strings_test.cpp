@@ -2,6 +2,7 @@
 // the generated source, the payload must become an identifier or be absent.
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 #include "base/text.h"
 #include "hostile/payloads.h"
@@ -175,7 +176,9 @@ protected:
         return get("out/text.glsl");
     }
 
-    // Runs another command; successive calls cycle through the list.
+    // Runs another command; successive calls cycle through the list. Loading OpenImageIO takes
+    // `eval` 40 times as long as a compilation, so only a third of the payloads of a position run
+    // one: each position is run with each command twice.
     void run_another(const std::string& label) {
         static const std::vector<std::vector<std::string>> commands = {
             {"check", "graph.json"},
@@ -199,18 +202,21 @@ protected:
     void attack_position(const std::string& position, const Write& write) {
         static const std::vector<std::string> targets = {"glsl330", "glsl450", "essl300"};
         const std::string& target = targets[position_++ % targets.size()];
+        std::map<std::string, std::string> harmless;  // source by identifier
         for (size_t i = position_ % stride; i < payloads().size(); i += stride) {
             const std::string label = position + ": payload " + std::to_string(i);
             write(payloads()[i]);
             const std::string text = compiled(label, target);
-            run_another(label);
+            if ((i + position_) % 3 == 0) run_another(label);
             if (text.empty()) continue;
-            // Writes the identifier of the payload into the graph itself.
-            write(identifier(payloads()[i]));
-            const std::string harmless = compiled(position + ": harmless", target);
-            if (harmless.empty()) continue;
+            const std::string name = identifier(payloads()[i]);
+            if (!harmless.contains(name)) {
+                write(name);
+                harmless[name] = compiled(position + ": harmless", target);
+            }
+            if (harmless[name].empty()) continue;
             ++compared_;
-            EXPECT_EQ(injected(text, harmless, payloads()[i]), "") << label << text;
+            EXPECT_EQ(injected(text, harmless[name], payloads()[i]), "") << label << text;
         }
     }
 

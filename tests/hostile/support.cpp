@@ -68,9 +68,9 @@ std::vector<std::string> HostileTest::all_files() const {
     std::vector<std::string> names;
     const auto options = fs::directory_options::skip_permission_denied;
     for (const auto& entry : fs::recursive_directory_iterator(folder.parent_path(), options)) {
-        const std::string name = fs::relative(entry.path().parent_path(), folder.parent_path()) /
-                                 entry.path().filename();
-        if (name != "./in" && name != "./out" && name != "./err" && !name.starts_with("cache"))
+        // Lexically: fs::relative() reads the file system for every component.
+        const std::string name = entry.path().lexically_relative(folder.parent_path());
+        if (name != "in" && name != "out" && name != "err" && !name.starts_with("cache"))
             names.push_back(name);
     }
     return names;
