@@ -17,7 +17,7 @@ struct DynamicLibrary {
     std::string why;  // reason why `symbol` is null; one sentence
 };
 
-// `what` names the module in messages: "the image module".
+// Messages call the module `what`: "the image module".
 DynamicLibrary open_library(const std::string& file, const char* symbol, const std::string& what);
 
 inline constexpr const char* library_remedy =

@@ -14,7 +14,7 @@ struct Explained {
     const MadeShader& made;
     const Project& project;
     size_t first;                         // line of the caller's shader at which the source begins
-    std::vector<std::string_view> lines;  // of the source
+    std::vector<std::string_view> lines;  // the generated source
 
     // Returns the message of a log line at its node.
     Diagnostic explain(const LogLine& said) const {

@@ -62,7 +62,7 @@ struct CpuInst {
     Op op{};
     Op second{};
     bool swapped = false;
-    Type type{};        // of the operands
+    Type type{};        // type of the operands
     uint8_t count = 0;  // number of operands
     uint8_t outputs = 0;
     uint8_t channels = 4;

@@ -33,7 +33,7 @@ struct VectorMeasures {
 struct CurlMeasures {
     double gl = 0;           // rms of d(su)/dv - d(sv)/du: small if green points up
     double dx = 0;           // rms of d(su)/dv + d(sv)/du: small if green points down
-    double correlation = 0;  // of d(su)/dv and d(sv)/du, -1 to 1; 0 without slopes
+    double correlation = 0;  // between d(su)/dv and d(sv)/du, -1 to 1; 0 without slopes
     // Shares of the regions (8 by 8 over the image) with a correlation above 0.5, and below -0.5,
     // weighted by the size of their derivatives. 0 for images of less than 4096 texels, where
     // regions are too small.

@@ -26,7 +26,7 @@ constexpr double most_tilt = 40, pi = 3.14159265358979323846;
 // Degrees between two maps.
 struct Apart {
     std::vector<double> sorted;
-    size_t covered = 0, left_out = 0;  // of the covered ones, by tilt
+    size_t covered = 0, left_out = 0;  // left_out: covered, but too tilted
 
     double at(double part) const {
         return sorted.empty() ? 180 : sorted[static_cast<size_t>(part * double(sorted.size() - 1))];

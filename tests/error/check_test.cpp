@@ -112,40 +112,40 @@ TEST(CheckPorts, Options) {
 }
 
 TEST(CheckImages, Values) {
-    EXPECT_EQ(node_report("picture", ""),
+    EXPECT_EQ(node_report("texture", ""),
               "port 'image' is not set (it needs a path to an image)\n");
-    EXPECT_EQ(node_report("picture", "\"image\": 3"),
+    EXPECT_EQ(node_report("texture", "\"image\": 3"),
               "port 'image' holds a number (expected a path or {\"file\": ..., \"encoding\": "
               "...})\n");
-    EXPECT_EQ(node_report("picture", "\"image\": \"\""),
+    EXPECT_EQ(node_report("texture", "\"image\": \"\""),
               "port 'image' names no file (expected a path)\n");
-    EXPECT_EQ(node_report("picture", "\"image\": {\"wrap\": \"clamp\"}"),
+    EXPECT_EQ(node_report("texture", "\"image\": {\"wrap\": \"clamp\"}"),
               "port 'image' names no file (expected \"file\": a path)\n");
-    EXPECT_EQ(node_report("picture", R"("image": {"file": "x", "encoding": "srgp"})"),
+    EXPECT_EQ(node_report("texture", R"("image": {"file": "x", "encoding": "srgp"})"),
               "port 'image' has the unknown encoding \"srgp\" (did you mean 'srgb'?)\n");
-    EXPECT_EQ(node_report("picture", R"("image": {"file": "x", "wrap": "border"})"),
+    EXPECT_EQ(node_report("texture", R"("image": {"file": "x", "wrap": "border"})"),
               "port 'image' has the unknown wrap \"border\" (expected repeat, clamp or "
               "mirror)\n");
-    EXPECT_EQ(node_report("picture", R"("image": {"file": "x", "filter": 1})"),
+    EXPECT_EQ(node_report("texture", R"("image": {"file": "x", "filter": 1})"),
               "port 'image' has a number as its filter (expected linear or nearest)\n");
-    EXPECT_EQ(node_report("picture", R"("image": {"file": "x", "wrab": "clamp"})"),
+    EXPECT_EQ(node_report("texture", R"("image": {"file": "x", "wrab": "clamp"})"),
               "port 'image' has the unknown key \"wrab\" (did you mean 'wrap'?)\n");
 }
 
 TEST(CheckImages, Files) {
-    EXPECT_EQ(node_report("picture", "\"image\": \"no/such.png\""),
+    EXPECT_EQ(node_report("texture", "\"image\": \"no/such.png\""),
               "port 'image' names \"no/such.png\", which does not exist (a path is relative to "
               "its graph's folder)\n");
-    EXPECT_EQ(node_report("picture", "\"image\": \".\""),
+    EXPECT_EQ(node_report("texture", "\"image\": \".\""),
               "port 'image' names \".\", which is a folder (expected an image file)\n");
     Diagnostics ignored;
     const Project project = test::project(test::graph("", ""), ignored);
     for (const char* name : {"../../LICENSE", "/etc/passwd"})
-        EXPECT_EQ(node_report("picture", std::string("\"image\": \"") + name + "\""),
+        EXPECT_EQ(node_report("texture", std::string("\"image\": \"") + name + "\""),
                   "port 'image' names \"" + std::string(name) +
                       "\", outside the root (keep it below " + project.root.string() +
                       ", or choose another root with --root)\n");
-    EXPECT_EQ(node_report("picture", "\"image\": \"fixture.h\"").find("port"), std::string::npos);
+    EXPECT_EQ(node_report("texture", "\"image\": \"fixture.h\"").find("port"), std::string::npos);
 }
 
 TEST(CheckWires, Ends) {
@@ -224,7 +224,7 @@ TEST(CheckGraph, EditedDocumentsAreAskedForTheirLinks) {
 TEST(CheckGraph, UnreachedNodesCountUnlessToldOtherwise) {
     Diagnostics diagnostics;
     const Project project =
-        test::project(test::graph(R"("p": {"type": "picture"}, "n": {"type": "number"})",
+        test::project(test::graph(R"("p": {"type": "texture"}, "n": {"type": "number"})",
                                   R"("a": {"from": "n.value"})"),
                       diagnostics);
     EXPECT_NE(reports(project), "");
@@ -234,7 +234,7 @@ TEST(CheckGraph, UnreachedNodesCountUnlessToldOtherwise) {
 TEST(CheckGraph, AllProblemsComeInOneGo) {
     const std::string text = reports(test::graph(
         R"("a": {"type": "number", "in": {"value": true, "x": 1}}, "b": {"type": "nope"},
-           "c": {"type": "picture"}, "d": {"type": "scale", "in": {"gradient": {"from": "surface.uv1"}}})",
+           "c": {"type": "texture"}, "d": {"type": "scale", "in": {"gradient": {"from": "surface.uv1"}}})",
         R"("normal": {"from": "a.q"})"));
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 6) << text;
 }

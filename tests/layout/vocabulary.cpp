@@ -130,7 +130,7 @@ private:
 
     std::string_view text_;
     size_t at_ = 0;
-    size_t next_line_ = std::string_view::npos;  // where a comment would go on
+    size_t next_line_ = std::string_view::npos;  // begin of the line that would continue a comment
     Prose prose_;
 };
 

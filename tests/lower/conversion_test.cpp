@@ -52,7 +52,7 @@ TEST(Conversion, NamesWhatIsAccepted) {
 TEST(Conversion, NamesTheNearestAlternative) {
     EXPECT_EQ(alternative(PortType::vec2_, PortType::float_, {}), "it takes float or height");
     EXPECT_EQ(alternative(PortType::image_, PortType::color_, test::registry()),
-              "it takes color or vec3; node 'picture' makes color from image");
+              "it takes color or vec3; node 'texture' makes color from image");
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace wrinkle::test {
 // number(value 0.5 in [0, 1]) -> value        pass_height(height) -> height
 // bump(height) -> gradient                     scale(gradient, amount 1) -> gradient
 // sum(a, b) -> gradient                        resolve(gradient) -> normal
-// layer(gradient, base normal) -> gradient     picture(image srgb, uv uv0) -> color, alpha
+// layer(gradient, base normal) -> gradient     texture(image srgb, uv uv0) -> color, alpha
 // normal_map(image normal_gl, uv) -> derivative    times(normal, amount 1..8) -> normal
 // vector(scale vec2, offset vec3, tint color) -> scale, offset, tint
 // options(mode a|b|c, count 1..8, flag) -> value

@@ -250,7 +250,7 @@ TEST(Lower, AnUnconnectedFieldIsItsDefault) {
 
 TEST(Lower, AFieldMovesWhatDependsOnItsDomain) {
     const Module m =
-        lowered({{"main.json", graph(R"("p": {"type": "picture", "in": {"image": "a.png"}},
+        lowered({{"main.json", graph(R"("p": {"type": "texture", "in": {"image": "a.png"}},
                                         "f": {"type": "field_at", "in": {"shape": {"from": "p.alpha"}}})",
                                      R"("a": {"from": "f.value"})")},
                  {"a.png", "no pixel is read"}})
@@ -270,7 +270,7 @@ TEST(Lower, AFieldMovesWhatDependsOnItsDomain) {
 
 TEST(Lower, SamplesInALoopKeepTheFootprintOutside) {
     const Module m =
-        lowered({{"main.json", graph(R"("p": {"type": "picture", "in": {"image": "a.png"}},
+        lowered({{"main.json", graph(R"("p": {"type": "texture", "in": {"image": "a.png"}},
                                         "f": {"type": "march", "in": {"shape": {"from": "p.alpha"}}})",
                                      R"("a": {"from": "f.value"})")},
                  {"a.png", ""}})
@@ -306,9 +306,9 @@ TEST(Lower, ImagesMergeUnlessTheirOptionsDiffer) {
         lowered(
             {{"main.json",
               graph(
-                  R"("p": {"type": "picture", "in": {"image": "a.png"}},
-                           "q": {"type": "picture", "in": {"image": {"file": "./a.png", "encoding": "srgb"}}},
-                           "r": {"type": "picture", "in": {"image": {"file": "a.png", "wrap": "clamp",
+                  R"("p": {"type": "texture", "in": {"image": "a.png"}},
+                           "q": {"type": "texture", "in": {"image": {"file": "./a.png", "encoding": "srgb"}}},
+                           "r": {"type": "texture", "in": {"image": {"file": "a.png", "wrap": "clamp",
                                                                      "filter": "nearest"}}})",
                   R"("a": {"from": "p.color"}, "b": {"from": "q.color"}, "c": {"from": "r.color"})")},
              {"a.png", ""}})
@@ -328,7 +328,7 @@ TEST(Lower, AnImageMayComeThroughASubgraphsInput) {
                  {"top.png", ""},
                  {"sub/inner.png", ""},
                  {"sub/s.json",
-                  graph(R"("p": {"type": "picture", "in": {"image": {"from": "input.map"}}})",
+                  graph(R"("p": {"type": "texture", "in": {"image": {"from": "input.map"}}})",
                         R"("c": {"from": "p.color"})",
                         R"("inputs": {"map": {"type": "image", "default": "inner.png"}}, )")}})
             .module;

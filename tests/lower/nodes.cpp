@@ -42,15 +42,15 @@ Node times = node("times", "Times", "A normal of another length.")
                  .count("amount", 1, 1, 8, "Its length")
                  .out<Normal>("normal", "The longer one")
                  .body([](vec3 normal, int amount) { return normal * amount; });
-Node picture = node("picture", "Picture", "Reads an image.")
-                   .in<Image>("image", "It", encoding("srgb"))
-                   .in<vec2>("uv", surface::uv0, "Where")
-                   .out<Color>("color", "Colour")
-                   .out<Float>("alpha", "Alpha")
-                   .body([](Image image, vec2 uv) {
-                       const vec4 t = image.sample(uv);
-                       return std::tuple{t.xyz(), t.w()};
-                   });
+Node image_node = node("texture", "Texture", "Reads an image.")
+                      .in<Image>("image", "It", encoding("srgb"))
+                      .in<vec2>("uv", surface::uv0, "Where")
+                      .out<Color>("color", "Colour")
+                      .out<Float>("alpha", "Alpha")
+                      .body([](Image image, vec2 uv) {
+                          const vec4 t = image.sample(uv);
+                          return std::tuple{t.xyz(), t.w()};
+                      });
 Node normal_map =
     node("normal_map", "Normal map", "Reads a normal map.")
         .in<Image>("image", "It", encoding("normal_gl"))
@@ -225,10 +225,10 @@ const wr_node c_nodes[] = {
 }  // namespace
 
 const wr_plugin* test_plugin() {
-    static Node* const nodes[] = {&number_node,  &pass_height, &bump,       &scale,   &sum,
-                                  &resolve_node, &layer,       &times,      &picture, &normal_map,
-                                  &vector_node,  &options,     &field_at,   &march,   &width,
-                                  &many,         &old_name,    &wrong_frame};
+    static Node* const nodes[] = {
+        &number_node, &pass_height, &bump,       &scale,      &sum,         &resolve_node,
+        &layer,       &times,       &image_node, &normal_map, &vector_node, &options,
+        &field_at,    &march,       &width,      &many,       &old_name,    &wrong_frame};
     static std::vector<const wr_node*> list;
     for (Node* each : nodes)
         list.push_back(each->descriptor());

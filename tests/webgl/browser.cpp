@@ -12,7 +12,7 @@
 namespace wrinkle::test {
 namespace {
 
-// Runs after the page is loaded; `picture` and `jobs` are defined before it.
+// Runs after the page is loaded; `mips` and `jobs` are defined before it.
 constexpr const char* script = R"js(
 const size = 64, lines = [];
 const canvas = document.createElement('canvas');
@@ -61,7 +61,7 @@ let texture = null;
 if (gl) {
     texture = gl.createTexture();
     gl.bindTexture(gl.TEXTURE_2D, texture);
-    picture.forEach((halves, level) => gl.texImage2D(gl.TEXTURE_2D, level, gl.RGBA16F, 64 >> level,
+    mips.forEach((halves, level) => gl.texImage2D(gl.TEXTURE_2D, level, gl.RGBA16F, 64 >> level,
         64 >> level, 0, gl.RGBA, gl.HALF_FLOAT, new Uint16Array(halves)));
     lines.push('webgl2 ' + gl.getParameter(gl.VERSION));
     for (const job of jobs) {
@@ -111,7 +111,7 @@ std::string job_text(const BrowserJob& job) {
 std::string page(const std::vector<BrowserJob>& jobs) {
     std::string text =
         "<!DOCTYPE html><meta charset=\"utf-8\"><pre id=\"results\"></pre>\n<script>\n";
-    text += "const picture = " + picture_text() + ";\nconst jobs = [\n";
+    text += "const mips = " + picture_text() + ";\nconst jobs = [\n";
     for (const BrowserJob& job : jobs)
         text += job_text(job) + ",\n";
     return text + "];\n" + script + "</script>\n";

@@ -202,7 +202,7 @@ template <VectorType V>
 V normalize(V v) {
     return select(dot(v, v) > 0, V(emit(WR_OP_normalize, {v.id})), V(Float(0)));
 }
-// What a value is called in generated text, where it becomes a line of its own: "slope".
+// Names the temporary of a value in the generated source: "slope".
 template <class T>
 T named(const char* name, T value) {
     if (builder) builder->name(builder, value.id, name);

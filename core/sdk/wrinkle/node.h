@@ -186,7 +186,7 @@ private:
     friend class Declaration;
 };
 
-// `id` is lower_snake_case and stands in graphs as "type"; `doc` is one or two sentences.
+// `id` is lower_snake_case, the "type" of a node in a graph; `doc` is one or two sentences.
 constexpr auto node(const char* id, const char* title, const char* doc) {
     Description d;
     d.node.size = sizeof(wr_node);
@@ -198,7 +198,7 @@ constexpr auto node(const char* id, const char* title, const char* doc) {
     return Declaration<detail::Ports<>, detail::Ports<>>(d);
 }
 
-// What wrinkle_plugin() gives: the nodes in the order they are listed.
+// Result of wrinkle_plugin(): the nodes in the order they are listed.
 template <size_t N>
 class Plugin {
 public:

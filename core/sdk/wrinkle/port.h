@@ -25,7 +25,7 @@ struct Height;
 struct Color;
 struct Normal;
 
-// What a port of type T is on the wire, and in a body. Of a type that no port has: a sentence.
+// Wire type and body type of a port of type T; a type that no port has is a compile error.
 template <class T>
 struct PortTraits {
     static_assert(
@@ -59,7 +59,7 @@ WRINKLE_PORT(Image, image, Image)
 #undef WRINKLE_PORT
 // clang-format on
 
-// A constant (one number stands for every lane) or a property of the surface.
+// A constant (one number sets every component) or a property of the surface.
 struct Default {
     uint32_t kind = WR_DEFAULT_NONE;
     uint32_t surface = 0;
@@ -118,8 +118,8 @@ constexpr void set_default(wr_port& port, const Default& value) {
         port.default_value[i] = value.value[i];
 }
 
-// What a body receives for a choice: an int, or any enum class whose members stand in the order of
-// the names.
+// Value of a choice in a body: converts to int, or to an enum class whose members have the order
+// of the names.
 struct Choice {
     int index;
     operator int() const { return index; }

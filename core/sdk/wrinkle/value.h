@@ -7,7 +7,7 @@
 // on these.
 //
 //   v.x() v.xy() v.rgb() ...   swizzles; any other one is v.swizzle<"zzx">()
-//   + - * /                    by components; a Float may stand beside a vector; `/` does not guard
+//   + - * /                    by components; a Float broadcasts to a vector; `/` does not guard
 //                              against 0, divide() of math.h does
 //   < <= > >= == !=            of scalars, giving a Bool; && || !
 //   & | ^ << >>                of Int and Uint, which wrap at 32 bits

@@ -77,7 +77,7 @@ struct Gesture {
     uint32_t port_index = 0;
     int lane = 0;  // component of the value
     double start_value = 0;
-    float width = 0;  // of the field, in screen pixels
+    float width = 0;  // width of the field, in screen pixels
 };
 
 }  // namespace wrinkle::editor

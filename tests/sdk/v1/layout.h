@@ -1,4 +1,4 @@
-// What one version of the contract fixes, as data: of the frozen header and of the present one.
+// The ABI of one version of plugin.h as data; the frozen and the current header are compared.
 #pragma once
 
 #include <cstddef>
@@ -21,9 +21,9 @@ struct Constant {
 };
 
 struct Layout {
-    std::vector<Member> members;      // of each struct in its order
-    std::vector<Constant> sizes;      // of the structs
-    std::vector<std::string> rows;    // of the tables, "WR_OPS: add, 21, 2, broadcast, ..."
+    std::vector<Member> members;      // members of the structs, in order
+    std::vector<Constant> sizes;      // sizes of the structs
+    std::vector<std::string> rows;    // rows of the tables, "WR_OPS: add, 21, 2, broadcast, ..."
     std::vector<Constant> constants;  // WR_ABI, WR_KIND_INPUT, ...
 };
 
