@@ -48,7 +48,8 @@ std::vector<uint32_t> last_uses(const Program& program, size_t registers) {
     return last;
 }
 
-// Free list of one register file.
+// Free list of one register file: linear scan over the last uses. The number of registers need not
+// be minimal.
 struct File {
     std::vector<uint32_t> free;
     uint32_t size = 0;

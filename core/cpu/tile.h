@@ -2,6 +2,11 @@
 // evaluate() and evaluate_planes(), which fill or bind the input registers before run() and read
 // the outputs after it.
 //
+// A register is an array of tile_points numbers, so the components of a vector are in separate
+// registers (structure of arrays):
+//   register 0: point 0, 1, ... 255
+//   register 1: point 0, 1, ... 255
+//
 // TileMemory is scratch memory that tiles reuse one after the other; it only grows. The preset
 // registers are not filled again for the same program.
 #pragma once

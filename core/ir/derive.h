@@ -3,9 +3,10 @@
 //
 // A ForwardDiff seeds leaves with their derivatives, each of the leaf's type; leaves without a seed
 // are constant. The derivative is emitted as ordinary instructions of the same module, by a
-// worklist with a memo. no_id represents a zero derivative and emits no instruction, so derivatives
-// of sparse expressions stay sparse. The rules at singular points are documented above the op table
-// (wrinkle/plugin.h). Opaque values have no derivative here: expand them first.
+// worklist with a memo, in time linear in the instructions below the value. no_id represents a zero
+// derivative and emits no instruction, so derivatives of sparse expressions stay sparse. The rules
+// at singular points are documented above the op table (wrinkle/plugin.h). Opaque values have no
+// derivative here: expand them first.
 //
 // The derivative of an open function's input is another input (ir/open_input.h), which callers
 // pass; that of a call is a call of the derived function; that of a loop is a loop with a wider

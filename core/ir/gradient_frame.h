@@ -5,19 +5,11 @@
 // J = d(uv)/d(set) converts a slope in the uv to one in the set: dh/d(set) = J^T dh/d(uv), divided
 // by sqrt|det J| so that tiling does not steepen a `unit` slope; det J = 0 gives a flat gradient.
 //
-//   vertex    T, B of MikkTSpace: B = sign(w) N x T from the un-normalised interpolated N and T;
-//             T, B and N share the factor 1/|N|
-//   derived   Mikkelsen 2020, GenBasisTB: T = normalize(sgn(det) (v_y Px - v_x Py)),
-//             B = sgn(det) flip n x T, on the projected screen differentials; orthonormal,
-//             sign-corrected, invariant under n -> -n. Here b = n x (v_y Px - v_x Py) is computed
-//             first, which removes the component along n, then t = b x n of the same length
-//   guess     T = the direction's component in the tangent plane, B = n x T; flat if the direction
-//             is parallel to n
-//   exact     no basis: a slope is converted to screen differentials by the chain rule,
-//             s . d(uv)/dx (eq. 3)
-//   pixel     an exact frame for slopes that already are screen differentials
-//   space     the exact frame of a uv that depends on the position only: a slope is converted to a
-//             gradient in space, s.x grad u + s.y grad v, without a screen differential
+// docs/surface-gradient.md#frames defines the frames `vertex`, `derived`, `guess` and `exact`. Two
+// more: `pixel`, an exact frame for slopes that already are screen differentials, and `space`, the
+// exact frame of a uv that depends on the position only, without a screen differential. `derived`
+// computes b = n x (v_y Px - v_x Py) first, which removes the component along n, then t = b x n of
+// the same length.
 #pragma once
 
 #include <array>

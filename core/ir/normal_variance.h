@@ -1,17 +1,9 @@
 // The variance of a normal within a pixel. Part of the expansion pass.
 //
-// A minified texture returns means; the variation that they omit still scatters light: the
-// covariance of the slopes. `with_covariance` attaches a covariance to a value. A normal that is
-// read from a texture does not need it, because a mean of unit normals is shorter than one by their
-// spread, 1 - |mean|^2 = trace Cov (Toksvig 2005), taken here as equal in all directions about the
-// mean. It fades in over the first mip level: a texture that is not minified has lost nothing,
-// whatever the rounding of its normals suggests.
-//
-// The unit normal n' = n'(s_1, s_2, ...) of all layers has, to first order, the covariance sum over
-// k of J_k C_k J_k^T with J_k = dn'/ds_k by automatic differentiation (Olano and Baker, LEAN
-// Mapping, 2010). Therefore an amount counts by its square, a frame as J C J^T, a mask as (1-m)^2
-// C_1 + m^2 C_2, and a texture read that is used twice as the sum of its slopes; none of these
-// rules is implemented separately. Reads of different textures, or of one at different uvs, count
+// docs/surface-gradient.md#roughness-of-what-mips-leave-out defines the sources and the sum over
+// their Jacobians (Toksvig 2005; LEAN Mapping 2010). `with_covariance` attaches a covariance to a
+// value; a normal read from a texture does not need it, because its length has the variance, which
+// fades in over the first mip level. Reads of different textures, or of one at different uvs, count
 // as independent.
 //
 // Depths that slopes are divided by count as constants, and so do weights computed from the

@@ -52,9 +52,9 @@ Curve wire_curve(ImVec2 start, ImVec2 end, float zoom);
 void draw_dashed(ImDrawList& list, const Curve& curve, ImU32 color, float thickness, float dash,
                  float gap);
 
-// A triangle with an exclamation mark.
+// Draws a triangle with an exclamation mark.
 void draw_warning(ImDrawList& list, ImVec2 center, float size, ImU32 color);
-// An octagon with an exclamation mark.
+// Draws an octagon with an exclamation mark.
 void draw_error(ImDrawList& list, ImVec2 center, float size, ImU32 color);
 
 // Icons of 16 x 16 pixels, drawn as strokes, by name: "undo", "add-node", "fit", "check", ...
