@@ -10,13 +10,19 @@ struct StandardOutput {
     std::string_view name;
     std::string_view type;  // its port type; "": a color, vec3 or float
     int rank;               // order of the fragment outputs of a shader
+    std::string_view doc;   // comment in generated source: unit, space, range
 };
 
 // In the order of documents and cards.
 inline constexpr StandardOutput standard_output_table[] = {
-    {"normal", "normal", 0},   {"height", "height", 5},   {"displacement", "height", 6},
-    {"color", "color", 1},     {"roughness", "float", 2}, {"metalness", "float", 3},
-    {"occlusion", "float", 4}, {"emission", "", 7},
+    {"normal", "normal", 0, "unit normal, object space"},
+    {"height", "height", 5, "outwards, in length units"},
+    {"displacement", "height", 6, "along the normal, in length units"},
+    {"color", "color", 1, "base color, linear"},
+    {"roughness", "float", 2, "perceptual, 0 to 1"},
+    {"metalness", "float", 3, "0 dielectric, 1 metal"},
+    {"occlusion", "float", 4, "1: no occlusion"},
+    {"emission", "", 7, "emitted radiance, linear"},
 };
 
 // Returns nullptr for other names.

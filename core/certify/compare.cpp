@@ -117,7 +117,7 @@ std::optional<Values> on_gpu(const Shader& shader, const PointSet& points, const
     if (!results) return {};
     Values values;
     for (size_t k = 0; k < results->size(); ++k) {
-        const size_t lanes = info(shader.reflection.functions[k].type).lanes;
+        const size_t lanes = info(shader.reflection.outputs[k].type).lanes;
         values.emplace_back();
         for (const auto& pixel : (*results)[k])
             values.back().insert(values.back().end(), pixel.begin(),

@@ -34,7 +34,7 @@ std::vector<Shader> all_texts(const Module& module, bool given) {
 // the driver accepts it, or for another target, for the function form, and for more than the 8
 // outputs that every driver supports.
 std::string driver_errors(const Shader& shader) {
-    if (shader.fragment.empty() || shader.reflection.functions.size() > 8) return {};
+    if (shader.fragment.empty() || shader.reflection.outputs.size() > 8) return {};
     if (shader.reflection.target != targets().front().name) return {};
     std::string log;
     gpu::Program::link(shader.vertex, shader.fragment, {}, log);

@@ -98,6 +98,8 @@ std::string cache_key(const Project& project, const Types& types, const std::str
                      !options.cost  ? "no cost"
                      : options.json ? "cost as JSON"
                                     : "cost"};
+    for (const std::string& output : options.outputs)
+        fields.push_back("output " + output);
     for (const Override& each : with.overrides.list)
         fields.push_back("set " + each.text);
     std::map<fs::path, size_t> images;

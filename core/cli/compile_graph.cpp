@@ -46,7 +46,11 @@ void make_texts(const std::string& file, const Project& project, const Compilati
 }
 
 Differentials differentials_of(const TextOptions& options) {
-    return options.differentials == "given" ? Differentials::given : Differentials::screen;
+    const bool vertex = options.outputs == std::vector<std::string>{"displacement"};
+    if (options.differentials.empty()) return vertex ? Differentials::none : Differentials::screen;
+    return options.differentials == "given"  ? Differentials::given
+           : options.differentials == "none" ? Differentials::none
+                                             : Differentials::screen;
 }
 
 }  // namespace
@@ -54,11 +58,17 @@ Differentials differentials_of(const TextOptions& options) {
 void declare_text(CLI::App& sub, TextOptions& text) {
     sub.add_option("--target", text.target, "The language to write")->capture_default_str();
     add_choice(sub, "--form", text.form, {"function", "shader"},
-               "Functions for your shader (the default of GLSL), or a complete pair");
+               "A function for your shader (the default of GLSL), or a complete pair");
+    sub.add_option("--outputs", text.outputs,
+                   "Outputs to compute, separated by commas; default: all. A single one is "
+                   "returned without a struct")
+        ->type_name("LIST")
+        ->delimiter(',');
     add_choice(sub, "--params", text.params, {"baked", "uniform"},
                "Numbers as literals or as uniforms");
-    add_choice(sub, "--differentials", text.differentials, {"screen", "given"},
-               "Taken from the screen or passed by the caller");
+    add_choice(sub, "--differentials", text.differentials, {"screen", "given", "none"},
+               "Taken from the screen, passed by the caller, or zero, for a vertex stage; default: "
+               "screen, and none for --outputs displacement");
     sub.add_option("--descriptor-set", text.set, "The descriptor set of the blocks and images")
         ->check(CLI::Range(0, max_descriptor_set))
         ->capture_default_str();
@@ -90,6 +100,7 @@ ShaderOptions shader_options(const std::string& file, const Compilation& with) {
     options.emit.target = find_target(wanted.target);
     options.emit.set = wanted.set;
     options.emit.first_binding = wanted.first_binding;
+    options.outputs = wanted.outputs;
     options.strict = wanted.strict;
     return options;
 }

@@ -18,8 +18,11 @@ namespace wrinkle::cli {
 // Options that affect the generated source, as given on the command line.
 struct TextOptions {
     std::string target = std::string(targets().front().name);
-    std::string form, params = "baked", differentials = "screen";  // form "": the target's default
-    std::string name;                                              // "": from the file name
+    std::string form;  // "": the target's default
+    std::string params = "baked";
+    std::string differentials;         // "": screen, or none for the displacement alone
+    std::vector<std::string> outputs;  // empty: all
+    std::string name;                  // "": from the file name
     int set = 0, first_binding = 0;
     bool strict = false;              // exceeding limits guaranteed by the target is an error
     bool cost = false, json = false;  // report the cost, as JSON

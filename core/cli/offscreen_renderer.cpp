@@ -95,7 +95,7 @@ OffscreenRenderer::OffscreenRenderer(gpu::Context context, gpu::Target target,
 // normal.
 bool OffscreenRenderer::can_compare(const Shader& shader, Diagnostics& diagnostics) const {
     if (options_.view != gpu::View::difference) return true;
-    for (const FunctionInfo& output : shader.reflection.functions) {
+    for (const OutputInfo& output : shader.reflection.outputs) {
         const auto type = static_cast<PortType>(output.port_type);
         if (output.output != options_.against || type == PortType::normal_ ||
             type == PortType::vec3_)

@@ -1,5 +1,7 @@
 #include "compile/shader.h"
 
+#include <algorithm>
+
 #include "base/checksum.h"
 #include "base/diagnostics.h"
 #include "base/text.h"
@@ -7,6 +9,7 @@
 #include "cpu/texture_store.h"
 #include "graph/document.h"
 #include "graph/subgraph.h"
+#include "ir/rewrite.h"
 #include "lower/check.h"
 #include "spirv/spirv.h"
 
@@ -28,6 +31,30 @@ Diagnostic at_reader(const Diagnostic& problem, const Resource& resource, const 
     return result;
 }
 
+// Removes the outputs that are not listed, in the order of the list; an empty list removes none.
+// Returns false and reports an error if the graph has no output of a name.
+bool select_outputs(Module& module, const std::vector<std::string>& names, const Project& project,
+                    Diagnostics& diagnostics) {
+    if (names.empty()) return true;
+    std::vector<ModuleOutput> selected;
+    for (const std::string& name : names) {
+        const auto output =
+            std::find_if(module.outputs.begin(), module.outputs.end(),
+                         [&](const ModuleOutput& each) { return each.name == name; });
+        if (output == module.outputs.end()) {
+            std::string expected;
+            for (const ModuleOutput& each : module.outputs)
+                expected += (expected.empty() ? "" : ", ") + each.name;
+            diagnostics.add(file_problem(Severity::error, project.top().file,
+                                         "the graph has no output '" + name + "'", expected));
+            return false;
+        }
+        selected.push_back(*output);
+    }
+    module.outputs = std::move(selected);
+    return true;
+}
+
 }  // namespace
 
 Form default_form(const Target& target) {
@@ -37,7 +64,7 @@ Form default_form(const Target& target) {
 std::string form_conflict(const Target& target, Form form, Differentials differentials) {
     if (form == Form::function && is_translated(target))
         return "the target '" + std::string(target.name) + "' is written as a complete pair";
-    if (form == Form::shader && differentials == Differentials::given)
+    if (form == Form::shader && differentials != Differentials::screen)
         return "the shader form takes its differentials from the screen";
     return {};
 }
@@ -78,6 +105,11 @@ MadeShader make_shader(const Project& project, const Registry& registry, ShaderO
     options.material.given_differentials = options.emit.differentials == Differentials::given;
     made.compiled = compile_or_check(project, registry, options.material, diagnostics);
     if (!made.compiled.ok) return made;
+    Module& module = made.compiled.module;
+    if (!select_outputs(module, options.outputs, project, diagnostics)) return made;
+    options.emit.bare_result = options.outputs.size() == 1;
+    if (options.emit.differentials == Differentials::none)
+        module = without_differentials(std::move(module));
     made.shader = write_shader(made.compiled.module, options.emit);
     report_emit(made.shader, made.compiled, project, diagnostics);
     check_limits(made.shader.reflection, project.top().file, options.strict, diagnostics);

@@ -152,12 +152,12 @@ std::string counted_shader(const Shader& shader) {
                 member.name + ";\n";
         body += "surface." + member.name + " = counted_" + member.name + "; ";
     }
-    for (size_t i = 0; i < r.functions.size(); ++i) {
+    body += result_type(r) + " result = " + call_text(r, "surface") + "; ";
+    for (size_t i = 0; i < r.outputs.size(); ++i) {
         const std::string name = "counted_" + std::to_string(i);
-        text += output_place() + "out " + std::string(info(r.functions[i].type).name) + " " + name +
+        text += output_place() + "out " + std::string(info(r.outputs[i].type).name) + " " + name +
                 ";\n";
-        body += name + " = " + r.functions[i].function +
-                (r.struct_name.empty() ? "(); " : "(surface); ");
+        body += name + " = " + output_text(r, r.outputs[i], "result") + "; ";
     }
     return text + Copies(shader).text() + "#line 1\nvoid main() { " + body + "}\n";
 }

@@ -21,9 +21,9 @@ Excess draw_buffer_excess(const Reflection& reflection) {
     const Target* target = find_target(reflection.target);
     std::string names;
     size_t drawn = 0;
-    for (const FunctionInfo& function : reflection.functions) {
-        if (function.location < 0) continue;
-        names += (drawn++ ? ", " : "") + function.output;
+    for (const OutputInfo& output : reflection.outputs) {
+        if (output.location < 0) continue;
+        names += (drawn++ ? ", " : "") + output.output;
     }
     if (!target || drawn <= target->draw_buffers) return {};
     return {"it has " + std::to_string(drawn) + " outputs, and a shader of " +

@@ -39,31 +39,53 @@ std::vector<Id> strip_all(const EmitAnalysis& analysis, std::span<const Id> ids)
 
 }  // namespace
 
-void Body::output_function(Id value, const std::string& name, const std::string& argument) {
-    const Id root = analysis_.strip_detach(value);
-    const std::span roots(&root, 1);
+void Body::material_function(const Reflection& reflection) {
+    std::vector<Id> roots;
+    for (const ModuleOutput& output : m_.outputs)
+        roots.push_back(analysis_.strip_detach(output.value));
     const Scope scope = collect(analysis_, values_, roots, 0);
     decide(analysis_, values_, scope, roots);
-    text_.line(0, type_name(m_.type(root)) + " " + name + "(" + argument + ") {");
+    const std::string argument =
+        reflection.struct_name.empty() ? "" : reflection.struct_name + " s";
+    text_.line(0, result_type(reflection) + " " + reflection.function + "(" + argument + ") {");
     const std::vector<Id> ids = schedule(analysis_, values_, scope, scope.order);
     locals_.reserve(ids.size());
-    Id read = root;  // the value that the line computes; the output may be a part of it
-    while (analysis_.role(read) == Role::view && m_[read].op != Op::result_)
-        read = analysis_.operands(read)[0];
-    const bool folded = analysis_.role(read) == Role::value && !values_.state[read].statement;
-    const uint32_t group = folded        ? group_of(analysis_, values_, read)
-                           : ids.empty() ? no_node
-                                         : group_of(analysis_, values_, ids.back());
-    statements(ids, 1, group);
-    line_.clear();
-    line_.append("return ");
+    const Id first = without_views(roots[0]);
+    const bool is_first_folded = reflection.result_name.empty() && is_folded(first);
+    statements(ids, 1,
+               is_first_folded ? group_of(analysis_, values_, first)
+               : ids.empty()   ? no_node
+                               : group_of(analysis_, values_, ids.back()));
+    if (reflection.result_name.empty()) {
+        result("return ", roots[0]);
+    } else {
+        text_.line(1, reflection.result_name + " m;");
+        for (size_t k = 0; k < roots.size(); ++k)
+            result("m." + reflection.outputs[k].member + " = ", roots[k]);
+        text_.line(1, "return m;");
+    }
+    text_.line(0, "}");
+}
+
+// Returns the value of which `id` is a part: a component, a column.
+Id Body::without_views(Id id) const {
+    while (analysis_.role(id) == Role::view && m_[id].op != Op::result_)
+        id = analysis_.operands(id)[0];
+    return id;
+}
+
+// Writes the line that assigns or returns a result.
+void Body::result(std::string_view target, Id root) {
+    const Id value = without_views(root);
+    const uint32_t group =
+        analysis_.role(value) == Role::leaf ? no_node : group_of(analysis_, values_, value);
+    line_ = target;
     write(context_, root, line_);
     line_.append(";");
-    if (folded)
+    if (is_folded(value))
         commented_line(1, line_, group, true);
     else
-        code(1, line_, group == no_node ? no_node : node_of(group));
-    text_.line(0, "}");
+        code(1, line_, node_of(group));
 }
 
 std::vector<std::string> Body::name_parameters(const Region& region) {
@@ -92,8 +114,9 @@ std::string Body::signature(const Region& region, const std::string& name,
     return text + ") {";
 }
 
-void Body::region_function(uint32_t index, const std::string& name) {
+void Body::region_function(uint32_t index) {
     const Region& region = m_.region(index);
+    const std::string& name = values_.symbols.functions[index];
     values_.anonymous = true;
     const std::vector<std::string> parameters = name_parameters(region);
     std::vector<std::string> outs;
@@ -232,7 +255,7 @@ void Body::call(Id id, int indent) {
     }
     code(indent,
          type_name(m_.type(region.results[0])) + " " + names[0] + " = " +
-             context_.symbols.functions[m_[id].extra] + "(" + text + ");",
+             values_.symbols.functions[m_[id].extra] + "(" + text + ");",
          node_of(group_));
 }
 
@@ -272,9 +295,7 @@ void Body::loop_body(Id id, const std::vector<std::string>& state, int indent) {
 
 void Body::write_loop_condition(Id condition, int indent, uint32_t node) {
     if (m_.is_literal(condition, 1)) return;
-    const bool folded =
-        analysis_.role(condition) == Role::value && !values_.state[condition].statement;
-    if (folded && m_[condition].op == Op::not_) {
+    if (is_folded(condition) && m_[condition].op == Op::not_) {
         const Id inner = analysis_.strip_detach(m_[condition].arg[0]);
         code(indent, "if (" + text_of(context_, inner) + ") break;", node);
         return;

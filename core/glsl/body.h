@@ -6,28 +6,34 @@
 
 #include "glsl/expression.h"
 #include "glsl/names.h"
+#include "glsl/reflection.h"
 #include "glsl/text.h"
 
 namespace wrinkle {
 
 class Body {
 public:
-    Body(const EmitAnalysis& analysis, Values& values, const Symbols& symbols,
-         const NameSet& globals, const Target& target, Text& text)
+    Body(const EmitAnalysis& analysis, Values& values, const NameSet& globals, const Target& target,
+         Text& text)
         : analysis_(analysis),
           m_(analysis.module()),
           values_(values),
           locals_(&globals),
-          context_{analysis, values, symbols, target, {}},
+          context_{analysis, values, target, {}},
           text_(text) {}
 
-    // Append a complete function. An output's function takes `argument` ("WrinkleSurface_x s" or
-    // ""); a region's returns its first result and has `out` parameters for the others.
-    void output_function(Id value, const std::string& name, const std::string& argument);
-    void region_function(uint32_t region, const std::string& name);
+    // Append a complete function. The material's returns all outputs, declared in the reflection; a
+    // region's returns its first result and has `out` parameters for the others.
+    void material_function(const Reflection& reflection);
+    void region_function(uint32_t region);
 
 private:
     std::string type_name(Type type) const { return std::string(info(type).name); }
+    bool is_folded(Id id) const {
+        return analysis_.role(id) == Role::value && !values_.state[id].statement;
+    }
+    Id without_views(Id id) const;
+    void result(std::string_view target, Id root);
     std::vector<std::string> name_parameters(const Region& region);
     std::string signature(const Region& region, const std::string& name,
                           const std::vector<std::string>& parameters,

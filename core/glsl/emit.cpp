@@ -15,7 +15,7 @@ void write_function_form(const EmitAnalysis& analysis, const EmitOptions& option
     if (analysis.implicit) title += " Call in uniform control flow.";
     text.line(0, title);
     write_precision(*options.target, text);
-    write_struct(face.reflection, text);
+    write_structs(face.reflection, text);
     write_uniforms(analysis.module(), face.reflection, text);
     write_functions(analysis, face, *options.target, text);
     shader.source = std::move(text.text);
@@ -27,13 +27,15 @@ bool refused(const Module& module, const EmitOptions& options, Shader& shader) {
         shader.problems.push_back(
             {0, std::string(options.target->label) + " is written as a complete pair alone",
              "the form 'shader'"});
-    if (options.form == Form::shader && options.differentials == Differentials::given)
+    if (options.form == Form::shader && options.differentials != Differentials::screen)
         shader.problems.push_back({0, "the shader form takes its differentials from the screen",
                                    "differentials 'screen', or the form 'function'"});
     for (const ModuleOutput& output : module.outputs)
         if (output.value == poison)
             shader.problems.push_back({0, "the output '" + output.name + "' has no value",
                                        "what is wrong in the graph is reported before"});
+    if (options.bare_result && module.outputs.size() > 1)
+        shader.problems.push_back({0, "a function without a struct returns one output", ""});
     if (module.outputs.empty())
         shader.problems.push_back({0, "the graph has no outputs", "an entry in \"outputs\""});
     return !shader.problems.empty();

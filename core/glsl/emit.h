@@ -1,11 +1,13 @@
 // Emits readable GLSL from an expanded module (ir/expand.h: no opaque ops, no ddx or ddy): one
-// function per output, or a complete vertex and fragment pair. The output is deterministic: equal
-// modules give equal bytes in any order of creation of their instructions. Linear time, constant
-// stack.
+// function that computes all outputs, or a complete vertex and fragment pair. The output is
+// deterministic: equal modules give equal bytes in any order of creation of their instructions.
+// Linear time, constant stack.
 //
-// function   wrinkle_NAME_OUTPUT(WrinkleSurface_NAME s), to include in an engine's shader. Unused
-//            members, uniforms and helper functions are not emitted; if no output depends on the
-//            surface, there is no struct and no argument. Inputs and results are in object space.
+// function   WrinkleMaterial_NAME wrinkle_NAME(WrinkleSurface_NAME s), to include in an engine's
+//            shader. The result has a member per output. Unused members, uniforms and helper
+//            functions are not emitted; if no output depends on the surface, there is no argument.
+//            Every global name contains NAME, so materials of several names share one shader.
+//            Inputs and results are in object space.
 // shader     Attributes position, normal, tangent, uv0 ... color0 (locations in glsl/attributes.h).
 //            Uniforms, where used:
 //              wrinkle_object_to_clip   mat4, into the clip space of the target's own API
@@ -21,7 +23,8 @@
 //
 // Differentials: `screen` takes dFdx and dFdy of the struct's members. `given` expects additional
 // members uv0_dx, uv0_dy, ..., and a module in which samples have an explicit lod (explicit_lod()
-// in ir/rewrite.h). The shader form accepts only `screen`.
+// in ir/rewrite.h). `none` expects a module without_differentials(), as for a vertex stage. The
+// shader form accepts only `screen`.
 //
 // If a target numbers its resources, the uniforms of the shader form are in the block WrinkleFrame,
 // the others in WrinkleParameters_NAME. Blocks, then images, are numbered from `first_binding` on
@@ -29,8 +32,8 @@
 // `first_binding`. For a target that is not GLSL, the sources are the GLSL 4.50 that core/spirv
 // translates.
 //
-// A `parameter` that remains in the module becomes a uniform NODE_PORT; a graph input's becomes
-// input_NAME.
+// A `parameter` that remains in the module becomes a uniform NAME_NODE_PORT; that of a graph input
+// NAME_input_INPUT. The sampler of an image is NAME_NODE_PORT of its first reader.
 #pragma once
 
 #include <filesystem>
@@ -45,7 +48,7 @@
 namespace wrinkle {
 
 enum class Form : uint8_t { function, shader };
-enum class Differentials : uint8_t { screen, given };
+enum class Differentials : uint8_t { screen, given, none };
 
 struct EmitOptions {
     Form form = Form::function;
@@ -53,6 +56,7 @@ struct EmitOptions {
     std::string name = "material";  // NAME; converted to an identifier
     const Target* target = &targets().front();
     int set = 0, first_binding = 0;
+    bool bare_result = false;  // return the value of the only output, not a struct with it
     uint64_t max_bytes = limit_of(Limit::text_bytes);  // size of a stage; if exceeded, a problem
 };
 

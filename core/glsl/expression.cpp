@@ -50,7 +50,7 @@ constexpr OwnWidth own_width_of(Op op) {
     if (op == Op::select_) return {6};
     if (op == Op::sign_nonzero_) return {19};
     if (op == Op::input_) return {4 + 2 + 2 + 17};
-    if (reads_image(op)) return {static_cast<uint8_t>(spelling + 16 + commas)};
+    if (reads_image(op)) return {static_cast<uint8_t>(spelling + commas)};
     if (info(op).precedence) return {static_cast<uint8_t>(spelling + 2)};
     return {static_cast<uint8_t>(spelling + commas), arity < 0 ? comma : uint8_t{0}};
 }
@@ -189,7 +189,7 @@ void Writer::leaf(Id id) {
             input(id);
             break;
         case Op::parameter_:
-            text_.append(context_.symbols.parameters[inst.extra]);
+            text_.append(context_.values.symbols.parameters[inst.extra]);
             break;
         case Op::region_param_:
             text_.append(context_.parameters[inst.level][inst.extra]);
@@ -222,7 +222,7 @@ void Writer::view(Id id) {
 }
 
 void Writer::sample(Id id) {
-    const std::string& image = context_.symbols.resources[m_[id].extra];
+    const std::string& image = context_.values.symbols.resources[m_[id].extra];
     if (m_[id].op == Op::image_size_) {
         text_.append("vec2(textureSize(").append(image).append(", 0))");
         return;
@@ -303,7 +303,7 @@ void Writer::define(Id id) {
             text_.append(" : ");
             return read(analysis_.strip_detach(inst.arg[2]), conditional);
         case Op::result_:
-            text_.append(context_.symbols.functions[m_[inst.arg[0]].extra]);
+            text_.append(context_.values.symbols.functions[m_[inst.arg[0]].extra]);
             return list(analysis_.operands(id));
         default:
             return info(inst.op).precedence ? operation(id) : builtin(id);
@@ -330,41 +330,41 @@ void write_definition(const ExpressionContext& context, Id id, std::string& text
     Writer(context, text).define(id);
 }
 
-uint32_t leaf_width(const EmitAnalysis& analysis, Id leaf) {
+uint32_t leaf_width(const EmitAnalysis& analysis, const Symbols& symbols, Id leaf) {
     const Module& m = analysis.module();
     const Inst& inst = m[leaf];
     switch (inst.op) {
         case Op::literal_:
             return static_cast<uint32_t>(analysis.literal(leaf).size());
-        case Op::parameter_: {
-            const Parameter& parameter = m.parameters[inst.extra];
-            return static_cast<uint32_t>(m.nodes[parameter.node].path.size() + 1 +
-                                         parameter.port.size());
-        }
+        case Op::parameter_:
+            return static_cast<uint32_t>(symbols.parameters[inst.extra].size());
         case Op::input_:
             return static_cast<uint32_t>(info(input_of(inst.extra)).name.size() + 2);
         case Op::construct_: {
-            uint32_t width = own_width(analysis, leaf);
+            uint32_t width = own_width(analysis, symbols, leaf);
             for (const Id part : analysis.operands(leaf))
-                width += leaf_width(analysis, part);
+                width += leaf_width(analysis, symbols, part);
             return width;
         }
         case Op::swizzle_:
-            return leaf_width(analysis, analysis.strip_detach(inst.arg[0])) + 1 +
+            return leaf_width(analysis, symbols, analysis.strip_detach(inst.arg[0])) + 1 +
                    static_cast<uint32_t>(swizzle_count(inst.extra));
         default:
             return 2;
     }
 }
 
-uint32_t own_width(const EmitAnalysis& analysis, Id id) {
+uint32_t own_width(const EmitAnalysis& analysis, const Symbols& symbols, Id id) {
     const Module& m = analysis.module();
     const Inst& inst = m[id];
-    if (inst.op == Op::result_)
-        return 16 + static_cast<uint32_t>(m.region(m[inst.arg[0]].extra).name.size() +
-                                          2 * m.operands(id).size());
+    const auto operands = static_cast<uint32_t>(m.operands(id).size());
+    if (inst.op == Op::result_) {
+        const std::string& function = symbols.functions[m[inst.arg[0]].extra];
+        return static_cast<uint32_t>(function.size()) + 2 * operands;
+    }
     const OwnWidth width = own_widths[static_cast<size_t>(inst.op)];
-    return width.all + (width.each ? width.each * static_cast<uint32_t>(m.operands(id).size()) : 0);
+    const size_t image = reads_image(inst.op) ? symbols.resources[inst.extra].size() : 0;
+    return width.all + width.each * operands + static_cast<uint32_t>(image);
 }
 
 }  // namespace wrinkle

@@ -10,17 +10,9 @@
 
 namespace wrinkle {
 
-// Names of global declarations.
-struct Symbols {
-    std::vector<std::string> parameters;  // by index in Module::parameters; "" unused
-    std::vector<std::string> resources;   // by index in Module::resources
-    std::vector<std::string> functions;   // by region
-};
-
 struct ExpressionContext {
     const EmitAnalysis& analysis;
     const Values& values;
-    const Symbols& symbols;
     const Target& target;
     // Names of region parameters, by level and index.
     std::vector<std::vector<std::string>> parameters;
@@ -37,7 +29,7 @@ std::string text_of(const ExpressionContext& context, Id id, int least = 0);
 void write_definition(const ExpressionContext& context, Id id, std::string& text);
 
 // Widths in characters for folding decisions: of a leaf; of an operation without its operands.
-uint32_t leaf_width(const EmitAnalysis& analysis, Id leaf);
-uint32_t own_width(const EmitAnalysis& analysis, Id id);
+uint32_t leaf_width(const EmitAnalysis& analysis, const Symbols& symbols, Id leaf);
+uint32_t own_width(const EmitAnalysis& analysis, const Symbols& symbols, Id id);
 
 }  // namespace wrinkle

@@ -3,14 +3,27 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/standard_outputs.h"
 #include "base/text.h"
 #include "glsl/blocks.h"
 
 namespace wrinkle {
 namespace {
 
-std::string at_node(const std::string& path, const std::string& port) {
-    return path.empty() ? port : path + "_" + port;
+// Strips underscores at both ends: a part of a global name has one before it, and GLSL reserves
+// double underscores.
+std::string without_underscores(const std::string& name) {
+    const size_t first = name.find_first_not_of('_');
+    if (first == name.npos) return {};
+    return name.substr(first, name.find_last_not_of('_') + 1 - first);
+}
+
+// Returns a new global name: NAME_NODE_PORT, or NAME_PORT for the graph itself. Characters that
+// names cannot hold are dropped; "n" if none is left.
+std::string global_name(Interface& face, const std::string& node, const std::string& port) {
+    std::string own = without_underscores(identifier(node.empty() ? port : node + "_" + port));
+    if (own.empty()) own = "n";
+    return face.globals.unique(face.reflection.name + "_" + own);
 }
 
 std::string node_path(const Module& m, uint32_t node) {
@@ -25,8 +38,8 @@ void add_uniforms(const EmitAnalysis& analysis, Interface& face) {
         const Parameter& parameter = m.parameters[i];
         UniformInfo uniform;
         uniform.node = parameter.graph_input ? "" : node_path(m, parameter.node);
-        uniform.name = face.globals.unique(
-            at_node(parameter.graph_input ? "input" : uniform.node, parameter.port));
+        uniform.name =
+            global_name(face, parameter.graph_input ? "input" : uniform.node, parameter.port);
         uniform.type = parameter.type;
         uniform.value = parameter.value;
         uniform.port = parameter.port;
@@ -37,14 +50,14 @@ void add_uniforms(const EmitAnalysis& analysis, Interface& face) {
     }
 }
 
-// Returns the name hint of a sampler: node and port of the reader at the node of the first sample.
-std::string sampler_name(const Module& m, const EmitAnalysis::UsedResource& used) {
+// Names a sampler by node and port of the reader at the node of the first sample.
+std::string sampler_name(const Module& m, const EmitAnalysis::UsedResource& used, Interface& face) {
     const auto& readers = m.resources[used.resource].readers;
-    if (readers.empty()) return at_node(node_path(m, used.node), "image");
+    if (readers.empty()) return global_name(face, node_path(m, used.node), "image");
     auto reader = std::find_if(readers.begin(), readers.end(),
                                [&](const auto& r) { return r.node == used.node; });
     if (reader == readers.end()) reader = readers.begin();
-    return at_node(node_path(m, reader->node), reader->port);
+    return global_name(face, node_path(m, reader->node), reader->port);
 }
 
 void add_samplers(const EmitAnalysis& analysis, Interface& face) {
@@ -53,7 +66,7 @@ void add_samplers(const EmitAnalysis& analysis, Interface& face) {
     for (const EmitAnalysis::UsedResource& used : analysis.resources) {
         const Resource& resource = m.resources[used.resource];
         SamplerInfo sampler;
-        sampler.name = face.globals.unique(sampler_name(m, used));
+        sampler.name = sampler_name(m, used, face);
         sampler.file = resource.file;
         sampler.written = resource.name;
         sampler.options = resource.options;
@@ -88,15 +101,19 @@ void add_members(const EmitAnalysis& analysis, bool given, Reflection& reflectio
     if (!reflection.members.empty()) reflection.struct_name = "WrinkleSurface_" + reflection.name;
 }
 
-void add_functions(const EmitAnalysis& analysis, Interface& face) {
+void add_functions(const EmitAnalysis& analysis, const EmitOptions& options, Interface& face) {
     const Module& m = analysis.module();
-    const std::string prefix = "wrinkle_" + face.reflection.name + "_";
+    Reflection& r = face.reflection;
+    r.function = face.globals.unique("wrinkle_" + r.name);
+    if (!options.bare_result) r.result_name = "WrinkleMaterial_" + r.name;
+    NameSet members;
     for (const ModuleOutput& output : m.outputs)
-        face.reflection.functions.push_back({output.name, face.globals.unique(prefix + output.name),
-                                             m.type(output.value), output.port_type, -1, ""});
+        r.outputs.push_back({output.name, members.unique(output.name), m.type(output.value),
+                             output.port_type, -1, ""});
     face.symbols.functions.resize(m.region_count());
     for (const uint32_t region : analysis.functions)
-        face.symbols.functions[region] = face.globals.unique(prefix + m.region(region).name);
+        face.symbols.functions[region] =
+            face.globals.unique(r.function + "_" + m.region(region).name);
 }
 
 void write_doc(const MemberInfo& member, std::string& line) {
@@ -120,7 +137,7 @@ void write_doc(const MemberInfo& member, std::string& line) {
 
 constexpr size_t max_comment_column = 48;
 
-// Lines of code with one comment each, appended in order.
+// Lines of code with a comment each, which may be empty, appended in order.
 struct CommentedLines {
     struct Ends {
         size_t code = 0, comment = 0;
@@ -143,13 +160,22 @@ void write(const CommentedLines& lines, int indent, size_t farthest, Text& text)
     CommentedLines::Ends begin;
     for (const CommentedLines::Ends& ends : lines.ends) {
         line.assign(lines.code, begin.code, ends.code - begin.code);
-        line.resize(std::max(line.size(), column) + 2, ' ');
-        line.append("// ");
-        const std::string_view comments = lines.comments;
-        append_comment_text(line, comments.substr(begin.comment, ends.comment - begin.comment));
+        if (ends.comment > begin.comment) {
+            line.resize(std::max(line.size(), column) + 2, ' ');
+            line.append("// ");
+            const std::string_view comments = lines.comments;
+            append_comment_text(line, comments.substr(begin.comment, ends.comment - begin.comment));
+        }
         text.line(indent, line, ends.node);
         begin = ends;
     }
+}
+
+void write_struct(const std::string& name, const CommentedLines& members, Text& text) {
+    if (name.empty()) return;
+    text.line(0, {"struct ", name, " {"});
+    write(members, 1, max_comment_column, text);
+    text.line(0, "};");
 }
 
 // Names of the shader form, taken in both forms so that a uniform has the same name in both.
@@ -167,12 +193,6 @@ const NameSet& fixed_names() {
     return fixed;
 }
 
-// Strips leading underscores: NAME always follows an underscore, and GLSL reserves double
-// underscores.
-std::string behind_underscores(const std::string& name) {
-    return name.substr(std::min(name.find_first_not_of('_'), name.size()));
-}
-
 }  // namespace
 
 Interface make_interface(const EmitAnalysis& analysis, const EmitOptions& options) {
@@ -180,10 +200,10 @@ Interface make_interface(const EmitAnalysis& analysis, const EmitOptions& option
     const Module& m = analysis.module();
     NameSet plain;
     face.reflection.target = options.target->name;
-    face.reflection.name = plain.unique(behind_underscores(identifier(options.name)));
-    face.globals.unique("WrinkleSurface_" + face.reflection.name);
-    face.globals.unique("WrinkleParameters_" + face.reflection.name);
-    add_functions(analysis, face);
+    face.reflection.name = plain.unique(without_underscores(identifier(options.name)));
+    for (const std::string kind : {"Surface_", "Material_", "Parameters_"})
+        face.globals.unique("Wrinkle" + kind + face.reflection.name);
+    add_functions(analysis, options, face);
     add_samplers(analysis, face);
     add_uniforms(analysis, face);
     add_members(analysis, options.differentials == Differentials::given, face.reflection);
@@ -204,17 +224,22 @@ Text reserve_text(const EmitAnalysis& analysis, uint64_t most) {
     return text;
 }
 
-void write_struct(const Reflection& reflection, Text& text) {
-    if (reflection.struct_name.empty()) return;
-    text.line(0, {"struct ", reflection.struct_name, " {"});
+void write_structs(const Reflection& reflection, Text& text) {
     CommentedLines lines;
     for (const MemberInfo& member : reflection.members) {
         lines.code.append(info(member.type).name).append(" ").append(member.name).append(";");
         write_doc(member, lines.comments);
         lines.end_line();
     }
-    write(lines, 1, max_comment_column, text);
-    text.line(0, "};");
+    write_struct(reflection.struct_name, lines, text);
+    lines = {};
+    for (const OutputInfo& output : reflection.outputs) {
+        lines.code.append(info(output.type).name).append(" ").append(output.member).append(";");
+        if (const StandardOutput* standard = find_standard_output(output.output))
+            lines.comments.append(standard->doc);
+        lines.end_line();
+    }
+    write_struct(reflection.result_name, lines, text);
 }
 
 void write_uniforms(const Module& module, const Reflection& reflection, Text& text) {
@@ -245,25 +270,15 @@ void write_precision(const Target& target, Text& text) {
         if (!line.empty()) text.line(0, line);
 }
 
-std::string argument_text(const Reflection& reflection) {
-    return reflection.struct_name.empty() ? "" : reflection.struct_name + " s";
-}
-
 void write_functions(const EmitAnalysis& analysis, const Interface& face, const Target& target,
                      Text& text) {
-    const Module& m = analysis.module();
-    Values values(analysis);
+    Values values(analysis, face.symbols);
     for (const uint32_t region : analysis.functions) {
         text.line(0, "");
-        Body(analysis, values, face.symbols, face.globals, target, text)
-            .region_function(region, face.symbols.functions[region]);
+        Body(analysis, values, face.globals, target, text).region_function(region);
     }
-    const std::string argument = argument_text(face.reflection);
-    for (size_t i = 0; i < m.outputs.size(); ++i) {
-        text.line(0, "");
-        Body(analysis, values, face.symbols, face.globals, target, text)
-            .output_function(m.outputs[i].value, face.reflection.functions[i].function, argument);
-    }
+    text.line(0, "");
+    Body(analysis, values, face.globals, target, text).material_function(face.reflection);
 }
 
 std::string title_of(const Module& module, const std::string& name) {

@@ -1,4 +1,4 @@
-// Global part of a generated shader: global names, the struct, uniforms, and their reflection.
+// Global part of a generated shader: global names, structs, uniforms, and their reflection.
 #pragma once
 
 #include "glsl/body.h"
@@ -18,14 +18,11 @@ Interface make_interface(const EmitAnalysis& analysis, const EmitOptions& option
 Text reserve_text(const EmitAnalysis& analysis, uint64_t most);
 
 // Append declarations to `text`.
-void write_struct(const Reflection& reflection, Text& text);
+void write_structs(const Reflection& reflection, Text& text);
 void write_uniforms(const Module& module, const Reflection& reflection, Text& text);
 void write_precision(const Target& target, Text& text);  // before fragment code
 
-// Returns "WrinkleSurface_NAME s", or "" if there is no struct.
-std::string argument_text(const Reflection& reflection);
-
-// Appends helper functions, then one per output.
+// Appends helper functions, then the material's.
 void write_functions(const EmitAnalysis& analysis, const Interface& interface, const Target& target,
                      Text& text);
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "ir/module.h"
 
@@ -13,6 +14,13 @@ namespace wrinkle {
 struct NameHint {
     std::string_view first, second;
     size_t size() const { return first.size() + !first.empty() + second.size(); }
+};
+
+// Names of global declarations.
+struct Symbols {
+    std::vector<std::string> parameters;  // by index in Module::parameters; "" unused
+    std::vector<std::string> resources;   // by index in Module::resources
+    std::vector<std::string> functions;   // by region
 };
 
 // Names of one scope. Names of `outer` are taken here too; `outer` must outlive this set.

@@ -92,13 +92,13 @@ std::string member_text(const MemberInfo& m) {
                    {"relative", m.relative ? "true" : "false"}});
 }
 
-std::string function_text(const FunctionInfo& f) {
-    Fields fields = {{"output", json_quoted(f.output)},
-                     {"function", json_quoted(f.function)},
-                     {"type", quoted_type(f.type)}};
-    if (f.location >= 0) {
-        fields.emplace_back("location", std::to_string(f.location));
-        fields.emplace_back("variable", json_quoted(f.variable));
+std::string output_json(const OutputInfo& o) {
+    Fields fields = {{"output", json_quoted(o.output)},
+                     {"member", json_quoted(o.member)},
+                     {"type", quoted_type(o.type)}};
+    if (o.location >= 0) {
+        fields.emplace_back("location", std::to_string(o.location));
+        fields.emplace_back("variable", json_quoted(o.variable));
     }
     return object(fields);
 }
@@ -157,6 +157,18 @@ std::vector<LineRange> ranges(const std::vector<uint32_t>& lines) {
 
 }  // namespace
 
+std::string result_type(const Reflection& r) {
+    return r.result_name.empty() ? std::string(info(r.outputs[0].type).name) : r.result_name;
+}
+
+std::string call_text(const Reflection& r, std::string_view surface) {
+    return r.function + "(" + (r.struct_name.empty() ? "" : std::string(surface)) + ")";
+}
+
+std::string output_text(const Reflection& r, const OutputInfo& output, std::string_view result) {
+    return std::string(result) + (r.result_name.empty() ? "" : "." + output.member);
+}
+
 std::string to_json(const Reflection& r) {
     const auto line_text = [&](const LineRange& range) {
         return object({{"first", std::to_string(range.first)},
@@ -164,14 +176,16 @@ std::string to_json(const Reflection& r) {
                        {"node", json_quoted(r.node_paths[range.node])}});
     };
     const bool sets = uses_sets(r);
-    std::string text = "{\n  \"version\": 1,\n  \"target\": " + json_quoted(r.target);
+    std::string text = "{\n  \"version\": 2,\n  \"target\": " + json_quoted(r.target);
     const auto field = [&](std::string_view name, const std::string& value) {
         text += ",\n  " + json_quoted(name) + ": " + value;
     };
     field("name", json_quoted(r.name));
+    field("function", json_quoted(r.function));
     field("struct", json_quoted(r.struct_name));
+    field("result", json_quoted(r.result_name));
     field("uniform_control_flow", r.uniform_control_flow ? "true" : "false");
-    field("functions", list(r.functions, function_text));
+    field("outputs", list(r.outputs, output_json));
     field("members", list(r.members, member_text));
     field("uniforms", list(r.uniforms, uniform_text));
     field("samplers", list(r.samplers, [&](const auto& s) { return sampler_text(s, sets); }));

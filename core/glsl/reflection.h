@@ -1,4 +1,4 @@
-// Interface of a generated shader: uniforms, images, struct members, functions and attributes, and
+// Interface of a generated shader: uniforms, images, struct members, outputs and attributes, and
 // the node of each line. Lists contain only used entries, in the order of the source.
 #pragma once
 
@@ -57,7 +57,7 @@ struct SamplerInfo {
     Binding binding;
 };
 
-// A member of the struct that the functions take. With screen differentials, the position's are
+// A member of the struct that the function takes. With screen differentials, the position's are
 // taken of `position_relative`: the position minus the eye, in object axes, for precision far
 // from the origin. The `input` of that member is `position`.
 struct MemberInfo {
@@ -68,9 +68,10 @@ struct MemberInfo {
     bool relative = false;
 };
 
-struct FunctionInfo {
-    std::string output;    // "normal"
-    std::string function;  // "wrinkle_NAME_normal"
+// An output of the graph: a member of the result.
+struct OutputInfo {
+    std::string output;  // "normal"
+    std::string member;  // its name in the result's struct
     Type type{};
     uint32_t port_type = 0;  // WR_PORT_*
     int location = -1;       // location of the fragment output; shader form only
@@ -99,17 +100,19 @@ inline constexpr uint32_t no_node = ~0U;
 struct Reflection {
     std::string target;       // "glsl330"
     std::string name;         // NAME
-    std::string struct_name;  // "WrinkleSurface_NAME"; "" when the functions take no argument
+    std::string function;     // "wrinkle_NAME"
+    std::string struct_name;  // "WrinkleSurface_NAME"; "" when the function takes no argument
+    std::string result_name;  // "WrinkleMaterial_NAME"; "" when it returns its one output itself
     std::vector<UniformInfo> uniforms;
     std::vector<SamplerInfo> samplers;
     std::vector<MemberInfo> members;
-    std::vector<FunctionInfo> functions;
+    std::vector<OutputInfo> outputs;
     std::vector<AttributeInfo> attributes;     // shader form
     std::vector<std::string> varyings;         // shader form
     std::vector<FrameUniform> frame_uniforms;  // shader form
     std::optional<Block> frame_block, parameter_block;
     std::string vertex_entry = "main", fragment_entry = "main";  // shader form
-    bool uniform_control_flow = false;  // required: the functions take screen derivatives
+    bool uniform_control_flow = false;  // required: the function takes screen derivatives
 
     // lines[i] is the index in Module::nodes that line i + 1 came from, or no_node. The line of a
     // uniform has the node of its parameter; that of an image, its first reader. In the shader
@@ -117,6 +120,13 @@ struct Reflection {
     std::vector<uint32_t> lines;
     std::vector<std::string> node_paths;  // by index in Module::nodes
 };
+
+// GLSL around the function: the type of its result, a call with the argument `surface`, and an
+// output of the result held in the variable `result`.
+std::string result_type(const Reflection& reflection);
+std::string call_text(const Reflection& reflection, std::string_view surface);
+std::string output_text(const Reflection& reflection, const OutputInfo& output,
+                        std::string_view result);
 
 // Returns the reflection as JSON, one entry per line; `lines` as ranges of equal nodes.
 std::string to_json(const Reflection& reflection);

@@ -4,8 +4,8 @@
 namespace wrinkle {
 namespace {
 
-// GLSL 3.30 and 4.60 (sections 3.6 and 8), GLSL ES 3.00, GL_KHR_vulkan_glsl; and `s`, the argument
-// of generated functions.
+// GLSL 3.30 and 4.60 (sections 3.6 and 8), GLSL ES 3.00, GL_KHR_vulkan_glsl; and `s` and `m`,
+// argument and result of the generated function.
 constexpr std::string_view reserved =
     "abs acos acosh active all any asin asinh asm atan atanh atomic_uint attribute bool "
     "break buffer bvec2 bvec3 bvec4 case cast ceil centroid clamp class coherent common "
@@ -24,7 +24,7 @@ constexpr std::string_view reserved =
     "isubpassInputMS itexture1D itexture1DArray itexture2D itexture2DArray itexture2DMS "
     "itexture2DMSArray itexture2DRect itexture3D itextureBuffer itextureCube "
     "itextureCubeArray ivec2 ivec3 ivec4 layout length lessThan lessThanEqual log log2 long "
-    "lowp main mat2 mat2x2 mat2x3 mat2x4 mat3 mat3x2 mat3x3 mat3x4 mat4 mat4x2 mat4x3 mat4x4 "
+    "lowp m main mat2 mat2x2 mat2x3 mat2x4 mat3 mat3x2 mat3x3 mat3x4 mat4 mat4x2 mat4x3 mat4x4 "
     "matrixCompMult max mediump min mix mod modf namespace noinline noise1 noise2 noise3 "
     "noise4 noperspective normalize not notEqual out outerProduct output partition patch pow "
     "precise precision public radians readonly reflect refract resource restrict return "

@@ -9,8 +9,8 @@ namespace wrinkle {
 namespace {
 
 constexpr uint32_t max_line = 98;
-constexpr uint32_t min_room = max_line / 2;  // for an expression on any line
-constexpr uint32_t max_result = 84;
+constexpr uint32_t min_room = max_line / 2;    // for an expression on any line
+constexpr uint32_t max_result = 74;            // after "m.displacement = "
 constexpr uint32_t max_expression_width = 72;  // for a value that needs no name so far
 constexpr uint8_t max_expression_depth = 6;
 constexpr uint32_t parentheses = 2;
@@ -170,7 +170,7 @@ void TemporarySelector::read_value(Id reader, Id operand, Id value, Folded& text
 TemporarySelector::Folded TemporarySelector::measure(Id id) {
     const Op op = m_[id].op;
     Folded text;
-    text.width = own_width(analysis_, id);
+    text.width = own_width(analysis_, values_.symbols, id);
     text.implicit = op == Op::sample_ || op == Op::input_;
     for (const Id operand : analysis_.operands(id)) {
         const Id value = base(operand);
@@ -180,7 +180,8 @@ TemporarySelector::Folded TemporarySelector::measure(Id id) {
             continue;
         }
         text.width += operand == value ? 0 : view_suffix;
-        text.width += role == Role::leaf ? leaf_width(analysis_, value) : loop_state_width;
+        text.width +=
+            role == Role::leaf ? leaf_width(analysis_, values_.symbols, value) : loop_state_width;
     }
     return text;
 }

@@ -33,8 +33,11 @@ struct ValueState {
 
 // State of all values of a module; collect() resets only the states of values in its scope.
 struct Values {
-    explicit Values(const EmitAnalysis& analysis)
-        : state(analysis.module().size()), group_numbers(analysis.module().nodes.size() + 1) {}
+    Values(const EmitAnalysis& analysis, const Symbols& names)
+        : symbols(names),
+          state(analysis.module().size()),
+          group_numbers(analysis.module().nodes.size() + 1) {}
+    const Symbols& symbols;
     std::vector<ValueState> state;        // by Id
     std::vector<uint32_t> group_numbers;  // scratch of schedule(); all zero between calls
     uint32_t epoch = 0;

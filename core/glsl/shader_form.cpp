@@ -1,4 +1,4 @@
-// Shader form: the complete vertex and fragment pair around the functions.
+// Shader form: the complete vertex and fragment pair around the function.
 #include <algorithm>
 #include <limits>
 
@@ -25,13 +25,13 @@ std::string at(int location) {
 // Assigns consecutive locations, because drivers reject locations beyond their draw buffers:
 // standard outputs by their rank, then the others in graph order.
 void assign_locations(Interface& face) {
-    std::vector<FunctionInfo*> order;
-    for (FunctionInfo& function : face.reflection.functions) {
-        order.push_back(&function);
-        function.variable = face.globals.unique("out_" + function.output);
+    std::vector<OutputInfo*> order;
+    for (OutputInfo& output : face.reflection.outputs) {
+        order.push_back(&output);
+        output.variable = face.globals.unique("out_" + output.output);
     }
-    const auto rank = [](const FunctionInfo* function) {
-        const StandardOutput* standard = find_standard_output(function->output);
+    const auto rank = [](const OutputInfo* output) {
+        const StandardOutput* standard = find_standard_output(output->output);
         return standard ? standard->rank : std::numeric_limits<int>::max();
     };
     std::stable_sort(order.begin(), order.end(),
@@ -56,8 +56,8 @@ void find_varyings(Stage& stage) {
         if (location >= 0 && !member.relative) r.varyings.push_back("wrinkle_" + member.name);
     }
     if (stage.relative) r.varyings.push_back("wrinkle_position_relative");
-    stage.world = std::any_of(r.functions.begin(), r.functions.end(), [](const auto& function) {
-        return function.port_type == WR_PORT_normal;
+    stage.world = std::any_of(r.outputs.begin(), r.outputs.end(), [](const auto& output) {
+        return output.port_type == WR_PORT_normal;
     });
     r.frame_uniforms.push_back({"wrinkle_object_to_clip", "mat4", "object space to clip space"});
     if (stage.relative)
@@ -136,11 +136,12 @@ void write_main(const Stage& stage, Text& text) {
     if (!r.struct_name.empty()) text.line(1, r.struct_name + " s;");
     for (const MemberInfo& member : r.members)
         text.line(1, "s." + member.name + " = " + member_value(member) + ";");
-    for (const FunctionInfo& function : r.functions) {
-        const std::string call = function.function + (r.struct_name.empty() ? "()" : "(s)");
-        const bool normal = function.port_type == WR_PORT_normal;
-        text.line(1, function.variable + " = " +
-                         (normal ? "wrinkle_normal_to_world(" + call + ")" : call) + ";");
+    text.line(1, result_type(r) + " m = " + call_text(r, "s") + ";");
+    for (const OutputInfo& output : r.outputs) {
+        const std::string value = output_text(r, output, "m");
+        const bool normal = output.port_type == WR_PORT_normal;
+        text.line(1, output.variable + " = " +
+                         (normal ? "wrinkle_normal_to_world(" + value + ")" : value) + ";");
     }
     text.line(0, "}");
 }
@@ -154,11 +155,11 @@ Text fragment_text(const Stage& stage) {
     for (size_t i = 0; i < r.varyings.size(); ++i)
         text.line(0, at_varying(stage, i) + "in " + varying_type(r, r.varyings[i]) + " " +
                          r.varyings[i] + ";");
-    for (const FunctionInfo& function : r.functions)
-        text.line(0, at(function.location) + "out " + std::string(info(function.type).name) + " " +
-                         function.variable + ";");
+    for (const OutputInfo& output : r.outputs)
+        text.line(0, at(output.location) + "out " + std::string(info(output.type).name) + " " +
+                         output.variable + ";");
     if (stage.world) write_frame(stage, false, text);
-    write_struct(r, text);
+    write_structs(r, text);
     write_uniforms(stage.analysis.module(), r, text);
     write_functions(stage.analysis, stage.face, *stage.options.target, text);
     if (stage.world) write_normal_to_world(text);

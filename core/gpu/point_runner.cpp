@@ -134,19 +134,19 @@ PointResults read_results(const PointJob& job, const Target& target) {
 
 PointJob point_job_from(const Shader& shader) {
     const Reflection& reflection = shader.reflection;
-    const bool has_struct = !reflection.struct_name.empty();
     PointJob job;
     job.globals = shader.source;
-    if (has_struct) job.body = reflection.struct_name + " s;\n";
+    if (!reflection.struct_name.empty()) job.body = reflection.struct_name + " s;\n";
     for (const MemberInfo& member : reflection.members)
         job.body += "s." + member.name + " = " + member.name + ";\n";
-    for (size_t k = 0; k < reflection.functions.size(); ++k) {
-        const FunctionInfo& function = reflection.functions[k];
+    job.body += result_type(reflection) + " m = " + call_text(reflection, "s") + ";\n";
+    for (size_t k = 0; k < reflection.outputs.size(); ++k) {
+        const OutputInfo& output = reflection.outputs[k];
         constexpr std::array padding{", 0.0, 0.0, 0.0", ", 0.0, 0.0", ", 0.0", ""};
-        job.body += "out" + std::to_string(k) + " = vec4(" + function.function +
-                    (has_struct ? "(s)" : "()") + padding[info(function.type).lanes - 1U] + ");\n";
+        job.body += "out" + std::to_string(k) + " = vec4(" + output_text(reflection, output, "m") +
+                    padding[info(output.type).lanes - 1U] + ");\n";
     }
-    job.outputs = static_cast<int>(reflection.functions.size());
+    job.outputs = static_cast<int>(reflection.outputs.size());
     job.samplers = reflection.samplers;
     job.uniforms = reflection.uniforms;
     return job;

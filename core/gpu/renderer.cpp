@@ -33,12 +33,12 @@ std::string in_quotes(std::string_view text) {
 }
 
 // Returns the same material with another output as its normal.
-Shader with_normal(Shader material, const FunctionInfo& normal) {
-    auto& functions = material.reflection.functions;
-    FunctionInfo renamed = normal;
+Shader with_normal(Shader material, const OutputInfo& normal) {
+    auto& outputs = material.reflection.outputs;
+    OutputInfo renamed = normal;
     renamed.output = "normal";
-    std::erase_if(functions, [](const FunctionInfo& f) { return f.output == "normal"; });
-    functions.push_back(std::move(renamed));
+    std::erase_if(outputs, [](const OutputInfo& each) { return each.output == "normal"; });
+    outputs.push_back(std::move(renamed));
     return material;
 }
 
@@ -51,7 +51,7 @@ Diagnostic refusal(const Reflection& reflection, const std::string& log) {
     return problem;
 }
 
-std::optional<Program> compile(const Shader& material, View view, const FunctionInfo* against,
+std::optional<Program> compile(const Shader& material, View view, const OutputInfo* against,
                                const Shading& shading, Diagnostics& diagnostics) {
     const ShaderText text = wrap_material(material, view, against, shading);
     const std::array<std::string, 1> outputs{"WrView_color"};
@@ -128,8 +128,8 @@ const Program* Renderer::program_for(const ViewOptions& options, Diagnostics& di
     const std::string against = options.view == View::difference ? options.against : "";
     const ProgramKey key{options.view, options.normal, against};
     if (const auto found = programs_.find(key); found != programs_.end()) return &found->second;
-    const FunctionInfo* other = find_output(*material_, against);
-    const FunctionInfo* normal = find_output(*material_, options.normal);
+    const OutputInfo* other = find_output(*material_, against);
+    const OutputInfo* normal = find_output(*material_, options.normal);
     for (const std::string& name : {against, options.normal})
         if (!name.empty() && name != "normal" && !find_output(*material_, name)) {
             diagnostics.error("the graph has no output " + in_quotes(name) + " to compare with");

@@ -202,16 +202,19 @@ std::string member_value(const MemberInfo& member) {
     return "WrView_" + std::string(info(member.input).name) + (member.relative ? "_relative" : "");
 }
 
-std::string struct_values(const Reflection& reflection) {
-    if (reflection.struct_name.empty()) return {};
-    std::string text = "    " + reflection.struct_name + " WrView_s;\n";
+// Calls the function, if there is one: WrView_m is its result.
+std::string call(const Reflection& reflection) {
+    if (reflection.function.empty()) return {};
+    std::string text;
+    if (!reflection.struct_name.empty()) text = "    " + reflection.struct_name + " WrView_s;\n";
     for (const MemberInfo& member : reflection.members)
         text += "    WrView_s." + member.name + " = " + member_value(member) + ";\n";
-    return text;
+    return text + "    " + result_type(reflection) +
+           " WrView_m = " + call_text(reflection, "WrView_s") + ";\n";
 }
 
-std::string call(const Shader& material, const FunctionInfo& output) {
-    return output.function + (material.reflection.struct_name.empty() ? "()" : "(WrView_s)");
+std::string value_of(const Shader& material, const OutputInfo& output) {
+    return output_text(material.reflection, output, "WrView_m");
 }
 
 std::string assign(std::string_view type, std::string_view name, const std::string& value) {
@@ -220,25 +223,26 @@ std::string assign(std::string_view type, std::string_view name, const std::stri
 
 // Emission is added to the lit color; black if the output is not a vec3 or a float.
 std::string emission_of(const Shader& material) {
-    const FunctionInfo* found = find_output(material, "emission");
+    const OutputInfo* found = find_output(material, "emission");
     const bool adds = found && (found->type == Type::vec3_ || found->type == Type::float_);
-    return adds ? "max(vec3(" + call(material, *found) + "), 0.0)" : "vec3(0.0)";
+    return adds ? "max(vec3(" + value_of(material, *found) + "), 0.0)" : "vec3(0.0)";
 }
 
-std::string values_of(const Shader& material, View view, const FunctionInfo* against) {
+std::string values_of(const Shader& material, View view, const OutputInfo* against) {
     const std::string_view body = view_texts[static_cast<size_t>(view)].body;
     std::string text;
     for (const auto& [type, name, output, missing] : output_values) {
         if (body.find("WrView_" + std::string(name)) == body.npos) continue;
-        const FunctionInfo* found = find_output(material, std::string(output));
-        text += assign(
-            type, name,
-            found ? std::string(type) + "(" + call(material, *found) + ")" : std::string(missing));
+        const OutputInfo* found = find_output(material, std::string(output));
+        text += assign(type, name,
+                       found ? std::string(type) + "(" + value_of(material, *found) + ")"
+                             : std::string(missing));
     }
     if (view == View::shaded) text += assign("vec3", "emission", emission_of(material));
     const std::string flat = "dot(WrView_bumped, surface) < 0.0 ? -surface : surface";
     if (view == View::difference)
-        text += assign("vec3", "other", against ? "vec3(" + call(material, *against) + ")" : flat);
+        text +=
+            assign("vec3", "other", against ? "vec3(" + value_of(material, *against) + ")" : flat);
     return text;
 }
 
@@ -289,14 +293,14 @@ std::string_view display_text() {
     return curve_text;
 }
 
-ShaderText wrap_material(const Shader& material, View view, const FunctionInfo* against,
+ShaderText wrap_material(const Shader& material, View view, const OutputInfo* against,
                          const Shading& shading) {
     const ViewText& texts = view_texts[static_cast<size_t>(view)];
     std::string fragment = fragment_inputs();
     fragment += "#line 1\n" + material.source + "\n#line 100001\n";
     fragment += view == View::shaded ? shading_of(shading) : std::string(texts.declarations);
     fragment += "\nvoid main() {\n";
-    fragment += struct_values(material.reflection);
+    fragment += call(material.reflection);
     fragment += surface_text;
     fragment += values_of(material, view, against);
     fragment += texts.body;
@@ -304,9 +308,9 @@ ShaderText wrap_material(const Shader& material, View view, const FunctionInfo* 
     return {vertex_text(), std::move(fragment)};
 }
 
-const FunctionInfo* find_output(const Shader& material, const std::string& output) {
-    for (const FunctionInfo& function : material.reflection.functions)
-        if (function.output == output) return &function;
+const OutputInfo* find_output(const Shader& material, const std::string& output) {
+    for (const OutputInfo& each : material.reflection.outputs)
+        if (each.output == output) return &each;
     return nullptr;
 }
 

@@ -22,10 +22,10 @@ struct ShaderText {
 
 // `against` may be null: the un-bumped surface. Precondition of the height view: the material has
 // the output `height`.
-ShaderText wrap_material(const Shader& material, View view, const FunctionInfo* against,
+ShaderText wrap_material(const Shader& material, View view, const OutputInfo* against,
                          const Shading& shading = {});
 
-const FunctionInfo* find_output(const Shader& material, const std::string& output);
+const OutputInfo* find_output(const Shader& material, const std::string& output);
 
 // Returns the GLSL of `vec3 WrView_display(vec3 radiance)`, the display curve of the shaded view,
 // with its uniform WrView_exposure.

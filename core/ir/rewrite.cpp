@@ -145,6 +145,18 @@ Module rebuild(Module&& source, Replace replace, void* context) {
     return target;
 }
 
+Module without_differentials(Module source) {
+    const auto replace = [](void*, Module& target, const Module& from, Id id,
+                            std::span<const Id> mapped) -> Id {
+        const Inst& inst = from[id];
+        if (inst.op == Op::input_ && variant_of(inst.extra) != Variant::value)
+            return target.zero(inst.type);
+        if (inst.op != Op::sample_ && inst.op != Op::sample_grad_) return no_id;
+        return target.add(Op::sample_lod_, {mapped[0], target.number(0)}, inst.extra);
+    };
+    return rebuild(std::move(source), replace, nullptr);
+}
+
 Module explicit_lod(Module source) {
     LodWriter writer;
     return rebuild(std::move(source), write_lod, &writer);

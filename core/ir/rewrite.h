@@ -43,4 +43,8 @@ Id sample_lod_of(Module& module, uint32_t resource, Id uv_dx, Id uv_dy);
 // form.
 Module explicit_lod(Module source);
 
+// Replaces each differential of an input by zero and each `sample` and `sample_grad` by a
+// sample_lod of level 0: the values that a vertex stage can compute.
+Module without_differentials(Module source);
+
 }  // namespace wrinkle

@@ -14,7 +14,7 @@ TEST_F(CompileTest, FileAndStandardOutputHoldTheSameText) {
     put("bump.json", tilt_graph());
     const Ran printed = run({"compile", "bump.json"});
     ASSERT_EQ(printed.code, 0) << printed.err;
-    EXPECT_TRUE(says(printed.out, "wrinkle_bump_normal"));
+    EXPECT_TRUE(says(printed.out, "wrinkle_bump("));
     EXPECT_EQ(printed.out.find("#version"), printed.out.npos);
     const Ran filed = run({"compile", "bump.json", "-o", "out.glsl"});
     EXPECT_EQ(filed.code, 0);
@@ -52,13 +52,59 @@ TEST_F(CompileTest, ShaderFormIsAPair) {
               get("g.vert"));
 }
 
+constexpr const char* two_outputs = R"({"wrinkle": 1, "nodes": {
+    "lumps": {"type": "gradient_noise", "in": {"octaves": 2}},
+    "normal": {"type": "resolve", "in": {"gradient": {"from": "lumps.height"}}}},
+    "outputs": {"displacement": {"from": "lumps.height"}, "normal": {"from": "normal.normal"}}})";
+
+TEST_F(CompileTest, OneFunctionComputesTheSelectedOutputs) {
+    put("g.json", two_outputs);
+    const std::string all = run({"compile", "g.json"}).out;
+    EXPECT_TRUE(says(all, "WrinkleMaterial_g wrinkle_g(WrinkleSurface_g s) {"));
+    EXPECT_EQ(run({"compile", "g.json", "--outputs", "displacement,normal"}).out, all);
+    const std::string normal = run({"compile", "g.json", "--outputs", "normal"}).out;
+    EXPECT_TRUE(says(normal, "\nvec3 wrinkle_g(WrinkleSurface_g s) {"));
+    EXPECT_EQ(normal.find("WrinkleMaterial"), normal.npos);
+    const Ran wrong = run({"compile", "g.json", "--outputs", "normal,colour", "-o", "g.glsl"});
+    EXPECT_EQ(wrong.code, 1);
+    EXPECT_TRUE(says(wrong.err, "no output 'colour' (displacement, normal)"));
+    EXPECT_FALSE(exists("g.glsl"));
+}
+
+TEST_F(CompileTest, ADisplacementAloneIsForAVertexStage) {
+    put("g.json", two_outputs);
+    const std::string vertex = run({"compile", "g.json", "--outputs", "displacement"}).out;
+    EXPECT_TRUE(says(vertex, "\nfloat wrinkle_g(WrinkleSurface_g s) {"));
+    EXPECT_EQ(vertex.find("dFdx"), vertex.npos) << vertex;
+    EXPECT_TRUE(says(
+        run({"compile", "g.json", "--outputs", "displacement", "--differentials", "screen"}).out,
+        "dFdx"));
+    const Ran pair = run({"compile", "g.json", "--form", "shader", "--differentials", "none"});
+    EXPECT_EQ(pair.code, 2);
+    EXPECT_TRUE(says(pair.err, "from the screen"));
+}
+
+TEST_F(CompileTest, TheCacheKnowsTheSelectedOutputs) {
+    put("g.json", two_outputs);
+    std::string texts[2];
+    for (int round = 0; round < 2; ++round)
+        for (const char* output : {"normal", "displacement"}) {
+            const std::string text =
+                run({"compile", "g.json", "--cache", "kept", "--outputs", output}).out;
+            std::string& first = texts[output == std::string_view("normal")];
+            if (round == 0) first = text;
+            EXPECT_EQ(text, first);
+        }
+    EXPECT_NE(texts[0], texts[1]);
+}
+
 TEST_F(CompileTest, SeveralGraphsGoIntoAFolder) {
     put("a.json", tilt_graph("0.5"));
     put("sub/b.json", tilt_graph("0.25"));
     const Ran ran = run({"compile", "a.json", "sub/b.json", "-o", "out"});
     ASSERT_EQ(ran.code, 0) << ran.err;
-    EXPECT_TRUE(says(get("out/a.glsl"), "wrinkle_a_normal"));
-    EXPECT_TRUE(says(get("out/b.glsl"), "wrinkle_b_normal"));
+    EXPECT_TRUE(says(get("out/a.glsl"), "wrinkle_a("));
+    EXPECT_TRUE(says(get("out/b.glsl"), "wrinkle_b("));
 }
 
 TEST_F(CompileTest, EqualStemsAreRefused) {
@@ -124,8 +170,8 @@ TEST_F(CompileTest, ReflectionsOfSeveralGraphsGoIntoAFolder) {
     put("a.json", tilt_graph());
     put("b.json", tilt_graph());
     ASSERT_EQ(run({"compile", "a.json", "b.json", "-o", "out", "--reflect", "out"}).code, 0);
-    EXPECT_TRUE(says(get("out/a.json"), "wrinkle_a_normal"));
-    EXPECT_TRUE(says(get("out/b.json"), "wrinkle_b_normal"));
+    EXPECT_TRUE(says(get("out/a.json"), "\"wrinkle_a\""));
+    EXPECT_TRUE(says(get("out/b.json"), "\"wrinkle_b\""));
 }
 
 TEST_F(CompileTest, DepfileNamesWhatTheTextDependsOn) {

@@ -23,7 +23,7 @@ TEST_F(CostTest, SaysWhatEachNodeCosts) {
     const Ran ran = run({"compile", samples + "base_and_detail.json", "--cost"});
     EXPECT_EQ(ran.code, 0) << ran.err;
     EXPECT_TRUE(says(ran.out, "2 of 16 texture units"));
-    EXPECT_EQ(ran.out.find("wrinkle_base_and_detail_normal"), ran.out.npos) << ran.out;
+    EXPECT_EQ(ran.out.find("wrinkle_base_and_detail"), ran.out.npos) << ran.out;
     EXPECT_EQ(files(), Names{});
     for (const char* node : {"normal", "base", "detail", "tile"})
         EXPECT_TRUE(says(ran.out, std::string("  ") + node + "\n"));

@@ -79,7 +79,7 @@ TEST_P(Compilers, MakeTheSameNodes) {
     EXPECT_EQ(graph_schema(built.registry), graph_schema(own.registry));
     for (const bool uniform : {false, true}) {
         const std::string text = glsl(own, uniform);
-        EXPECT_NE(text.find("vec3 wrinkle_material_normal("), text.npos) << text;
+        EXPECT_NE(text.find("WrinkleMaterial_material wrinkle_material("), text.npos) << text;
         EXPECT_EQ(glsl(built, uniform), text);
     }
 }

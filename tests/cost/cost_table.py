@@ -90,7 +90,7 @@ def wrapped(text):
     varyings = "".join(f"layout(location = {i}) in {kind} v_{name};\n"
                        for i, (kind, name) in enumerate(members))
     fill = "".join(f"    s.{name} = v_{name};\n" for _, name in members)
-    call = "wrinkle_material_normal(s)" if struct else "wrinkle_material_normal()"
+    call = "wrinkle_material(s).normal" if struct else "wrinkle_material().normal"
     return ("#version 450\n" + varyings + "layout(location = 0) out vec3 result;\n" + text +
             "\nvoid main() {\n" + ("    WrinkleSurface_material s;\n" if struct else "") + fill +
             f"    result = {call};\n}}\n")

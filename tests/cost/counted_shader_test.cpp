@@ -14,10 +14,10 @@ Shader shader_of(std::vector<std::pair<std::string, uint32_t>> lines) {
         shader.source += text + "\n";
         shader.reflection.lines.push_back(node);
     }
-    FunctionInfo& function = shader.reflection.functions.emplace_back();
-    function.output = "not an identifier";
-    function.type = Type::vec3_;
-    function.function = "f";
+    OutputInfo& output = shader.reflection.outputs.emplace_back();
+    output.output = "not an identifier";
+    output.type = Type::vec3_;
+    shader.reflection.function = "f";
     shader.reflection.node_paths = {"", "weave", "strap/tilt"};
     return shader;
 }
@@ -44,7 +44,7 @@ Numbered numbered(const std::string& text) {
     return result;
 }
 
-TEST(CountedShader, CallsEveryFunctionOnInterpolants) {
+TEST(CountedShader, CallsTheFunctionOnInterpolants) {
     Shader shader = shader_of({{"struct S {", no_node},
                                {"    vec3 normal;", no_node},
                                {"};", no_node},
@@ -65,7 +65,8 @@ TEST(CountedShader, CallsEveryFunctionOnInterpolants) {
         "    return s.normal;",
         "}",
         "",
-        "void main() { S surface; surface.normal = counted_normal; counted_0 = f(surface); }"};
+        "void main() { S surface; surface.normal = counted_normal; vec3 result = f(surface); "
+        "counted_0 = result; }"};
     EXPECT_EQ(text.lines, lines);
     EXPECT_EQ(std::vector(text.numbers.begin() + 3, text.numbers.end()),
               (std::vector{1, 1, 1, 1, 3, 1, 1, 1}));
@@ -73,7 +74,8 @@ TEST(CountedShader, CallsEveryFunctionOnInterpolants) {
 
 TEST(CountedShader, AFunctionWithoutArguments) {
     const Shader shader = shader_of({{"float f() {", no_node}, {"    return 1.0;", 1}, {"}", 0}});
-    EXPECT_NE(counted_shader(shader).find("counted_0 = f();"), std::string::npos);
+    EXPECT_NE(counted_shader(shader).find("vec3 result = f(); counted_0 = result;"),
+              std::string::npos);
 }
 
 // `inner` is called by `outer`, which is called by two nodes and the surface point.

@@ -25,10 +25,10 @@ std::string excess_of(const char* target, int count) {
     Reflection reflection;
     reflection.target = target;
     for (int i = 0; i < count; ++i) {
-        FunctionInfo& function = reflection.functions.emplace_back();
-        function.output = "o" + std::to_string(i);
-        function.type = Type::vec3_;
-        function.location = i;
+        OutputInfo& output = reflection.outputs.emplace_back();
+        output.output = "o" + std::to_string(i);
+        output.type = Type::vec3_;
+        output.location = i;
     }
     return draw_buffer_excess(reflection).problem;
 }
@@ -53,7 +53,7 @@ TEST(Limits, NamesOutputsBeyondTheDrawBuffers) {
 TEST(Limits, FunctionsDrawNothing) {
     Reflection reflection;
     reflection.target = "essl300";
-    reflection.functions.resize(9);
+    reflection.outputs.resize(9);
     EXPECT_EQ(draw_buffer_excess(reflection).problem, "");
 }
 

@@ -9,17 +9,17 @@
 namespace wrinkle::test {
 namespace {
 
-// Two functions over five lines: a line of the surface point, one of node 1, two of node 2.
+// A function over five lines: a line of the surface point, one of node 1, two of node 2.
 Shader small_shader() {
     Shader shader;
     shader.source = "struct S {\n    vec3 normal;\n};\nvec3 f(S s) {\n    return s.normal;\n}\n";
     Reflection& r = shader.reflection;
     r.struct_name = "S";
     r.members = {{"normal", Type::vec3_}};
-    FunctionInfo& function = r.functions.emplace_back();
-    function.output = "normal";
-    function.type = Type::vec3_;
-    function.function = "f";
+    OutputInfo& output = r.outputs.emplace_back();
+    output.output = "normal";
+    output.type = Type::vec3_;
+    r.function = "f";
     r.lines = {no_node, 0, 1, 2, 2, no_node};
     r.node_paths = {"", "weave", "strap/tilt"};
     return shader;

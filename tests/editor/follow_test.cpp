@@ -76,12 +76,12 @@ TEST_F(Follows, ACompilerThreadHandsOverTheNewestText) {
         state.commit("back", remove_output(state.document(), i % 2 ? "roughness" : "metalness"));
     }
     edit(set_output(state.document(), "occlusion", {"noise", "value"}));
-    EXPECT_TRUE(state.building() || text_has("_occlusion("));
+    EXPECT_TRUE(state.building() || text_has("m.occlusion ="));
     compiler.wait_idle();
     refresh(state);
     EXPECT_TRUE(is_settled(state));
-    EXPECT_TRUE(text_has("_occlusion("));
-    EXPECT_FALSE(text_has("_roughness("));
+    EXPECT_TRUE(text_has("m.occlusion ="));
+    EXPECT_FALSE(text_has("m.roughness ="));
     state.follow.compiler = nullptr;
 }
 
@@ -89,11 +89,11 @@ TEST_F(Follows, TheFormerTextStaysWhileAnotherIsMade) {
     Compiler compiler(build);
     state.follow.compiler = &compiler;
     open(small_graph);
-    play("assert code wrinkle_graph_normal");
+    play("assert code m.normal");
     state.commit("edit", set_output(state.document(), "roughness", {"noise", "value"}));
     refresh(state);  // requests a build; the current result is the previous one
-    EXPECT_TRUE(text_has("wrinkle_graph_normal"));
-    play("assert code wrinkle_graph_roughness");
+    EXPECT_TRUE(text_has("m.normal"));
+    play("assert code m.roughness");
     state.follow.compiler = nullptr;
 }
 

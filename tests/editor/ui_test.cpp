@@ -22,7 +22,7 @@ TEST_F(Headless, ShowsWhatTheGraphHolds) {
         assert target field:softer.amount
         assert target pin:$output.normal
         assert target line:1
-        assert code wrinkle_graph_normal)");
+        assert code wrinkle_graph()");
     EXPECT_EQ(write_document(state.document()), small_graph);
 }
 

@@ -48,7 +48,9 @@ TEST(Emit, function_form_of_base_and_detail) {
 
 TEST(Emit, one_uv_set_takes_at_most_25_lines) {
     const Module module = expand(base_and_detail(SurfaceInput::uv0_), {});
-    const Shader shader = emit(expand(module, {.parameters = Parameters::baked}), options());
+    EmitOptions bare = options();
+    bare.bare_result = true;
+    const Shader shader = emit(expand(module, {.parameters = Parameters::baked}), bare);
     EXPECT_EQ(compile_errors(shader), "");
     EXPECT_TRUE(equals_golden(shader.source, "base_and_detail.uv0.glsl"));
     EXPECT_LE(lines_of(shader.source).size(), 25u);
@@ -118,7 +120,7 @@ TEST(Emit, lines_name_their_nodes) {
         ASSERT_EQ(lines.size(), shader.reflection.lines.size());
         bool found = false;
         for (size_t i = 0; i < lines.size(); ++i) {
-            if (lines[i].find("texture(weave_image") == std::string::npos) continue;
+            if (lines[i].find("texture(strap_weave_image") == std::string::npos) continue;
             found = true;
             EXPECT_EQ(shader.reflection.node_paths[shader.reflection.lines[i]], "weave");
         }
@@ -141,8 +143,8 @@ TEST(Emit, names_survive_an_unrelated_edit) {
     const std::string before = emit(expand(base_and_detail(), {}), options()).source;
     const std::string after = emit(expand(graph, {}), options()).source;
     const auto body = [](const std::string& text) {
-        const size_t from = text.find("vec3 wrinkle_strap_normal(");
-        return text.substr(from, text.find("\n}\n", from) - from);
+        const size_t from = text.find(" wrinkle_strap(");
+        return text.substr(from, text.find("\n    m.", from) - from);
     };
     EXPECT_EQ(body(before), body(after));
 }
@@ -154,9 +156,11 @@ TEST(Emit, constants_need_no_struct) {
     const Shader shader = emit(m, options());
     EXPECT_EQ(compile_errors(shader), "");
     EXPECT_EQ(shader.reflection.struct_name, "");
-    EXPECT_NE(shader.source.find("float wrinkle_strap_roughness() {\n    return 0.5;\n}"),
-              std::string::npos);
-    EXPECT_NE(shader.source.find("return vec3(0.25);"), std::string::npos);
+    EXPECT_NE(shader.source.find("WrinkleMaterial_strap wrinkle_strap() {\n"
+                                 "    WrinkleMaterial_strap m;\n    m.roughness = 0.5;\n"
+                                 "    m.color = vec3(0.25);\n    return m;\n}\n"),
+              std::string::npos)
+        << shader.source;
     EXPECT_EQ(compile_errors(emit(m, options(Form::shader))), "");
 }
 
@@ -168,7 +172,11 @@ TEST(Emit, refuses_what_it_cannot_write) {
     ASSERT_EQ(given.problems.size(), 1u);
     EXPECT_NE(given.problems[0].expected.find("function"), std::string::npos);
     EXPECT_TRUE(given.vertex.empty() && given.fragment.empty());
-    output(m, "color", poison);
+    output(m, "color", m.zero(Type::vec3_));
+    EmitOptions bare = options();
+    bare.bare_result = true;
+    EXPECT_EQ(emit(m, bare).problems.size(), 1u);
+    m.outputs[1].value = poison;
     const Shader poisoned = emit(m, options());
     ASSERT_EQ(poisoned.problems.size(), 1u);
     EXPECT_NE(poisoned.problems[0].message.find("'color'"), std::string::npos);
@@ -186,8 +194,38 @@ TEST(Emit, merged_sampler_takes_its_first_reader_in_the_text) {
     const Shader shader = emit(m, options());
     EXPECT_EQ(compile_errors(shader), "");
     ASSERT_EQ(shader.reflection.samplers.size(), 1u);
-    EXPECT_EQ(shader.reflection.samplers[0].name, "early_picture");
+    EXPECT_EQ(shader.reflection.samplers[0].name, "strap_early_picture");
     EXPECT_EQ(shader.reflection.samplers[0].readers.size(), 2u);
+}
+
+TEST(Emit, OutputsShareTheirStatements) {
+    Module m;
+    node(m, "map", "Image");
+    const Id texel = image(m, "image", "a.png", m.input(SurfaceInput::uv0_));
+    output(m, "color", m.add(Op::mul_, {texel, texel}));
+    output(m, "roughness", m.swizzle(texel, "x"));
+    output(m, "output", m.swizzle(texel, "y"));
+    const Shader shader = emit(m, options());
+    EXPECT_EQ(compile_errors(shader), "");
+    EXPECT_EQ(occurrences(shader.source, "texture("), 1u) << shader.source;
+    EXPECT_NE(shader.source.find("m.output_2 = "), std::string::npos) << "a reserved word";
+    EXPECT_EQ(shader.reflection.outputs[2].member, "output_2");
+}
+
+TEST(Emit, ABareResultIsTheValueOfTheOnlyOutput) {
+    Module m;
+    output(m, "roughness", m.swizzle(m.input(SurfaceInput::uv0_), "x"));
+    EmitOptions bare = options();
+    bare.bare_result = true;
+    const Shader shader = emit(m, bare);
+    EXPECT_EQ(compile_errors(shader), "");
+    EXPECT_EQ(shader.reflection.result_name, "");
+    EXPECT_NE(shader.source.find("float wrinkle_strap(WrinkleSurface_strap s) {\n"
+                                 "    return s.uv0.x;\n}\n"),
+              std::string::npos)
+        << shader.source;
+    bare.form = Form::shader;
+    EXPECT_EQ(compile_errors(emit(m, bare)), "");
 }
 
 TEST(Emit, AMaterialIsCalledLikeItsFile) {

@@ -28,14 +28,20 @@ protected:
         return text;
     }
 
-    // Lines of the function between its braces.
+    // Lines of the function between its braces, without the prefix of global names.
     std::string body(Id value) {
         m.outputs.clear();
         output(m, "o", value);
-        const Shader shader = emit(m, {});
+        EmitOptions options;
+        options.bare_result = true;
+        options.name = "q";
+        const Shader shader = emit(m, options);
         EXPECT_EQ(compile_errors(shader), "");
         const size_t from = shader.source.find(") {\n") + 4;
         std::string text = shader.source.substr(from, shader.source.rfind("}\n") - from);
+        constexpr std::string_view prefix = "q_";
+        for (size_t at = text.find(prefix); at != text.npos; at = text.find(prefix, at))
+            text.erase(at, prefix.size());
         return text;
     }
     std::string returned(Id value) {

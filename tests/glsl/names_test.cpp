@@ -128,8 +128,9 @@ TEST(Names, equal_after_cleaning_follow_graph_order) {
     output(m, "o", sum);
     const Shader shader = emit(m, {});
     EXPECT_EQ(compile_errors(shader), "");
-    EXPECT_NE(shader.source.find("float a_b_out = sin(a_b_amount);"), std::string::npos);
-    EXPECT_NE(shader.source.find("float a_b_out_2 = sin(a_b_amount_2);"), std::string::npos);
+    EXPECT_NE(shader.source.find("float a_b_out = sin(material_a_b_amount);"), std::string::npos);
+    EXPECT_NE(shader.source.find("float a_b_out_2 = sin(material_a_b_amount_2);"),
+              std::string::npos);
 }
 
 // Nodes that pass a value through name it as well; the name by its producer is used.
@@ -146,7 +147,8 @@ TEST(Names, the_first_output_that_a_value_is_names_it) {
     output(m, "o", m.add(Op::mul_, {value, value}));
     const Shader shader = emit(m, {});
     EXPECT_EQ(compile_errors(shader), "");
-    EXPECT_NE(shader.source.find("float maker_made = sin(maker_amount);"), std::string::npos)
+    EXPECT_NE(shader.source.find("float maker_made = sin(material_maker_amount);"),
+              std::string::npos)
         << shader.source;
 }
 

@@ -88,7 +88,7 @@ TEST(Targets, NumberTheirResourcesAsGlslangFindsThem) {
         const Shader functions = emit(module, wanted);
         EXPECT_FALSE(functions.reflection.frame_block);
         EXPECT_EQ(functions.reflection.parameter_block->binding.binding, first);
-        expect_places(functions.reflection, wrapped(functions), Stage::fragment);
+        expect_places(functions.reflection, wrapped({&functions, 1}), Stage::fragment);
     }
 }
 
@@ -123,8 +123,8 @@ TEST(Targets, OutputsFollowOneAnotherWithoutGaps) {
         EXPECT_TRUE(is_translated(target) || compile_errors(shader).empty());
         std::map<std::string, int> at;
         std::set<int> locations;
-        for (const FunctionInfo& function : shader.reflection.functions)
-            locations.insert(at[function.output] = function.location);
+        for (const OutputInfo& each : shader.reflection.outputs)
+            locations.insert(at[each.output] = each.location);
         EXPECT_EQ(locations, (std::set<int>{0, 1, 2, 3, 4, 5, 6}));
         EXPECT_EQ(at["color"], 0);
         EXPECT_EQ(at["height"], 1);

@@ -95,34 +95,42 @@ std::map<std::string, Place> places(const std::string& text, Stage stage) {
     return found;
 }
 
-std::string wrapped(const Shader& shader) {
-    const Reflection& r = shader.reflection;
-    const Target& target = *find_target(r.target);
-    std::string text = std::string(target.version) + "\n#line 1\n" + shader.source;
-    std::string sum = "    result = vec4(0.0);\n";
+std::string wrapped(std::span<const Shader> shaders) {
+    const Target& target = *find_target(shaders[0].reflection.target);
+    std::string text = std::string(target.version) + "\n#line 1\n", body;
+    std::map<std::string, Type> inputs;
+    for (const Shader& shader : shaders) {
+        const Reflection& r = shader.reflection;
+        text += shader.source;
+        body += "    {\n";
+        if (!r.struct_name.empty()) body += "    " + r.struct_name + " s;\n";
+        for (const MemberInfo& member : r.members) {
+            inputs.emplace(member.name, member.type);
+            body += "    s." + member.name + " = WrTest_" + member.name + ";\n";
+        }
+        body += "    " + result_type(r) + " m = " + call_text(r, "s") + ";\n";
+        for (const OutputInfo& output : r.outputs)
+            body += "    WrTest_sum += vec4(" + output_text(r, output, "m") +
+                    (output.type == Type::float_  ? ")"
+                     : output.type == Type::vec2_ ? ", 0.0, 0.0)"
+                     : output.type == Type::vec3_ ? ", 0.0)"
+                                                  : ")") +
+                    ";\n";
+        body += "    }\n";
+    }
     size_t location = 0;
-    for (const MemberInfo& member : r.members) {
+    for (const auto& [name, type] : inputs) {
         if (target.bindings != Bindings::by_name)
             text += "layout(location = " + std::to_string(location++) + ") ";
-        text += "in " + std::string(info(member.type).name) + " WrTest_" + member.name + ";\n";
+        text += "in " + std::string(info(type).name) + " WrTest_" + name + ";\n";
     }
-    for (const FunctionInfo& function : r.functions)
-        sum += "    result += vec4(" + function.function + (r.struct_name.empty() ? "()" : "(s)") +
-               (function.type == Type::float_  ? ")"
-                : function.type == Type::vec2_ ? ", 0.0, 0.0)"
-                : function.type == Type::vec3_ ? ", 0.0)"
-                                               : ")") +
-               ";\n";
-    text += "layout(location = 0) out vec4 result;\nvoid main() {\n";
-    if (!r.struct_name.empty()) text += "    " + r.struct_name + " s;\n";
-    for (const MemberInfo& member : r.members)
-        text += "    s." + member.name + " = WrTest_" + member.name + ";\n";
-    return text + sum + "}\n";
+    return text + "layout(location = 0) out vec4 WrTest_sum;\nvoid main() {\n" +
+           "    WrTest_sum = vec4(0.0);\n" + body + "}\n";
 }
 
 std::string compile_errors(const Shader& shader) {
     if (!shader.problems.empty()) return shader.problems[0].message;
-    if (!shader.source.empty()) return compile_errors(wrapped(shader), Stage::fragment);
+    if (!shader.source.empty()) return compile_errors(wrapped({&shader, 1}), Stage::fragment);
     return compile_errors(shader.vertex, Stage::vertex) +
            compile_errors(shader.fragment, Stage::fragment);
 }

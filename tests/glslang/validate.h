@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 
 #include "glsl/emit.h"
@@ -27,7 +28,7 @@ struct Place {
 };
 std::map<std::string, Place> places(const std::string& text, Stage stage);
 
-// A small fragment shader that calls a shader in function form.
-std::string wrapped(const Shader& shader);
+// A fragment shader of several materials in function form, of one target, that calls each of them.
+std::string wrapped(std::span<const Shader> shaders);
 
 }  // namespace wrinkle::test

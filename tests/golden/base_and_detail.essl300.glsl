@@ -10,11 +10,14 @@ struct WrinkleSurface_strap {
     vec2 uv1;                // second uv set
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D base_image;   // base.png (normal_gl, repeat)
-uniform sampler2D weave_image;  // weave.png (normal_gl, repeat)
-uniform float softer_amount;
+struct WrinkleMaterial_strap {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D strap_base_image;   // base.png (normal_gl, repeat)
+uniform sampler2D strap_weave_image;  // weave.png (normal_gl, repeat)
+uniform float strap_softer_amount;
 
-vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
+WrinkleMaterial_strap wrinkle_strap(WrinkleSurface_strap s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
@@ -23,18 +26,19 @@ vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
     vec2 duv1_dx = dFdx(s.uv1);
     vec3 uv1_bitangent = cross(normal, dpdx * duv1_dy.y - dpdy * duv1_dx.y);
     float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), 1e-36));
-    vec3 base_texel = texture(base_image, s.uv0).xyz * 2.0 - 1.0;  // base: Tangent normal map
+    vec3 base_texel = texture(strap_base_image, s.uv0).xyz * 2.0 - 1.0;  // base: Tangent normal map
     float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
     float base_depth = max(max(abs(base_texel.z), base_least_depth), 1e-06);
     vec2 tile_uv = s.uv1 * 8.0;  // tile: Tile
-    vec3 weave_texel = texture(weave_image, tile_uv).xyz * 2.0 - 1.0;  // weave: Tangent normal map
+    // weave: Tangent normal map
+    vec3 weave_texel = texture(strap_weave_image, tile_uv).xyz * 2.0 - 1.0;
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
     vec2 normal_slope = base_texel.xy * weave_depth;  // normal: Resolve
     vec3 normal_along_u = s.tangent.xyz * (normal_slope.x * inverse_normal_length);
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
     vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (normal_slope.y * normal_product);
-    vec2 normal_slope_2 = weave_texel.xy * softer_amount * base_depth;
+    vec2 normal_slope_2 = weave_texel.xy * strap_softer_amount * base_depth;
     float normal_sign = duv1_dx.x * duv1_dy.y - duv1_dy.x * duv1_dx.y < 0.0 ? -1.0 : 1.0;
     float normal_slope_u = normal_slope_2.x * (uv1_scale * normal_sign);
     vec3 normal_along_u_2 = cross(uv1_bitangent, normal) * normal_slope_u;
@@ -42,5 +46,7 @@ vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
     vec3 normal_along_v_2 = uv1_bitangent * (normal_slope_2.y * normal_product_2);
     vec3 normal_gradient = normal_along_u + normal_along_v + (normal_along_u_2 + normal_along_v_2);
     vec3 normal_bumped = normal * (base_depth * weave_depth * s.facing) + normal_gradient;
-    return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    WrinkleMaterial_strap m;
+    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    return m;
 }

@@ -5,15 +5,16 @@ struct WrinkleSurface_strap {
     vec2 uv0;      // first uv set, origin at the bottom left
     float facing;  // +1 on front faces, -1 on back faces
 };
-uniform sampler2D base_image;   // base.png (normal_gl, repeat)
-uniform sampler2D weave_image;  // weave.png (normal_gl, repeat)
+uniform sampler2D strap_base_image;   // base.png (normal_gl, repeat)
+uniform sampler2D strap_weave_image;  // weave.png (normal_gl, repeat)
 
-vec3 wrinkle_strap_normal(WrinkleSurface_strap s) {
-    vec3 base_texel = texture(base_image, s.uv0).xyz * 2.0 - 1.0;  // base: Tangent normal map
+vec3 wrinkle_strap(WrinkleSurface_strap s) {
+    vec3 base_texel = texture(strap_base_image, s.uv0).xyz * 2.0 - 1.0;  // base: Tangent normal map
     float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
     float base_depth = max(max(abs(base_texel.z), base_least_depth), 1e-06);
     vec2 tile_uv = s.uv0 * 8.0;  // tile: Tile
-    vec3 weave_texel = texture(weave_image, tile_uv).xyz * 2.0 - 1.0;  // weave: Tangent normal map
+    // weave: Tangent normal map
+    vec3 weave_texel = texture(strap_weave_image, tile_uv).xyz * 2.0 - 1.0;
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
     vec3 normal_product = s.normal * (base_depth * weave_depth * s.facing);  // normal: Resolve

@@ -2,7 +2,11 @@
 struct WrinkleSurface_material {
     vec3 position;  // position in object space, in length units
 };
-uniform float noise_scale;
+struct WrinkleMaterial_material {
+    float value;
+    float second;
+};
+uniform float material_noise_scale;
 
 float wrinkle_material_inner(float a) {
     return sin(a * 3.0);
@@ -11,21 +15,17 @@ float wrinkle_material_inner(float a) {
 float wrinkle_material_outer(float a, out float result_2) {
     float sum = wrinkle_material_inner(a) + a;
     result_2 = sum;
-    return sum * noise_scale;
+    return sum * material_noise_scale;
 }
 
-float wrinkle_material_value(WrinkleSurface_material s) {
+WrinkleMaterial_material wrinkle_material(WrinkleSurface_material s) {
     // noise: Noise
     float noise_outer_2;
     float noise_outer = wrinkle_material_outer(s.position.x, noise_outer_2);
     float noise_outer_4;
     float noise_outer_3 = wrinkle_material_outer(-s.position.x, noise_outer_4);
-    return noise_outer - noise_outer_3;
-}
-
-float wrinkle_material_second(WrinkleSurface_material s) {
-    // noise: Noise
-    float noise_outer_2;
-    float noise_outer = wrinkle_material_outer(s.position.x, noise_outer_2);
-    return noise_outer_2;
+    WrinkleMaterial_material m;
+    m.value = noise_outer - noise_outer_3;
+    m.second = noise_outer_2;
+    return m;
 }

@@ -3,30 +3,24 @@ struct WrinkleSurface_material {
     vec3 position;  // position in object space, in length units
     vec2 uv0;       // first uv set, origin at the bottom left
 };
-uniform sampler2D march_height;  // h.png (linear, repeat)
+struct WrinkleMaterial_material {
+    float depth;
+    vec2 uv;
+};
+uniform sampler2D material_march_height;  // h.png (linear, repeat)
 
-float wrinkle_material_depth(WrinkleSurface_material s) {
+WrinkleMaterial_material wrinkle_material(WrinkleSurface_material s) {
     float march_product = cos(s.position.x) * 0.1;  // march: March
     float march_depth = 0.0;
     vec2 march_uv = s.uv0;
     for (int i = 0; i < 32; ++i) {
-        if (!(march_depth < textureLod(march_height, march_uv, 0.0).x)) break;
+        if (!(march_depth < textureLod(material_march_height, march_uv, 0.0).x)) break;
         vec2 march_uv_next = march_uv + march_uv * march_depth;
         march_depth = march_depth + march_product;
         march_uv = march_uv_next;
     }
-    return march_depth;
-}
-
-vec2 wrinkle_material_uv(WrinkleSurface_material s) {
-    float march_product = cos(s.position.x) * 0.1;  // march: March
-    float march_depth = 0.0;
-    vec2 march_uv = s.uv0;
-    for (int i = 0; i < 32; ++i) {
-        if (!(march_depth < textureLod(march_height, march_uv, 0.0).x)) break;
-        vec2 march_uv_next = march_uv + march_uv * march_depth;
-        march_depth = march_depth + march_product;
-        march_uv = march_uv_next;
-    }
-    return march_uv * 2.0;
+    WrinkleMaterial_material m;
+    m.depth = march_depth;
+    m.uv = march_uv * 2.0;
+    return m;
 }

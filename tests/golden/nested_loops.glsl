@@ -2,6 +2,9 @@
 struct WrinkleSurface_material {
     vec3 position;  // position in object space, in length units
 };
+struct WrinkleMaterial_material {
+    float o;
+};
 
 float wrinkle_material_spiral(float a) {
     float state = 1.0;
@@ -19,7 +22,9 @@ float wrinkle_material_spiral(float a) {
     return state;
 }
 
-float wrinkle_material_o(WrinkleSurface_material s) {
+WrinkleMaterial_material wrinkle_material(WrinkleSurface_material s) {
     float sum_spiral = wrinkle_material_spiral(s.position.x);  // sum: Sum
-    return sum_spiral + wrinkle_material_spiral(sum_spiral);
+    WrinkleMaterial_material m;
+    m.o = sum_spiral + wrinkle_material_spiral(sum_spiral);
+    return m;
 }

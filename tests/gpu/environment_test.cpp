@@ -115,15 +115,10 @@ protected:
     // A material of constants.
     static Shader constants(const std::string& color, const std::string& roughness,
                             const std::string& metalness) {
-        Shader material;
-        material.source = "vec3 test_color() { return " + color +
-                          "; }\nfloat test_roughness() { return " + roughness +
-                          "; }\nfloat test_metalness() { return " + metalness + "; }\n";
-        material.reflection.functions = {
-            function_info("color", "test_color", Type::vec3_),
-            function_info("roughness", "test_roughness", Type::float_),
-            function_info("metalness", "test_metalness", Type::float_)};
-        return material;
+        return material_of({{"color", color},
+                            {"roughness", roughness, Type::float_},
+                            {"metalness", metalness, Type::float_}},
+                           {});
     }
 };
 

@@ -29,15 +29,6 @@ protected:
     std::optional<Context> context;
 };
 
-inline FunctionInfo function_info(const std::string& output, const std::string& function,
-                                  Type type) {
-    FunctionInfo result;
-    result.output = output;
-    result.function = function;
-    result.type = type;
-    return result;
-}
-
 inline UniformInfo uniform_info(const std::string& name, Type type,
                                 const std::array<double, 4>& value) {
     UniformInfo result;
@@ -56,19 +47,49 @@ inline SamplerInfo sampler_info(const std::string& name, const std::string& file
     return result;
 }
 
-// A material with the normal output `expression` over the members of `s`.
+// An output and its expression over the members of `s`.
+struct Expression {
+    std::string output, text;
+    Type type = Type::vec3_;
+};
+
+// A material of expressions; without members its function takes no argument. `globals` are declared
+// before it.
+inline Shader material_of(const std::vector<Expression>& expressions,
+                          const std::vector<MemberInfo>& members, const std::string& globals = "") {
+    Shader material;
+    Reflection& r = material.reflection;
+    r.function = "wrinkle_test";
+    r.result_name = "WrinkleMaterial_test";
+    r.members = members;
+    material.source = globals;
+    const auto declare = [&](const std::string& name, const auto& fields, auto name_of) {
+        material.source += "struct " + name + " {\n";
+        for (const auto& field : fields)
+            material.source +=
+                "    " + std::string(info(field.type).name) + " " + name_of(field) + ";\n";
+        material.source += "};\n";
+    };
+    if (!members.empty()) r.struct_name = "WrinkleSurface_test";
+    if (!members.empty())
+        declare(r.struct_name, members, [](const MemberInfo& each) { return each.name; });
+    declare(r.result_name, expressions, [](const Expression& each) { return each.output; });
+    material.source += r.result_name + " wrinkle_test(" +
+                       (members.empty() ? "" : r.struct_name + " s") + ") {\n    " + r.result_name +
+                       " m;\n";
+    for (const Expression& each : expressions) {
+        material.source += "    m." + each.output + " = " + each.text + ";\n";
+        OutputInfo& output = r.outputs.emplace_back();
+        output.output = output.member = each.output;
+        output.type = each.type;
+    }
+    material.source += "    return m;\n}\n";
+    return material;
+}
+
 inline Shader material_with_normal(const std::string& expression,
                                    const std::vector<MemberInfo>& members) {
-    Shader material;
-    material.reflection.struct_name = "WrinkleSurface_test";
-    material.reflection.members = members;
-    material.source = "struct WrinkleSurface_test {\n";
-    for (const MemberInfo& member : members)
-        material.source += "    " + std::string(info(member.type).name) + " " + member.name + ";\n";
-    material.source += "};\nvec3 wrinkle_test_normal(WrinkleSurface_test s) {\n    return " +
-                       expression + ";\n}\n";
-    material.reflection.functions = {function_info("normal", "wrinkle_test_normal", Type::vec3_)};
-    return material;
+    return material_of({{"normal", expression}}, members);
 }
 
 // Returns true if `message` contains `words`. A line number of a compile log in Mesa's form,
@@ -139,19 +160,14 @@ inline size_t covered(const std::vector<Pixel>& pixels) {
     return count;
 }
 
-// A bump with a gradient of length 0.3 everywhere, with outputs `flat` and `height` = 7 n.y.
-inline Shader tilted() {
-    Shader material = material_with_normal(
-        "normalize(normalize(s.normal) - 0.3 * normalize(cross(s.normal, vec3(0.0, 1.0, 0.0))))",
-        {{"normal", Type::vec3_, SurfaceInput::normal_}});
-    material.source +=
-        "vec3 wrinkle_test_flat(WrinkleSurface_test s) { return normalize(s.normal); }\n"
-        "float wrinkle_test_height(WrinkleSurface_test s) { return 7.0 * s.normal.y; }\n";
-    material.reflection.functions.push_back(
-        function_info("flat", "wrinkle_test_flat", Type::vec3_));
-    material.reflection.functions.push_back(
-        function_info("height", "wrinkle_test_height", Type::float_));
-    return material;
+// A bump with a gradient of length 0.3 everywhere, with outputs `flat` and `height`.
+inline Shader tilted(const std::string& height = "7.0 * s.normal.y") {
+    return material_of({{"normal",
+                         "normalize(normalize(s.normal) - 0.3 * normalize(cross(s.normal, "
+                         "vec3(0.0, 1.0, 0.0))))"},
+                        {"flat", "normalize(s.normal)"},
+                        {"height", height, Type::float_}},
+                       {{"normal", Type::vec3_, SurfaceInput::normal_}});
 }
 
 }  // namespace wrinkle::gpu

@@ -14,19 +14,19 @@ Shader written_by_hand() {
     shader.source =
         "struct WrinkleSurface_hand {\n    vec3 position_relative;\n    vec2 uv0;\n};\n"
         "uniform vec2 bump_amount;\nuniform sampler2D bump_image;\n"
-        "vec3 wrinkle_hand_normal(WrinkleSurface_hand s) {\n"
+        "vec3 wrinkle_hand(WrinkleSurface_hand s) {\n"
         "    vec3 n = normalize(cross(dFdx(s.position_relative), dFdy(s.position_relative)));\n"
         "    return n * bump_amount.y * texture(bump_image, s.uv0).r;\n}\n";
     Reflection& reflection = shader.reflection;
+    reflection.function = "wrinkle_hand";
     reflection.struct_name = "WrinkleSurface_hand";
     reflection.members = {
         {"position_relative", Type::vec3_, SurfaceInput::position_, Variant::value, true},
         {"uv0", Type::vec2_, SurfaceInput::uv0_, Variant::value, false}};
-    FunctionInfo normal;
-    normal.output = "normal";
-    normal.function = "wrinkle_hand_normal";
+    OutputInfo normal;
+    normal.output = normal.member = "normal";
     normal.type = Type::vec3_;
-    reflection.functions = {normal};
+    reflection.outputs = {normal};
     UniformInfo amount;
     amount.name = "bump_amount";
     amount.type = Type::vec2_;
@@ -72,20 +72,20 @@ TEST_F(FromGlslTest, RunsAGeneratedShaderOnPoints) {
     Shader shader = written_by_hand();
     shader.source =
         "struct WrinkleSurface_hand { vec2 uv0; vec2 uv0_dx; };\nuniform vec2 bump_amount;\n"
-        "float wrinkle_hand_a(WrinkleSurface_hand s) { return s.uv0.x * bump_amount.x; }\n"
-        "vec2 wrinkle_hand_b(WrinkleSurface_hand s) { return s.uv0 + s.uv0_dx; }\n"
-        "vec4 wrinkle_hand_c(WrinkleSurface_hand s) { return vec4(s.uv0, s.uv0_dx); }\n";
+        "struct WrinkleMaterial_hand { float a; vec2 b; vec4 c; };\n"
+        "WrinkleMaterial_hand wrinkle_hand(WrinkleSurface_hand s) {\n"
+        "    return WrinkleMaterial_hand(s.uv0.x * bump_amount.x, s.uv0 + s.uv0_dx,\n"
+        "                                vec4(s.uv0, s.uv0_dx));\n}\n";
     shader.reflection.members = {{"uv0", Type::vec2_, SurfaceInput::uv0_, Variant::value, false},
                                  {"uv0_dx", Type::vec2_, SurfaceInput::uv0_, Variant::dx, false}};
     shader.reflection.samplers.clear();
-    shader.reflection.functions.clear();
+    shader.reflection.result_name = "WrinkleMaterial_hand";
+    shader.reflection.outputs.clear();
     for (const auto& [output, type] :
          {std::pair("a", Type::float_), std::pair("b", Type::vec2_), std::pair("c", Type::vec4_)}) {
-        FunctionInfo function;
-        function.output = output;
-        function.function = "wrinkle_hand_" + std::string(output);
-        function.type = type;
-        shader.reflection.functions.push_back(function);
+        OutputInfo& info = shader.reflection.outputs.emplace_back();
+        info.output = info.member = output;
+        info.type = type;
     }
     PointJob job = point_job_from(shader);
     job.points = 2;

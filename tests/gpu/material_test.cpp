@@ -13,11 +13,8 @@ namespace {
 using MaterialTest = WithRenderer;
 
 Shader with_uniform() {
-    Shader material = material_with_normal("tint_color * gain", {});
-    material.reflection.struct_name.clear();
-    material.source =
-        "uniform vec3 tint_color;\nuniform float gain;\n"
-        "vec3 wrinkle_test_normal() { return tint_color * gain; }\n";
+    Shader material = material_of({{"normal", "tint_color * gain"}}, {},
+                                  "uniform vec3 tint_color;\nuniform float gain;\n");
     material.reflection.uniforms = {uniform_info("tint_color", Type::vec3_, {1, 2, 3}),
                                     uniform_info("gain", Type::float_, {2})};
     return material;
@@ -40,11 +37,8 @@ TEST_F(MaterialTest, TakesUniformsWithoutCompiling) {
 }
 
 Shader with_image(const std::string& file) {
-    Shader material = material_with_normal("vec3(0.0)", {});
-    material.reflection.struct_name.clear();
-    material.source =
-        "uniform sampler2D map;\n"
-        "vec3 wrinkle_test_normal() { return texture(map, vec2(1.25, 0.5)).rgb; }\n";
+    Shader material = material_of({{"normal", "texture(map, vec2(1.25, 0.5)).rgb"}}, {},
+                                  "uniform sampler2D map;\n");
     material.reflection.samplers = {
         sampler_info("map", file, {Encoding::linear, Wrap::clamp, Filter::linear})};
     return material;

@@ -228,12 +228,9 @@ TEST_F(RendererTest, ReflectsStraightBackAsTheFormulaSays) {
     for (const Case& c :
          {Case{1, 0, 0.5F * (0.6F + 0.04F / 4)}, Case{0.5F, 0, 0.5F * (0.6F + 0.04F * 16 / 4)},
           Case{0.5F, 1, 0.5F * 0.6F * 16 / 4}, Case{0.8F, 1, 0.5F * 0.6F / 1.6384F}}) {
-        Shader material;
-        material.source =
-            "uniform vec2 rough_metal;\nfloat roughness() { return rough_metal.x; }\n"
-            "float metalness() { return rough_metal.y; }\n";
-        material.reflection.functions = {function_info("roughness", "roughness", Type::float_),
-                                         function_info("metalness", "metalness", Type::float_)};
+        Shader material = material_of({{"roughness", "rough_metal.x", Type::float_},
+                                       {"metalness", "rough_metal.y", Type::float_}},
+                                      {}, "uniform vec2 rough_metal;\n");
         material.reflection.uniforms = {
             uniform_info("rough_metal", Type::vec2_, {c.roughness, c.metalness})};
         const auto pixels = draw(material, View::shaded);
@@ -245,32 +242,24 @@ TEST_F(RendererTest, HasASkyAboveAGroundThatOcclusionDarkens) {
     scene.light = 0;
     const auto open = draw(Shader{}, View::shaded);
     EXPECT_GT(mean_value(open, 40, 64, 64), 1.5 * mean_value(open, 0, 24, 64));
-    Shader half;
-    half.source = "float occlusion() { return 0.5; }\n";
-    half.reflection.functions = {function_info("occlusion", "occlusion", Type::float_)};
-    const auto dark = draw(half, View::shaded);
+    const auto dark = draw(material_of({{"occlusion", "0.5", Type::float_}}, {}), View::shaded);
     for (size_t i = 0; i < open.size(); ++i)
         ASSERT_NEAR(dark[i].value.g, open[i].value.g / 2, 1e-5);
 }
 
 TEST_F(RendererTest, EmissionIsAddedToWhatIsLit) {
-    Shader lit;
-    lit.source = "vec3 color() { return vec3(0.2, 0.4, 0.8); }\n";
-    lit.reflection.functions = {function_info("color", "color", Type::vec3_)};
+    const Expression color{"color", "vec3(0.2, 0.4, 0.8)"};
     for (const Lighting lighting : {Lighting::ggx, Lighting::phong}) {
         renderer->set_lighting(lighting);
-        const auto dark = draw(lit, View::shaded);
+        const auto dark = draw(material_of({color}, {}), View::shaded);
         const std::tuple<Type, const char*, vec3> cases[] = {
             {Type::vec3_, "vec3(0.25, 0.5, 3.0)", vec3(0.25F, 0.5F, 3)},
             {Type::float_, "0.75", vec3(0.75F)},
             {Type::float_, "-1.0", vec3(0)},
             {Type::vec2_, "vec2(1.0)", vec3(0)}};
         for (const auto& [type, value, emitted] : cases) {
-            Shader glowing = lit;
-            glowing.source +=
-                std::string(info(type).name) + " emission() { return " + value + "; }\n";
-            glowing.reflection.functions.push_back(function_info("emission", "emission", type));
-            const auto bright = draw(glowing, View::shaded);
+            const auto bright =
+                draw(material_of({color, {"emission", value, type}}, {}), View::shaded);
             const auto pixel = size_t{32} * 64 + 32;
             for (int k = 0; k < 3; ++k)
                 EXPECT_NEAR(bright[pixel].value[k], dark[pixel].value[k] + emitted[k], 1e-5)

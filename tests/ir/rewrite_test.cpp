@@ -134,6 +134,25 @@ TEST_F(RewriteTest, SamplesGetTheirLod) {
     EXPECT_NEAR(asked, 4, 1e-12);  // 4 tiles times 4 texels
 }
 
+TEST_F(RewriteTest, WithoutDifferentialsImagesAreReadAtLevel0) {
+    const uint32_t image = m.add_resource({"a.png", "a.png", {}, {}});
+    const Id dx = m.input(SurfaceInput::uv0_, Variant::dx);
+    const Id both = m.add(
+        Op::add_, {m.add(Op::sample_, {uv}, image), m.add(Op::sample_grad_, {uv, dx, uv}, image)});
+    const Id sum = m.add(Op::add_, {m.swizzle(both, "x"), m.swizzle(dx, "y")});
+    m.outputs = {{"sum", WR_PORT_float, sum}};
+    const Module zero = without_differentials(m);
+    EXPECT_EQ(verify(zero), "");
+    double lods = 0;
+    around.texture = [&](uint32_t, double, double, double lod) {
+        lods += std::abs(lod);
+        return Lanes{0.25};
+    };
+    EXPECT_EQ(interpret(zero, zero.outputs[0].value, around)[0], 0.5) << "uv0_dx has no value";
+    EXPECT_EQ(lods, 0);
+    EXPECT_EQ(print(zero).find("uv0_dx"), std::string::npos) << print(zero);
+}
+
 TEST_F(RewriteTest, GivenChangesOfASampleBecomeItsLod) {
     const uint32_t image = m.add_resource({"a.png", "a.png", {}, {}});
     const Id x = m.construct(Type::vec2_, {m.number(0.25), m.number(0)});

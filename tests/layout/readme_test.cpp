@@ -59,10 +59,11 @@ TEST(Readme, FilesOfItsCommandsExistOrAreDeclared) {
     EXPECT_GT(files, 15U);
 }
 
-// Base and detail in function form take at most 26 lines.
+// Base and detail in function form take at most 32 lines: 6 of them are the result's struct and its
+// assignment, without which a further output would change the signature.
 TEST(Readme, BaseAndDetailStayShort) {
     const std::string golden = bytes_of(repository / "graphs/golden/base_and_detail.glsl");
-    EXPECT_LE(std::count(golden.begin(), golden.end(), '\n'), 26);
+    EXPECT_LE(std::count(golden.begin(), golden.end(), '\n'), 32);
 }
 
 }  // namespace

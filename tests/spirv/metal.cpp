@@ -62,8 +62,8 @@ std::string vertex_errors(const Reflection& r, const std::string& text) {
 std::string fragment_errors(const Reflection& r, const std::string& text) {
     Check check{text, unbalanced(text)};
     check.once("fragment " + r.fragment_entry + "_out " + r.fragment_entry + "(");
-    for (const FunctionInfo& function : r.functions)
-        check.once(" " + function.variable + at("color", function.location));
+    for (const OutputInfo& output : r.outputs)
+        check.once(" " + output.variable + at("color", output.location));
     if (r.parameter_block)
         check.once("constant " + r.parameter_block->name + "& " + r.parameter_block->variable +
                    at("buffer", r.parameter_block->binding.binding));

@@ -2,7 +2,9 @@
 // kinds of parameters.
 #include <gtest/gtest.h>
 
+#include "glslang/validate.h"
 #include "graph/subgraph.h"
+#include "ir/rewrite.h"
 #include "lower/material.h"
 #include "spirv/judge.h"
 #include "spirv/spirv.h"
@@ -39,6 +41,40 @@ TEST_P(Samples, AreValid) {
                 EXPECT_EQ(errors_of(shader), "") << graph << (uniforms ? " uniform" : " baked");
             }
         }
+}
+
+// A renderer includes many materials in one shader: no global name of theirs may occur twice.
+TEST_P(Samples, FitIntoOneShader) {
+    const Target& target = *find_target(GetParam());
+    if (is_translated(target)) return;  // these have no function form
+    for (const bool uniforms : {false, true}) {
+        std::vector<Shader> shaders;
+        EmitOptions options;
+        options.target = &target;
+        for (const std::filesystem::path& graph : sample_graphs()) {
+            options.name = material_name(graph);
+            shaders.push_back(write_shader(module_of(graph, uniforms), options));
+            options.first_binding +=
+                static_cast<int>(shaders.back().reflection.samplers.size()) + 1;
+        }
+        EXPECT_GE(shaders.size(), 28U);
+        EXPECT_EQ(compile_errors(wrapped(shaders), Stage::fragment), "");
+    }
+}
+
+// Without differentials no sample takes derivatives of the screen: all outputs compile for a vertex
+// stage, images included.
+TEST(VertexStage, TakesEverySample) {
+    for (const std::filesystem::path& graph : sample_graphs()) {
+        EmitOptions options;
+        options.differentials = Differentials::none;
+        const Shader shader = emit(without_differentials(module_of(graph, false)), options);
+        EXPECT_FALSE(shader.reflection.uniform_control_flow) << graph;
+        std::string text = wrapped({&shader, 1});
+        constexpr std::string_view location = "layout(location = 0) out";  // fragment stage only
+        text.replace(text.find(location), location.size(), "out");
+        EXPECT_EQ(compile_errors(text, Stage::vertex), "") << graph;
+    }
 }
 
 std::vector<std::string_view> target_names() {

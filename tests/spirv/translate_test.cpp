@@ -121,7 +121,7 @@ TEST(Spirv, IsValidKeepsNamesAndHasNoLines) {
     }
     const std::string text = disassembly(shader.fragment);
     EXPECT_TRUE(has(text, "OpName %out_normal \"out_normal\"")) << text;
-    EXPECT_TRUE(has(text, "OpMemberName %WrinkleParameters_strap 0 \"soft_p0\"")) << text;
+    EXPECT_TRUE(has(text, "OpMemberName %WrinkleParameters_strap 0 \"strap_soft_p0\"")) << text;
     EXPECT_FALSE(has(text, "OpLine"));
     EXPECT_TRUE(shader.reflection.lines.empty());
     EXPECT_TRUE(has(to_json(shader.reflection), "\"set\": 0, \"binding\": 2"));

@@ -83,14 +83,14 @@ void main() {
 
 std::string pass_fragment(const Shader& shader, size_t output) {
     const Reflection& r = shader.reflection;
-    const FunctionInfo& function = r.functions[output];
+    const OutputInfo& shown = r.outputs[output];
     std::string text = std::string(find_target(r.target)->version) + "\n" + shader.source +
                        "out vec4 result;\nvoid main() {" + sheet;
     if (!r.struct_name.empty()) text += "    " + r.struct_name + " s;\n";
     for (const MemberInfo& member : r.members)
         text += "    s." + member.name + " = " + member.name + ";\n";
-    const std::string call = function.function + (r.struct_name.empty() ? "()" : "(s)");
-    return text + "    result = vec4(0.5 + 0.5 * " + widened(call, function.type) + ", 1.0);\n}\n";
+    const std::string value = output_text(r, shown, call_text(r, "s"));
+    return text + "    result = vec4(0.5 + 0.5 * " + widened(value, shown.type) + ", 1.0);\n}\n";
 }
 
 const MipChain& pass_picture() {

@@ -89,9 +89,9 @@ int far_off(const std::vector<uint8_t>& one, const std::vector<uint8_t>& other) 
 }
 
 size_t shown_output(const Shader& shader) {
-    const auto& functions = shader.reflection.functions;
-    for (size_t i = 0; i < functions.size(); ++i)
-        if (functions[i].output == "normal") return i;
+    const auto& outputs = shader.reflection.outputs;
+    for (size_t i = 0; i < outputs.size(); ++i)
+        if (outputs[i].output == "normal") return i;
     return 0;
 }
 

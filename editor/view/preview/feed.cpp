@@ -147,8 +147,8 @@ void poll_preview_diagnostics(State& state) {
 std::string other_normal(const State& state) {
     const auto& running = state.follow.drawn.running();
     if (state.view.compare.mode == CompareView::Mode::off || !running) return {};
-    for (const FunctionInfo& function : running->reflection.functions)
-        if (function.output == against_output) return against_output;
+    for (const OutputInfo& each : running->reflection.outputs)
+        if (each.output == against_output) return against_output;
     return {};
 }
 

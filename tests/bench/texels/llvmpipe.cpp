@@ -43,7 +43,7 @@ std::string fragment_text(const Shader& shader) {
            shader.source +
            "void main() {\nWrinkleSurface_material s;\ns.normal = normal;\n"
            "s.tangent = vec4(tangent, 1.0);\ns.uv0 = uv;\ns.facing = 1.0;\n"
-           "color = vec4(wrinkle_material_normal(s) * 0.5 + 0.5, 1.0);\n}\n";
+           "color = vec4(wrinkle_material(s).normal * 0.5 + 0.5, 1.0);\n}\n";
 }
 
 void bind_texture(const std::vector<uint32_t>& texels, GLenum unit) {
