@@ -7,6 +7,7 @@
 #include "base/diagnostics.h"
 #include "cli/arguments.h"
 #include "cli/evaluation.h"
+#include "cli/progress.h"
 #include "image/load.h"
 #include "mesh/mesh.h"
 
@@ -123,6 +124,7 @@ std::optional<RenderedImage> OffscreenRenderer::draw(const Shader& shader,
                                                      const TextureStore& textures,
                                                      Diagnostics& diagnostics) {
     if (!can_compare(shader, diagnostics)) return {};
+    const SlowStep step("compiling and drawing the shader");
     if (!set_material(shader, textures, diagnostics)) return {};
     gpu::ViewOptions view;
     view.view = options_.view;

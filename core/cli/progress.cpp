@@ -4,8 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
+#include <utility>
 
 #include "base/text.h"
 
@@ -62,6 +65,30 @@ void Progress::show(double seconds) const {
 }
 
 // Ignored signals stay ignored: shells ignore SIGINT for background jobs.
+SlowStep::SlowStep(std::string name) : name_(std::move(name)) {
+    if (isatty(STDERR_FILENO))
+        thread_ = std::jthread([this](const std::stop_token& stop) { show(stop); });
+}
+
+SlowStep::~SlowStep() {
+    if (!thread_.joinable()) return;
+    thread_.request_stop();
+    thread_.join();
+}
+
+void SlowStep::show(const std::stop_token& stop) const {
+    constexpr int first = 2;
+    std::mutex mutex;
+    std::condition_variable_any stopped;
+    std::unique_lock lock(mutex);
+    int seconds = 0;
+    while (!stopped.wait_for(lock, stop, std::chrono::seconds(1),
+                             [&] { return stop.stop_requested(); }))
+        if (++seconds >= first)
+            std::fprintf(stderr, "\r\x1b[K%s: %d s (Ctrl-C stops)", name_.c_str(), seconds);
+    if (seconds >= first) std::fputs("\r\x1b[K", stderr);
+}
+
 void catch_interruption() {
     struct sigaction action = {}, before = {};
     action.sa_handler = [](int signal) { caught_signal = signal; };

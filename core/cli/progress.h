@@ -1,4 +1,5 @@
-// A bake: its progress in texels, and its interruption by a signal.
+// Long work: the progress of a bake in texels, its interruption by a signal, and notices of slow
+// steps.
 //
 // Progress is one line that is overwritten on a terminal, JSON lines for tools, or no output in a
 // pipe.
@@ -8,6 +9,9 @@
 
 #include <chrono>
 #include <cstdint>
+#include <stop_token>
+#include <string>
+#include <thread>
 
 namespace wrinkle::cli {
 
@@ -33,6 +37,22 @@ private:
     Form form_;
     uint64_t total_, done_ = 0, skipped_ = 0;
     Clock::time_point begun_ = Clock::now(), shown_{};
+};
+
+// Shows the seconds that a step without progress takes, if it takes more than two: one line on a
+// terminal, which the destructor clears; no output in a pipe.
+class SlowStep {
+public:
+    explicit SlowStep(std::string name);  // "compiling the shader"
+    ~SlowStep();
+    SlowStep(const SlowStep&) = delete;
+    SlowStep& operator=(const SlowStep&) = delete;
+
+private:
+    void show(const std::stop_token& stop) const;
+
+    std::string name_;
+    std::jthread thread_;
 };
 
 // Catches SIGINT (Ctrl-C) and SIGTERM from now on, so that a command can clean up unfinished work

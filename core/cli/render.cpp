@@ -26,6 +26,7 @@ struct RenderCommand {
     std::string lighting = "ggx", phong, environment, background = "environment";
 
     int run() const {
+        gpu::Context::prefer_quick_programs();
         RenderOptions options = render;
         if (const std::string why = read_options(options); !why.empty())
             return fail(exit_usage, why);

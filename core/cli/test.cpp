@@ -3,6 +3,7 @@
 
 #include "cli/output.h"
 #include "cli/test_run.h"
+#include "gpu/context.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -14,6 +15,7 @@ struct TestCommand {
     bool schema = false;
 
     int run() const {
+        gpu::Context::prefer_quick_programs();
         if (schema) return write_result("-", case_schema());
         if (paths.empty())
             return fail(exit_usage,
