@@ -5,15 +5,20 @@ struct WrinkleSurface_base_and_detail {
     vec2 uv0;      // first uv set, origin at the bottom left
     float facing;  // +1 on front faces, -1 on back faces
 };
-uniform sampler2D base_image;    // textures/rivets_normal.png (normal_gl, repeat)
-uniform sampler2D detail_image;  // textures/weave_normal.png (normal_gl, repeat)
+struct WrinkleMaterial_base_and_detail {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D base_and_detail_base_image;    // textures/rivets_normal.png (normal_gl, repeat)
+uniform sampler2D base_and_detail_detail_image;  // textures/weave_normal.png (normal_gl, repeat)
 
-vec3 wrinkle_base_and_detail_normal(WrinkleSurface_base_and_detail s) {
-    vec3 base_texel = texture(base_image, s.uv0).xyz - 0.5;  // base: Tangent normal map
+WrinkleMaterial_base_and_detail wrinkle_base_and_detail(WrinkleSurface_base_and_detail s) {
+    // base: Tangent normal map
+    vec3 base_texel = texture(base_and_detail_base_image, s.uv0).xyz - 0.5;
     float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
     float base_depth = max(max(abs(base_texel.z), base_least_depth), 5e-07);
     vec2 tile_uv = s.uv0 * 8.0;  // tile: UV transform
-    vec3 detail_texel = texture(detail_image, tile_uv).xyz - 0.5;  // detail: Tangent normal map
+    // detail: Tangent normal map
+    vec3 detail_texel = texture(base_and_detail_detail_image, tile_uv).xyz - 0.5;
     float detail_least_depth = max(abs(detail_texel.x), abs(detail_texel.y)) * 0.0078125;
     float detail_depth = max(max(abs(detail_texel.z), detail_least_depth), 5e-07);
     vec3 normal_product = s.normal * (base_depth * detail_depth * s.facing);  // normal: Resolve
@@ -21,5 +26,7 @@ vec3 wrinkle_base_and_detail_normal(WrinkleSurface_base_and_detail s) {
     float normal_slope_v = normal_slope.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * normal_slope_v;
     vec3 normal_bumped = normal_product + (s.tangent.xyz * normal_slope.x + normal_along_v);
-    return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    WrinkleMaterial_base_and_detail m;
+    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    return m;
 }

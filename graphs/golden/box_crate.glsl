@@ -5,9 +5,12 @@ struct WrinkleSurface_box_crate {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D g_image;  // textures/rivets_normal.png (normal_gl, repeat)
+struct WrinkleMaterial_box_crate {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D box_crate_g_image;  // textures/rivets_normal.png (normal_gl, repeat)
 
-vec3 wrinkle_box_crate_normal(WrinkleSurface_box_crate s) {
+WrinkleMaterial_box_crate wrinkle_box_crate(WrinkleSurface_box_crate s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -47,7 +50,7 @@ vec3 wrinkle_box_crate_normal(WrinkleSurface_box_crate s) {
             sides_vector_11;
     vec2 sides_product_4 = sides_choice_7 * 2.0;
     // g: Tangent normal map
-    vec4 g_texel = textureGrad(g_image, sides_uv, sides_product, sides_product_2);
+    vec4 g_texel = textureGrad(box_crate_g_image, sides_uv, sides_product, sides_product_2);
     vec3 g_texel_2 = g_texel.xyz - 0.5;
     float g_least_depth = max(abs(g_texel_2.x), abs(g_texel_2.y)) * 0.0078125;
     // normal: Resolve
@@ -60,5 +63,7 @@ vec3 wrinkle_box_crate_normal(WrinkleSurface_box_crate s) {
     vec3 normal_along_u = cross(normal_bitangent, normal) * normal_slope_u;
     float normal_product_3 = normal_scale * (dot(normal, cross(dpdx, dpdy)) < 0.0 ? -1.0 : 1.0);
     vec3 normal_along_v = normal_bitangent * (g_texel_2.y * normal_product_3);
-    return normalize(normal * normal_product + (normal_along_u + normal_along_v));
+    WrinkleMaterial_box_crate m;
+    m.normal = normalize(normal * normal_product + (normal_along_u + normal_along_v));
+    return m;
 }

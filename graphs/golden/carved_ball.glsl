@@ -6,7 +6,10 @@ struct WrinkleSurface_carved_ball {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D carving_image;  // textures/ball_object.png (normal_gl, repeat)
+struct WrinkleMaterial_carved_ball {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D carved_ball_carving_image;  // textures/ball_object.png (normal_gl, repeat)
 
 vec3 wrinkle_carved_ball_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -72,12 +75,14 @@ vec3 wrinkle_carved_ball_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_carved_ball_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_carved_ball_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    vec3 gradient_noise_slope = wrinkle_carved_ball_gradient_noise_slope(a);
+    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
-vec3 wrinkle_carved_ball_normal(WrinkleSurface_carved_ball s) {
+WrinkleMaterial_carved_ball wrinkle_carved_ball(WrinkleSurface_carved_ball s) {
     vec3 normal = normalize(s.normal);
-    vec3 carving_texel = texture(carving_image, s.uv0).xyz - 0.5;  // carving: Object normal map
+    // carving: Object normal map
+    vec3 carving_texel = texture(carved_ball_carving_image, s.uv0).xyz - 0.5;
     float carving_dot_product = dot(normal, carving_texel);
     float carving_greatest = max(abs(carving_dot_product), 5.9604645e-08);
     vec3 grain_product = s.position * 24.0;  // grain: Gradient noise
@@ -109,5 +114,7 @@ vec3 wrinkle_carved_ball_normal(WrinkleSurface_carved_ball s) {
     vec3 normal_product = sum_vector * -carving_greatest;  // normal: Resolve
     float normal_difference = -carving_dot_product - dot(normal, normal_product);
     vec3 normal_product_2 = normal * (carving_greatest * s.facing + normal_difference);
-    return normalize(normal_product_2 + (carving_texel + normal_product));
+    WrinkleMaterial_carved_ball m;
+    m.normal = normalize(normal_product_2 + (carving_texel + normal_product));
+    return m;
 }

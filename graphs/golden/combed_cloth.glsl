@@ -5,18 +5,23 @@ struct WrinkleSurface_combed_cloth {
     vec2 uv0;      // first uv set, origin at the bottom left
     float facing;  // +1 on front faces, -1 on back faces
 };
-uniform sampler2D cloth_image;  // textures/weave_normal.png (normal_gl, repeat)
-uniform sampler2D comb_image;   // textures/rivets_normal.png (normal_gl, repeat)
+struct WrinkleMaterial_combed_cloth {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D combed_cloth_cloth_image;  // textures/weave_normal.png (normal_gl, repeat)
+uniform sampler2D combed_cloth_comb_image;   // textures/rivets_normal.png (normal_gl, repeat)
 
-vec3 wrinkle_combed_cloth_normal(WrinkleSurface_combed_cloth s) {
+WrinkleMaterial_combed_cloth wrinkle_combed_cloth(WrinkleSurface_combed_cloth s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 normal = s.normal * inverse_normal_length;
     vec2 tile_uv = s.uv0 * vec2(10.0, 5.0);  // tile: UV transform
-    vec3 cloth_texel = texture(cloth_image, tile_uv).xyz - 0.5;  // cloth: Tangent normal map
+    // cloth: Tangent normal map
+    vec3 cloth_texel = texture(combed_cloth_cloth_image, tile_uv).xyz - 0.5;
     float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
     vec3 vectors_tangent = s.tangent.xyz * inverse_normal_length;  // vectors: Tangent frame
     float vectors_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
-    vec3 comb_texel = (texture(comb_image, s.uv0).xyz - 0.5) * 2.0;  // comb: Tangent map
+    // comb: Tangent map
+    vec3 comb_texel = (texture(combed_cloth_comb_image, s.uv0).xyz - 0.5) * 2.0;
     vec3 comb_along_v = cross(s.normal, s.tangent.xyz) * (comb_texel.y * vectors_product);
     vec3 comb_direction = s.tangent.xyz * (comb_texel.x * inverse_normal_length) + comb_along_v;
     vec3 lean_vector = vectors_tangent + comb_direction;  // lean: Add vec3
@@ -29,5 +34,7 @@ vec3 wrinkle_combed_cloth_normal(WrinkleSurface_combed_cloth s) {
     vec3 normal_along_u = normal_difference * (cloth_texel.x * 1.4142135 * normal_choice);
     float normal_slope_v = cloth_texel.y * 0.70710677 * normal_choice;
     vec3 normal_sum = normal_along_u + cross(normal, lean_vector) * normal_slope_v;
-    return normalize(normal * normal_product + normal_sum);
+    WrinkleMaterial_combed_cloth m;
+    m.normal = normalize(normal * normal_product + normal_sum);
+    return m;
 }

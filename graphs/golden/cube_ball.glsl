@@ -5,9 +5,12 @@ struct WrinkleSurface_cube_ball {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D g_image;  // textures/ball_cube.png (normal_gl, repeat)
+struct WrinkleMaterial_cube_ball {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D cube_ball_g_image;  // textures/ball_cube.png (normal_gl, repeat)
 
-vec3 wrinkle_cube_ball_normal(WrinkleSurface_cube_ball s) {
+WrinkleMaterial_cube_ball wrinkle_cube_ball(WrinkleSurface_cube_ball s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -33,7 +36,7 @@ vec3 wrinkle_cube_ball_normal(WrinkleSurface_cube_ball s) {
     float g_choice_6 = g_test ? g_product.x : g_test_2 ? g_product.y : g_product.z;
     vec2 g_quotient_2 = (g_choice_5 - g_choice_6 * g_quotient) / g_choice;
     vec2 g_product_2 = (g_test_3 ? g_quotient_2 : vec2(0.0)) * 0.5;
-    vec2 g_quotient_3 = vec2(textureSize(g_image, 0)) / vec2(6.0, 1.0);
+    vec2 g_quotient_3 = vec2(textureSize(cube_ball_g_image, 0)) / vec2(6.0, 1.0);
     vec2 g_vector_3 = vec2(dpdy.x, dpdy.z * g_negated_2);
     vec2 g_choice_7 = g_test_2 ? g_vector_3 : vec2(dpdy.x * g_sign_3, dpdy.y);
     vec2 g_choice_8 = g_test ? vec2(dpdy.z * g_negated, dpdy.y) : g_choice_7;
@@ -53,10 +56,13 @@ vec3 wrinkle_cube_ball_normal(WrinkleSurface_cube_ball s) {
     float g_least_3 = min(min(g_quotient_3.x, g_quotient_3.y) / g_greatest_2, 1.0);
     vec2 g_quotient_6 = g_product_2 * g_least_3 / vec2(6.0, 1.0);
     vec2 g_quotient_7 = g_product_4 * g_least_3 / vec2(6.0, 1.0);
-    vec3 g_texel = textureGrad(g_image, g_quotient_5, g_quotient_6, g_quotient_7).xyz - 0.5;
+    vec3 g_texel = textureGrad(cube_ball_g_image, g_quotient_5, g_quotient_6,
+            g_quotient_7).xyz - 0.5;
     float g_dot_product = dot(normal, g_texel);
     // normal: Resolve
     float normal_difference = max(abs(g_dot_product), 5.9604645e-08) * s.facing - g_dot_product;
     vec3 normal_sum = normal * normal_difference + g_texel;
-    return normalize(normal_sum);
+    WrinkleMaterial_cube_ball m;
+    m.normal = normalize(normal_sum);
+    return m;
 }

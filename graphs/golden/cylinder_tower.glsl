@@ -5,23 +5,27 @@ struct WrinkleSurface_cylinder_tower {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D g_image;  // textures/bricks_height.png (linear, repeat)
+struct WrinkleMaterial_cylinder_tower {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D cylinder_tower_g_image;  // textures/bricks_height.png (linear, repeat)
 
 vec2 wrinkle_cylinder_tower_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(g_image, a + b, 0.0);
-    float difference = texel.x - textureLod(g_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(g_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(g_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(g_image, vec2(a.x + b.x, a.y), 0.0);
-    float difference_3 = texel_3.x - textureLod(g_image, vec2(a.x - b.x, a.y), 0.0).x;
-    float sum = difference + difference_2 + 2.0 * difference_3;
-    vec4 texel_4 = textureLod(g_image, vec2(a.x, a.y + b.y), 0.0);
-    float difference_4 = texel_4.x - textureLod(g_image, vec2(a.x, a.y - b.y), 0.0).x;
-    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    vec4 texel = textureLod(cylinder_tower_g_image, a + b, 0.0);
+    float difference = texel.x - textureLod(cylinder_tower_g_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(cylinder_tower_g_image, a + vec2(b.x, -b.y), 0.0);
+    vec4 texel_3 = textureLod(cylinder_tower_g_image, a + vec2(-b.x, b.y), 0.0);
+    float difference_2 = texel_2.x - texel_3.x;
+    vec4 texel_4 = textureLod(cylinder_tower_g_image, vec2(a.x + b.x, a.y), 0.0);
+    vec4 texel_5 = textureLod(cylinder_tower_g_image, vec2(a.x - b.x, a.y), 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
+    vec4 texel_6 = textureLod(cylinder_tower_g_image, vec2(a.x, a.y + b.y), 0.0);
+    vec4 texel_7 = textureLod(cylinder_tower_g_image, vec2(a.x, a.y - b.y), 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
     return vec2(sum, sum_2) * 0.125;
 }
 
-vec3 wrinkle_cylinder_tower_normal(WrinkleSurface_cylinder_tower s) {
+WrinkleMaterial_cylinder_tower wrinkle_cylinder_tower(WrinkleSurface_cylinder_tower s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -39,16 +43,16 @@ vec3 wrinkle_cylinder_tower_normal(WrinkleSurface_cylinder_tower s) {
     vec2 tile_product_2 = round_vector_2 * vec2(8.0, 1.2);
     float tile_product_3 = (round_test ? s.position.z * round_choice : 0.0) / 6.2831855 * 8.0;
     float tile_product_4 = (round_test ? -s.position.x * round_choice : 0.0) / 6.2831855 * 8.0;
-    vec2 g_size = vec2(textureSize(g_image, 0));  // g: Height map
+    vec2 g_size = vec2(textureSize(cylinder_tower_g_image, 0));  // g: Height map
     vec2 g_product = tile_product * g_size;
     vec2 g_product_2 = tile_product_2 * g_size;
     float g_root = sqrt(max(max(dot(g_product, g_product), dot(g_product_2, g_product_2)), 1.0));
     vec2 g_quotient = g_root / g_size;
     vec2 g_vector = vec2(tile_uv.x + g_quotient.x, tile_uv.y);
-    vec4 g_texel = textureGrad(g_image, g_vector, tile_product, tile_product_2);
-    vec4 g_texel_2 = textureGrad(g_image, tile_uv, tile_product, tile_product_2);
+    vec4 g_texel = textureGrad(cylinder_tower_g_image, g_vector, tile_product, tile_product_2);
+    vec4 g_texel_2 = textureGrad(cylinder_tower_g_image, tile_uv, tile_product, tile_product_2);
     vec2 g_vector_2 = vec2(tile_uv.x, tile_uv.y + g_quotient.y);
-    vec4 g_texel_3 = textureGrad(g_image, g_vector_2, tile_product, tile_product_2);
+    vec4 g_texel_3 = textureGrad(cylinder_tower_g_image, g_vector_2, tile_product, tile_product_2);
     vec2 g_vector_3 = vec2(g_texel.x - g_texel_2.x, g_texel_3.x - g_texel_2.x);
     vec2 g_product_3 = g_vector_3 * (1.0 / g_root);
     vec2 g_smooth_slope = wrinkle_cylinder_tower_smooth_slope(tile_uv, 1.0 / g_size);
@@ -56,6 +60,8 @@ vec3 wrinkle_cylinder_tower_normal(WrinkleSurface_cylinder_tower s) {
     float g_product_4 = g_mixed.x * (tile_product_3 * g_size.x) * 0.03;
     float g_product_5 = g_mixed.x * (tile_product_4 * g_size.x) * 0.03;
     vec3 g_gradient = vec3(g_product_4, g_mixed.y * (1.2 * g_size.y) * 0.03, g_product_5);
+    WrinkleMaterial_cylinder_tower m;
     // normal: Resolve
-    return normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);
+    m.normal = normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);
+    return m;
 }

@@ -5,9 +5,12 @@ struct WrinkleSurface_decals {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D bricks_image;  // textures/bricks_height.png (linear, repeat)
-uniform sampler2D weave_image;   // textures/weave_height.png (linear, repeat)
-uniform sampler2D ball_image;    // textures/ball_cube.png (normal_gl, repeat)
+struct WrinkleMaterial_decals {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D decals_bricks_image;  // textures/bricks_height.png (linear, repeat)
+uniform sampler2D decals_weave_image;   // textures/weave_height.png (linear, repeat)
+uniform sampler2D decals_ball_image;    // textures/ball_cube.png (normal_gl, repeat)
 
 vec3 wrinkle_decals_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -73,38 +76,39 @@ vec3 wrinkle_decals_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_decals_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_decals_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    vec3 gradient_noise_slope = wrinkle_decals_gradient_noise_slope(a);
+    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
 vec2 wrinkle_decals_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(bricks_image, a + b, 0.0);
-    float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(bricks_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(bricks_image, vec2(a.x + b.x, a.y), 0.0);
-    float difference_3 = texel_3.x - textureLod(bricks_image, vec2(a.x - b.x, a.y), 0.0).x;
-    float sum = difference + difference_2 + 2.0 * difference_3;
-    vec4 texel_4 = textureLod(bricks_image, vec2(a.x, a.y + b.y), 0.0);
-    float difference_4 = texel_4.x - textureLod(bricks_image, vec2(a.x, a.y - b.y), 0.0).x;
-    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    vec4 texel = textureLod(decals_bricks_image, a + b, 0.0);
+    float difference = texel.x - textureLod(decals_bricks_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(decals_bricks_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(decals_bricks_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(decals_bricks_image, vec2(a.x + b.x, a.y), 0.0);
+    vec4 texel_4 = textureLod(decals_bricks_image, vec2(a.x - b.x, a.y), 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
+    vec4 texel_5 = textureLod(decals_bricks_image, vec2(a.x, a.y + b.y), 0.0);
+    vec4 texel_6 = textureLod(decals_bricks_image, vec2(a.x, a.y - b.y), 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
     return vec2(sum, sum_2) * 0.125;
 }
 
 vec2 wrinkle_decals_smooth_slope_2(vec2 a, vec2 b) {
-    vec4 texel = textureLod(weave_image, a + b, 0.0);
-    float difference = texel.x - textureLod(weave_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(weave_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(weave_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(weave_image, vec2(a.x + b.x, a.y), 0.0);
-    float difference_3 = texel_3.x - textureLod(weave_image, vec2(a.x - b.x, a.y), 0.0).x;
-    float sum = difference + difference_2 + 2.0 * difference_3;
-    vec4 texel_4 = textureLod(weave_image, vec2(a.x, a.y + b.y), 0.0);
-    float difference_4 = texel_4.x - textureLod(weave_image, vec2(a.x, a.y - b.y), 0.0).x;
-    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    vec4 texel = textureLod(decals_weave_image, a + b, 0.0);
+    float difference = texel.x - textureLod(decals_weave_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(decals_weave_image, a + vec2(b.x, -b.y), 0.0);
+    float difference_2 = texel_2.x - textureLod(decals_weave_image, a + vec2(-b.x, b.y), 0.0).x;
+    vec4 texel_3 = textureLod(decals_weave_image, vec2(a.x + b.x, a.y), 0.0);
+    vec4 texel_4 = textureLod(decals_weave_image, vec2(a.x - b.x, a.y), 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
+    vec4 texel_5 = textureLod(decals_weave_image, vec2(a.x, a.y + b.y), 0.0);
+    vec4 texel_6 = textureLod(decals_weave_image, vec2(a.x, a.y - b.y), 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
     return vec2(sum, sum_2) * 0.125;
 }
 
-vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
+WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -165,7 +169,7 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     vec2 slide_vector_3 = vec2(-slide_product_8.x, 0.9240136 - slide_product_8.y);
     vec2 slide_product_9 = (slide_test_2 ? 0.0 : -0.84119105) * 0.23086819 * slide_quotient;
     vec2 slide_product_10 = (vec2(0.41380295, -0.3480873) - slide_product_9) / slide_product * 0.5;
-    vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
+    vec2 bricks_size = vec2(textureSize(decals_bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = (slide_vector - slide_product_4) / slide_product * 0.5 * bricks_size;
     float bricks_dot_product = dot(bricks_product, bricks_product);
     vec2 bricks_product_2 = (slide_vector_2 - slide_product_5) / slide_product * 0.5 * bricks_size;
@@ -174,10 +178,10 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     float bricks_root = sqrt(bricks_greatest);
     vec2 bricks_quotient = bricks_root / bricks_size;
     vec2 bricks_vector = vec2(slide_uv.x + bricks_quotient.x, slide_uv.y);
-    vec4 bricks_texel = texture(bricks_image, slide_uv);
-    float bricks_difference = texture(bricks_image, bricks_vector).x - bricks_texel.x;
+    vec4 bricks_texel = texture(decals_bricks_image, slide_uv);
+    float bricks_difference = texture(decals_bricks_image, bricks_vector).x - bricks_texel.x;
     vec2 bricks_vector_2 = vec2(slide_uv.x, slide_uv.y + bricks_quotient.y);
-    float bricks_difference_2 = texture(bricks_image, bricks_vector_2).x - bricks_texel.x;
+    float bricks_difference_2 = texture(decals_bricks_image, bricks_vector_2).x - bricks_texel.x;
     vec2 bricks_product_3 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
     vec2 bricks_smooth_slope = wrinkle_decals_smooth_slope(slide_uv, 1.0 / bricks_size);
     float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
@@ -221,7 +225,7 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     float stamp_clamped_4 = clamp(stamp_dot_product_7, 0.0, 1.0);
     float stamp_attenuation = stamp_product_2 * (stamp_clamped_4 > 0.0 ? pow(stamp_clamped_4,
             0.2) : 0.0);
-    vec2 weave_size = vec2(textureSize(weave_image, 0));  // weave: Height map
+    vec2 weave_size = vec2(textureSize(decals_weave_image, 0));  // weave: Height map
     vec2 weave_product = (stamp_vector_2 / vec3(0.6, 0.6, 1.0)).xy * weave_size;
     float weave_dot_product = dot(weave_product, weave_product);
     vec2 weave_product_2 = (stamp_vector_3 / vec3(0.6, 0.6, 1.0)).xy * weave_size;
@@ -229,10 +233,10 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
             1.0));
     vec2 weave_quotient = weave_root / weave_size;
     vec2 weave_vector = vec2(stamp_uv.x + weave_quotient.x, stamp_uv.y);
-    vec4 weave_texel = texture(weave_image, stamp_uv);
-    float weave_difference = texture(weave_image, weave_vector).x - weave_texel.x;
+    vec4 weave_texel = texture(decals_weave_image, stamp_uv);
+    float weave_difference = texture(decals_weave_image, weave_vector).x - weave_texel.x;
     vec2 weave_vector_2 = vec2(stamp_uv.x, stamp_uv.y + weave_quotient.y);
-    float weave_difference_2 = texture(weave_image, weave_vector_2).x - weave_texel.x;
+    float weave_difference_2 = texture(decals_weave_image, weave_vector_2).x - weave_texel.x;
     vec2 weave_product_3 = vec2(weave_difference, weave_difference_2) * (1.0 / weave_root);
     vec2 weave_smooth_slope = wrinkle_decals_smooth_slope_2(stamp_uv, 1.0 / weave_size);
     float weave_clamped = clamp((0.5 - log2(weave_root)) / 0.45, 0.0, 1.0);
@@ -289,7 +293,7 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     vec2 ball_product_2 = (ball_test_3 ? ball_product.x : ball_choice_6) * ball_quotient;
     vec2 ball_quotient_2 = (ball_choice_5 - ball_product_2) / ball_choice_3;
     vec2 ball_product_3 = (ball_test_5 ? ball_quotient_2 : vec2(0.0)) * 0.5;
-    vec2 ball_quotient_3 = vec2(textureSize(ball_image, 0)) / vec2(6.0, 1.0);
+    vec2 ball_quotient_3 = vec2(textureSize(decals_ball_image, 0)) / vec2(6.0, 1.0);
     float ball_extent = length(ball_product_3 * ball_quotient_3);
     vec2 ball_vector_7 = vec2(hit_choice_2.z * ball_negated, hit_choice_2.y);
     vec2 ball_vector_8 = vec2(hit_choice_2.x, hit_choice_2.z * ball_negated_2);
@@ -310,7 +314,8 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     float ball_least_3 = min(min(ball_quotient_3.x, ball_quotient_3.y) / ball_greatest, 1.0);
     vec2 ball_quotient_6 = ball_product_3 * ball_least_3 / vec2(6.0, 1.0);
     vec2 ball_quotient_7 = ball_product_6 * ball_least_3 / vec2(6.0, 1.0);
-    vec4 ball_texel = textureGrad(ball_image, ball_quotient_5, ball_quotient_6, ball_quotient_7);
+    vec4 ball_texel = textureGrad(decals_ball_image, ball_quotient_5, ball_quotient_6,
+            ball_quotient_7);
     vec3 ball_texel_2 = (ball_texel.xyz - 0.5) * 2.0;
     float ball_dot_product = dot(ball_choice, ball_texel_2);
     float ball_greatest_2 = max(abs(ball_dot_product), max(length(ball_texel_2) / 128.0, 1e-06));
@@ -368,6 +373,8 @@ vec3 wrinkle_decals_normal(WrinkleSurface_decals s) {
     // g: Add bumps
     vec3 g_gradient = with_dent_gradient_2 + vec3(groove_product, groove_product_2,
             groove_product_3);
+    WrinkleMaterial_decals m;
     // normal: Resolve
-    return normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);
+    m.normal = normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);
+    return m;
 }

@@ -5,6 +5,10 @@ struct WrinkleSurface_displaced_rock {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_displaced_rock {
+    vec3 normal;         // unit normal, object space
+    float displacement;  // along the normal, in length units
+};
 
 vec3 wrinkle_displaced_rock_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -70,7 +74,8 @@ vec3 wrinkle_displaced_rock_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_displaced_rock_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_displaced_rock_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    vec3 gradient_noise_slope = wrinkle_displaced_rock_gradient_noise_slope(a);
+    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
 float wrinkle_displaced_rock_gradient_noise(vec3 a) {
@@ -82,42 +87,40 @@ float wrinkle_displaced_rock_gradient_noise(vec3 a) {
     float dot_product = dot(wrinkle_displaced_rock_noise_direction(whole, whole_2, whole_3),
             difference);
     int sum = whole + 1;
+    vec3 noise_direction = wrinkle_displaced_rock_noise_direction(sum, whole_2, whole_3);
     float difference_2 = difference.x - 1.0;
-    vec3 vector = vec3(difference_2, difference.y, difference.z);
-    float dot_product_2 = dot(wrinkle_displaced_rock_noise_direction(sum, whole_2, whole_3),
-            vector);
+    float dot_product_2 = dot(noise_direction, vec3(difference_2, difference.y, difference.z));
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
     float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
+    vec3 noise_direction_2 = wrinkle_displaced_rock_noise_direction(whole, sum_3, whole_3);
     float difference_3 = difference.y - 1.0;
-    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
-    float dot_product_3 = dot(wrinkle_displaced_rock_noise_direction(whole, sum_3, whole_3),
-            vector_2);
-    vec3 noise_direction = wrinkle_displaced_rock_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
+    float dot_product_3 = dot(noise_direction_2, vec3(difference.x, difference_3, difference.z));
+    vec3 noise_direction_3 = wrinkle_displaced_rock_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction_3, vec3(difference_2, difference_3, difference.z));
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
+    vec3 noise_direction_4 = wrinkle_displaced_rock_noise_direction(whole, whole_2, sum_4);
     float difference_4 = difference.z - 1.0;
-    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
-    float dot_product_5 = dot(wrinkle_displaced_rock_noise_direction(whole, whole_2, sum_4),
-            vector_3);
-    vec3 noise_direction_2 = wrinkle_displaced_rock_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
+    float dot_product_5 = dot(noise_direction_4, vec3(difference.x, difference.y, difference_4));
+    vec3 noise_direction_5 = wrinkle_displaced_rock_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_5, vec3(difference_2, difference.y, difference_4));
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_3 = wrinkle_displaced_rock_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_4 = wrinkle_displaced_rock_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
+    vec3 noise_direction_6 = wrinkle_displaced_rock_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_6, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_7 = wrinkle_displaced_rock_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
 
 float wrinkle_displaced_rock_noise_octave(vec3 a, float b) {
-    return wrinkle_displaced_rock_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    float gradient_noise = wrinkle_displaced_rock_gradient_noise(a);
+    return gradient_noise * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
-vec3 wrinkle_displaced_rock_normal(WrinkleSurface_displaced_rock s) {
+WrinkleMaterial_displaced_rock wrinkle_displaced_rock(WrinkleSurface_displaced_rock s) {
     vec3 normal = normalize(s.normal);
     vec3 lumps_product = s.position * 2.5;  // lumps: Gradient noise
     float lumps_extent = length(dFdx(s.position_relative) * 2.5);
@@ -143,23 +146,16 @@ vec3 wrinkle_displaced_rock_normal(WrinkleSurface_displaced_rock s) {
     float lumps_product_8 = lumps_noise_octave_slope_2.z * 5.0 * 0.5;
     float lumps_sum_5 = lumps_noise_octave_slope.z * 2.5 + lumps_product_8;
     float lumps_quotient_3 = (lumps_sum_5 + lumps_noise_octave_slope_3.z * 10.0 * 0.25) / 1.75;
+    float lumps_noise_octave = wrinkle_displaced_rock_noise_octave(lumps_product, lumps_greatest);
+    float lumps_product_9 = wrinkle_displaced_rock_noise_octave(lumps_sum, lumps_product_3) * 0.5;
+    float lumps_product_10 = wrinkle_displaced_rock_noise_octave(lumps_sum_3,
+            lumps_product_5) * 0.25;
+    float lumps_value = (lumps_noise_octave + lumps_product_9 + lumps_product_10) / 1.75;
     // normal: Resolve
     vec3 normal_gradient = vec3(lumps_product_6, lumps_quotient_2 * 0.15, lumps_quotient_3 * 0.15);
-    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
-}
-
-float wrinkle_displaced_rock_displacement(WrinkleSurface_displaced_rock s) {
-    vec3 lumps_product = s.position * 2.5;  // lumps: Gradient noise
-    float lumps_extent = length(dFdx(s.position_relative) * 2.5);
-    float lumps_greatest = max(lumps_extent, length(dFdy(s.position_relative) * 2.5));
-    float lumps_noise_octave = wrinkle_displaced_rock_noise_octave(lumps_product, lumps_greatest);
-    vec3 lumps_product_2 = lumps_product * 2.0;
-    vec3 lumps_sum = lumps_product_2 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_3 = lumps_greatest * 2.0;
-    float lumps_product_4 = wrinkle_displaced_rock_noise_octave(lumps_sum, lumps_product_3) * 0.5;
-    vec3 lumps_sum_2 = lumps_product_2 * 2.0 + vec3(38.38, 14.86, 63.42);
-    float lumps_product_5 = wrinkle_displaced_rock_noise_octave(lumps_sum_2,
-            lumps_product_3 * 2.0) * 0.25;
-    float lumps_value = (lumps_noise_octave + lumps_product_4 + lumps_product_5) / 1.75;
-    return lumps_value * 0.15;
+    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    WrinkleMaterial_displaced_rock m;
+    m.normal = normalize(normal_difference);
+    m.displacement = lumps_value * 0.15;  // lumps: Gradient noise (continued)
+    return m;
 }

@@ -7,9 +7,12 @@ struct WrinkleSurface_everything {
     vec2 uv1;                // second uv set
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D carving_image;  // textures/ball_object.png (normal_gl, repeat)
-uniform sampler2D cloth_image;    // textures/weave_normal.png (normal_gl, repeat)
-uniform sampler2D bricks_image;   // textures/bricks_height.png (linear, repeat)
+struct WrinkleMaterial_everything {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D everything_carving_image;  // textures/ball_object.png (normal_gl, repeat)
+uniform sampler2D everything_cloth_image;    // textures/weave_normal.png (normal_gl, repeat)
+uniform sampler2D everything_bricks_image;   // textures/bricks_height.png (linear, repeat)
 
 vec3 wrinkle_everything_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -75,24 +78,26 @@ vec3 wrinkle_everything_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_everything_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_everything_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    vec3 gradient_noise_slope = wrinkle_everything_gradient_noise_slope(a);
+    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
 vec2 wrinkle_everything_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(bricks_image, a + b, 0.0);
-    float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(bricks_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(bricks_image, vec2(a.x + b.x, a.y), 0.0);
-    float difference_3 = texel_3.x - textureLod(bricks_image, vec2(a.x - b.x, a.y), 0.0).x;
-    float sum = difference + difference_2 + 2.0 * difference_3;
-    vec4 texel_4 = textureLod(bricks_image, vec2(a.x, a.y + b.y), 0.0);
-    float difference_4 = texel_4.x - textureLod(bricks_image, vec2(a.x, a.y - b.y), 0.0).x;
-    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    vec4 texel = textureLod(everything_bricks_image, a + b, 0.0);
+    float difference = texel.x - textureLod(everything_bricks_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(everything_bricks_image, a + vec2(b.x, -b.y), 0.0);
+    vec4 texel_3 = textureLod(everything_bricks_image, a + vec2(-b.x, b.y), 0.0);
+    float difference_2 = texel_2.x - texel_3.x;
+    vec4 texel_4 = textureLod(everything_bricks_image, vec2(a.x + b.x, a.y), 0.0);
+    vec4 texel_5 = textureLod(everything_bricks_image, vec2(a.x - b.x, a.y), 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
+    vec4 texel_6 = textureLod(everything_bricks_image, vec2(a.x, a.y + b.y), 0.0);
+    vec4 texel_7 = textureLod(everything_bricks_image, vec2(a.x, a.y - b.y), 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
     return vec2(sum, sum_2) * 0.125;
 }
 
-vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
+WrinkleMaterial_everything wrinkle_everything(WrinkleSurface_everything s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -102,14 +107,16 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), 1e-36));
     float screen_area = dot(normal, cross(dpdx, dpdy));
     float inverse_area = sign(screen_area) / max(abs(screen_area), 1e-36);
-    vec3 carving_texel = texture(carving_image, s.uv0).xyz - 0.5;  // carving: Object normal map
+    // carving: Object normal map
+    vec3 carving_texel = texture(everything_carving_image, s.uv0).xyz - 0.5;
     float carving_dot_product = dot(normal, carving_texel);
     float carving_greatest = max(abs(carving_dot_product), 5.9604645e-08);
     vec2 cloth_uv_product = s.uv1 * 10.0;  // cloth_uv: UV transform
     float cloth_uv_difference = 0.9396926 * cloth_uv_product.x - 0.34202015 * cloth_uv_product.y;
     float cloth_uv_sum = 0.34202015 * cloth_uv_product.x + 0.9396926 * cloth_uv_product.y;
     vec2 cloth_uv_uv = vec2(cloth_uv_difference, cloth_uv_sum);
-    vec3 cloth_texel = texture(cloth_image, cloth_uv_uv).xyz - 0.5;  // cloth: Tangent normal map
+    // cloth: Tangent normal map
+    vec3 cloth_texel = texture(everything_cloth_image, cloth_uv_uv).xyz - 0.5;
     float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
     float cloth_depth = max(max(abs(cloth_texel.z), cloth_least_depth), 5e-07);
     float cloth_sum = cloth_texel.x * 0.9396926 + cloth_texel.y * 0.34202015;
@@ -129,7 +136,7 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     float grain_product_7 = grain_noise_octave_slope_2.z * 60.0 * 0.5;
     float grain_product_8 = (grain_noise_octave_slope.z * 30.0 + grain_product_7) / 1.5 * 0.002;
     vec2 tile_uv = s.uv0 * vec2(8.0, 4.0);  // tile: UV transform
-    vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
+    vec2 bricks_size = vec2(textureSize(everything_bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = dFdx(s.uv0) * vec2(8.0, 4.0) * bricks_size;
     float bricks_dot_product = dot(bricks_product, bricks_product);
     vec2 bricks_product_2 = dFdy(s.uv0) * vec2(8.0, 4.0) * bricks_size;
@@ -138,10 +145,11 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     float bricks_root = sqrt(bricks_greatest);
     vec2 bricks_quotient = bricks_root / bricks_size;
     vec2 bricks_vector = vec2(tile_uv.x + bricks_quotient.x, tile_uv.y);
-    vec4 bricks_texel = texture(bricks_image, tile_uv);
-    float bricks_difference = texture(bricks_image, bricks_vector).x - bricks_texel.x;
+    vec4 bricks_texel = texture(everything_bricks_image, tile_uv);
+    float bricks_difference = texture(everything_bricks_image, bricks_vector).x - bricks_texel.x;
     vec2 bricks_vector_2 = vec2(tile_uv.x, tile_uv.y + bricks_quotient.y);
-    float bricks_difference_2 = texture(bricks_image, bricks_vector_2).x - bricks_texel.x;
+    float bricks_difference_2 = texture(everything_bricks_image,
+            bricks_vector_2).x - bricks_texel.x;
     vec2 bricks_product_3 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
     vec2 bricks_smooth_slope = wrinkle_everything_smooth_slope(tile_uv, 1.0 / bricks_size);
     float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
@@ -165,5 +173,7 @@ vec3 wrinkle_everything_normal(WrinkleSurface_everything s) {
     vec3 normal_sum_2 = carving_texel * cloth_depth + normal_sum + normal_cross_product;
     vec3 normal_sum_3 = normal_sum_2 + normal_product_2;
     vec3 normal_sum_4 = normal * (normal_product * s.facing + normal_difference) + normal_sum_3;
-    return normalize(normal_sum_4);
+    WrinkleMaterial_everything m;
+    m.normal = normalize(normal_sum_4);
+    return m;
 }

@@ -6,29 +6,34 @@ struct WrinkleSurface_facing_bricks {
     vec3 view;               // unit vector towards the eye, object space
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D bricks_image;  // textures/bricks_height.png (linear, repeat)
+struct WrinkleMaterial_facing_bricks {
+    vec3 normal;    // unit normal, object space
+    vec3 unturned;
+};
+uniform sampler2D facing_bricks_bricks_image;  // textures/bricks_height.png (linear, repeat)
 
 vec2 wrinkle_facing_bricks_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(bricks_image, a + b, 0.0);
-    float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(bricks_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(bricks_image, vec2(a.x + b.x, a.y), 0.0);
-    float difference_3 = texel_3.x - textureLod(bricks_image, vec2(a.x - b.x, a.y), 0.0).x;
-    float sum = difference + difference_2 + 2.0 * difference_3;
-    vec4 texel_4 = textureLod(bricks_image, vec2(a.x, a.y + b.y), 0.0);
-    float difference_4 = texel_4.x - textureLod(bricks_image, vec2(a.x, a.y - b.y), 0.0).x;
-    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    vec4 texel = textureLod(facing_bricks_bricks_image, a + b, 0.0);
+    float difference = texel.x - textureLod(facing_bricks_bricks_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(facing_bricks_bricks_image, a + vec2(b.x, -b.y), 0.0);
+    vec4 texel_3 = textureLod(facing_bricks_bricks_image, a + vec2(-b.x, b.y), 0.0);
+    float difference_2 = texel_2.x - texel_3.x;
+    vec4 texel_4 = textureLod(facing_bricks_bricks_image, vec2(a.x + b.x, a.y), 0.0);
+    vec4 texel_5 = textureLod(facing_bricks_bricks_image, vec2(a.x - b.x, a.y), 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
+    vec4 texel_6 = textureLod(facing_bricks_bricks_image, vec2(a.x, a.y + b.y), 0.0);
+    vec4 texel_7 = textureLod(facing_bricks_bricks_image, vec2(a.x, a.y - b.y), 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
     return vec2(sum, sum_2) * 0.125;
 }
 
-vec3 wrinkle_facing_bricks_normal(WrinkleSurface_facing_bricks s) {
+WrinkleMaterial_facing_bricks wrinkle_facing_bricks(WrinkleSurface_facing_bricks s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 tile_uv = s.uv0 * vec2(4.0, 2.0);  // tile: UV transform
-    vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
+    vec2 bricks_size = vec2(textureSize(facing_bricks_bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = dFdx(s.uv0) * vec2(4.0, 2.0) * bricks_size;
     float bricks_dot_product = dot(bricks_product, bricks_product);
     vec2 bricks_product_2 = dFdy(s.uv0) * vec2(4.0, 2.0) * bricks_size;
@@ -37,10 +42,11 @@ vec3 wrinkle_facing_bricks_normal(WrinkleSurface_facing_bricks s) {
     float bricks_root = sqrt(bricks_greatest);
     vec2 bricks_quotient = bricks_root / bricks_size;
     vec2 bricks_vector = vec2(tile_uv.x + bricks_quotient.x, tile_uv.y);
-    vec4 bricks_texel = texture(bricks_image, tile_uv);
-    float bricks_difference = texture(bricks_image, bricks_vector).x - bricks_texel.x;
+    vec4 bricks_texel = texture(facing_bricks_bricks_image, tile_uv);
+    float bricks_difference = texture(facing_bricks_bricks_image, bricks_vector).x - bricks_texel.x;
     vec2 bricks_vector_2 = vec2(tile_uv.x, tile_uv.y + bricks_quotient.y);
-    float bricks_difference_2 = texture(bricks_image, bricks_vector_2).x - bricks_texel.x;
+    float bricks_difference_2 = texture(facing_bricks_bricks_image,
+            bricks_vector_2).x - bricks_texel.x;
     vec2 bricks_product_3 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
     vec2 bricks_smooth_slope = wrinkle_facing_bricks_smooth_slope(tile_uv, 1.0 / bricks_size);
     float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
@@ -52,38 +58,9 @@ vec3 wrinkle_facing_bricks_normal(WrinkleSurface_facing_bricks s) {
     vec2 bumped_product_2 = bumped_vector * bumped_product;
     vec3 bumped_gradient = cross(normal, dpdx * bumped_product_2.y - dpdy * bumped_product_2.x);
     vec3 bumped_normal = normalize(normal * s.facing - bumped_gradient);
+    WrinkleMaterial_facing_bricks m;
     // facing: Face the viewer
-    return bumped_normal - 2.0 * min(dot(bumped_normal, s.view), 0.0) * s.view;
-}
-
-vec3 wrinkle_facing_bricks_unturned(WrinkleSurface_facing_bricks s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdx = dFdx(s.position_relative);
-    vec3 dpdy = dFdy(s.position_relative);
-    float screen_area = dot(normal, cross(dpdx, dpdy));
-    vec2 tile_uv = s.uv0 * vec2(4.0, 2.0);  // tile: UV transform
-    vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
-    vec2 bricks_product = dFdx(s.uv0) * vec2(4.0, 2.0) * bricks_size;
-    float bricks_dot_product = dot(bricks_product, bricks_product);
-    vec2 bricks_product_2 = dFdy(s.uv0) * vec2(4.0, 2.0) * bricks_size;
-    float bricks_greatest = max(max(bricks_dot_product, dot(bricks_product_2, bricks_product_2)),
-            1.0);
-    float bricks_root = sqrt(bricks_greatest);
-    vec2 bricks_quotient = bricks_root / bricks_size;
-    vec2 bricks_vector = vec2(tile_uv.x + bricks_quotient.x, tile_uv.y);
-    vec4 bricks_texel = texture(bricks_image, tile_uv);
-    float bricks_difference = texture(bricks_image, bricks_vector).x - bricks_texel.x;
-    vec2 bricks_vector_2 = vec2(tile_uv.x, tile_uv.y + bricks_quotient.y);
-    float bricks_difference_2 = texture(bricks_image, bricks_vector_2).x - bricks_texel.x;
-    vec2 bricks_product_3 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
-    vec2 bricks_smooth_slope = wrinkle_facing_bricks_smooth_slope(tile_uv, 1.0 / bricks_size);
-    float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_product_3, bricks_smooth_slope, bricks_clamped);
-    float bricks_dot_product_2 = dot(bricks_mixed, bricks_product);
-    // bumped: Resolve
-    vec2 bumped_vector = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_product_2));
-    float bumped_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.12;
-    vec2 bumped_product_2 = bumped_vector * bumped_product;
-    vec3 bumped_gradient = cross(normal, dpdx * bumped_product_2.y - dpdy * bumped_product_2.x);
-    return normalize(normal * s.facing - bumped_gradient);
+    m.normal = bumped_normal - 2.0 * min(dot(bumped_normal, s.view), 0.0) * s.view;
+    m.unturned = bumped_normal;
+    return m;
 }

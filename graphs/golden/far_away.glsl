@@ -5,37 +5,27 @@ struct WrinkleSurface_far_away {
     vec2 uv0;      // first uv set, origin at the bottom left
     float facing;  // +1 on front faces, -1 on back faces
 };
-uniform sampler2D weave_image;      // textures/weave_normal.png (normal_gl, repeat)
-uniform sampler2D pebbles_slopes;   // textures/pebbles_slopes.png (derivative, repeat)
-uniform sampler2D pebbles_moments;  // textures/pebbles_moments.png (derivative, repeat)
+struct WrinkleMaterial_far_away {
+    vec3 normal;      // unit normal, object space
+    float roughness;  // perceptual, 0 to 1
+};
+uniform sampler2D far_away_weave_image;      // textures/weave_normal.png (normal_gl, repeat)
+uniform sampler2D far_away_pebbles_slopes;   // textures/pebbles_slopes.png (derivative, repeat)
+uniform sampler2D far_away_pebbles_moments;  // textures/pebbles_moments.png (derivative, repeat)
 
-vec3 wrinkle_far_away_normal(WrinkleSurface_far_away s) {
-    vec2 tile_uv = s.uv0 * 4.0;  // tile: UV transform
-    vec3 weave_texel = texture(weave_image, tile_uv).xyz - 0.5;  // weave: Tangent normal map
-    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
-    // normal: Resolve
-    vec2 normal_slope = (texture(pebbles_slopes, tile_uv).xy - 0.5) * 2.0 * -weave_depth;
-    vec2 normal_slope_2 = weave_texel.xy * 0.5 + normal_slope;
-    float normal_slope_v = normal_slope_2.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
-    vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * normal_slope_v;
-    vec3 normal_gradient = s.tangent.xyz * normal_slope_2.x + normal_along_v;
-    vec3 normal_bumped = s.normal * (weave_depth * s.facing) + normal_gradient;
-    return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
-}
-
-float wrinkle_far_away_roughness(WrinkleSurface_far_away s) {
+WrinkleMaterial_far_away wrinkle_far_away(WrinkleSurface_far_away s) {
     vec2 tile_uv = s.uv0 * 4.0;  // tile: UV transform
     vec2 tile_product = dFdx(s.uv0) * 4.0;
     vec2 tile_product_2 = dFdy(s.uv0) * 4.0;
-    vec3 weave_texel = texture(weave_image, tile_uv).xyz - 0.5;  // weave: Tangent normal map
+    // weave: Tangent normal map
+    vec3 weave_texel = texture(far_away_weave_image, tile_uv).xyz - 0.5;
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
     vec2 weave_slope = weave_texel.xy / weave_depth;
     float weave_sum = weave_slope.x * weave_slope.x + 1.0;
     float weave_sum_2 = weave_slope.y * weave_slope.y + 1.0;
     vec3 weave_vector = vec3(weave_sum, weave_sum_2, weave_slope.x * weave_slope.y);
-    vec2 weave_size = vec2(textureSize(weave_image, 0));
+    vec2 weave_size = vec2(textureSize(far_away_weave_image, 0));
     vec2 weave_product = weave_size * tile_product;
     float weave_dot_product = dot(weave_product, weave_product);
     vec2 weave_product_2 = weave_size * tile_product_2;
@@ -44,14 +34,14 @@ float wrinkle_far_away_roughness(WrinkleSurface_far_away s) {
     float weave_product_3 = max(1.0 - dot(weave_texel, weave_texel) * 4.0, 0.0) * weave_minified;
     vec3 weave_covariance = weave_vector * (weave_product_3 * 0.125);
     // pebbles: Slope moments map
-    vec2 pebbles_texel = (texture(pebbles_slopes, tile_uv).xy - 0.5) * 2.0;
-    vec4 pebbles_texel_2 = texture(pebbles_moments, tile_uv);
+    vec2 pebbles_texel = (texture(far_away_pebbles_slopes, tile_uv).xy - 0.5) * 2.0;
+    vec4 pebbles_texel_2 = texture(far_away_pebbles_moments, tile_uv);
     vec2 pebbles_texel_3 = (pebbles_texel_2.xy - 0.5) * 2.0;
     float pebbles_greatest = max(pebbles_texel_3.x - pebbles_texel.x * pebbles_texel.x, 0.0);
     float pebbles_greatest_2 = max(pebbles_texel_3.y - pebbles_texel.y * pebbles_texel.y, 0.0);
     float pebbles_difference = (pebbles_texel_2.z - 0.5) * 2.0 - pebbles_texel.x * pebbles_texel.y;
     vec3 pebbles_vector = vec3(pebbles_greatest, pebbles_greatest_2, pebbles_difference);
-    vec2 pebbles_size = vec2(textureSize(pebbles_slopes, 0));
+    vec2 pebbles_size = vec2(textureSize(far_away_pebbles_slopes, 0));
     float pebbles_extent = length(tile_product * pebbles_size);
     float pebbles_logarithm = log2(max(max(pebbles_extent, length(tile_product_2 * pebbles_size)),
             1.0));
@@ -84,5 +74,8 @@ float wrinkle_far_away_roughness(WrinkleSurface_far_away s) {
     float rough_sum_4 = rough_product_7 + weave_covariance.z * 2.0 * 0.5 * rough_product_5;
     float rough_sum_5 = rough_sum_3 + rough_difference_2 * rough_sum_4;
     float rough_variance = max(rough_sum_5 / dot(normal_vector, normal_vector), 0.0);
-    return sqrt(sqrt(max(min(0.00390625 + rough_variance, 1.0), 0.0)));
+    WrinkleMaterial_far_away m;
+    m.normal = normal_normal;
+    m.roughness = sqrt(sqrt(max(min(0.00390625 + rough_variance, 1.0), 0.0)));
+    return m;
 }

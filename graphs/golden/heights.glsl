@@ -6,6 +6,10 @@ struct WrinkleSurface_heights {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_heights {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
 vec3 wrinkle_heights_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -111,10 +115,11 @@ vec3 wrinkle_heights_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_heights_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_heights_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    vec3 gradient_noise_slope = wrinkle_heights_gradient_noise_slope(a);
+    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
-vec3 wrinkle_heights_normal(WrinkleSurface_heights s) {
+WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -249,52 +254,9 @@ vec3 wrinkle_heights_normal(WrinkleSurface_heights s) {
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.06;
     vec2 normal_product_2 = vec2(fitted_choice, fitted_choice_2) * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_heights_height(WrinkleSurface_heights s) {
-    vec2 domes_product = s.uv0 * 6.0;  // domes: Domes
-    float domes_floored = floor(domes_product.y);
-    float domes_difference = domes_product.y - domes_floored - 0.5;
-    vec2 domes_vector = vec2(fract(domes_product.x) - 0.5, domes_difference);
-    float domes_difference_2 = 1.0 - 0.64 * min(dot(domes_vector, domes_vector) / 0.1225, 1.0);
-    float domes_greatest = max(domes_difference_2, 0.0);
-    float domes_extent = length(dFdx(s.uv0) * 6.0);
-    float domes_greatest_2 = max(domes_extent, length(dFdy(s.uv0) * 6.0));
-    float domes_difference_3 = 1.0 - smoothstep(0.25, 0.75, domes_greatest_2);
-    float domes_value = mix(0.20845777, (sqrt(domes_greatest) - 0.6) / 0.4, domes_difference_3);
-    float domes_height = domes_value * 0.08;
-    float bricks_greatest = max(0.15, domes_greatest_2);  // bricks: Bricks
-    float bricks_difference = 0.5 - abs(fract(domes_product.x / 2.5 - domes_floored * 0.5) - 0.5);
-    float bricks_least = min(bricks_difference * 2.5, 0.5 - abs(domes_difference));
-    float bricks_quotient = (0.5 * (bricks_greatest + 0.21) - bricks_least) / bricks_greatest;
-    float bricks_clamped = clamp(bricks_quotient, 0.0, min(1.0, 0.21 / bricks_greatest));
-    float bricks_value = mix(0.72364, 1.0 - bricks_clamped, domes_difference_3);
-    float bricks_height = bricks_value * 0.05;
-    // joined: Higher of two heights
-    float joined_greatest = max(0.01 - abs(domes_height - bricks_height), 0.0);
-    float joined_quotient = joined_greatest * joined_greatest / 0.04;
-    float joined_height = max(domes_height, bricks_height) + joined_quotient;
-    float cut_negated = -joined_height;  // cut: Lower of two heights
-    float cut_greatest = max(0.01 - abs(cut_negated + 0.06), 0.0);
-    float cut_height = -(max(cut_negated, -0.06) + cut_greatest * cut_greatest / 0.04);
-    vec3 sand_product = s.position * 12.0;  // sand: Gradient noise
-    float sand_extent = length(dFdx(s.position_relative) * 12.0);
-    float sand_greatest = max(sand_extent, length(dFdy(s.position_relative) * 12.0));
-    vec3 sand_product_2 = sand_product * 2.0;
-    vec3 sand_sum = sand_product_2 + vec3(19.19, 7.43, 31.71);
-    float sand_product_3 = sand_greatest * 2.0;
-    float sand_product_4 = wrinkle_heights_noise_octave(sand_sum, sand_product_3) * 0.5;
-    float sand_sum_2 = wrinkle_heights_noise_octave(sand_product, sand_greatest) + sand_product_4;
-    vec3 sand_product_5 = sand_product_2 * 2.0;
-    vec3 sand_sum_3 = sand_product_5 + vec3(38.38, 14.86, 63.42);
-    float sand_product_6 = sand_product_3 * 2.0;
-    float sand_sum_4 = sand_sum_2 + wrinkle_heights_noise_octave(sand_sum_3, sand_product_6) * 0.25;
-    vec3 sand_sum_5 = sand_product_5 * 2.0 + vec3(57.57, 22.29, 95.13);
-    float sand_product_7 = wrinkle_heights_noise_octave(sand_sum_5, sand_product_6 * 2.0) * 0.125;
-    float sand_value = (sand_sum_4 + sand_product_7) / 1.875;
-    float sand_height = sand_value * 0.02;
-    float low_height = 0.01 - sand_height;  // low: Invert height
-    float carved_height = cut_height - low_height;  // carved: Subtract heights
-    return mix(0.0, 0.06, clamp((carved_height + 0.02) / 0.1, 0.0, 1.0));  // fitted: Remap height
+    WrinkleMaterial_heights m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    // fitted: Remap height (continued)
+    m.height = mix(0.0, 0.06, clamp(fitted_quotient, 0.0, 1.0));
+    return m;
 }

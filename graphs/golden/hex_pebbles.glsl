@@ -6,8 +6,12 @@ struct WrinkleSurface_hex_pebbles {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D grain_image;    // textures/weave_normal.png (normal_gl, repeat)
-uniform sampler2D pebbles_image;  // textures/pebbles_height.png (linear, repeat)
+struct WrinkleMaterial_hex_pebbles {
+    vec3 normal;  // unit normal, object space
+    vec3 color;   // base color, linear
+};
+uniform sampler2D hex_pebbles_grain_image;    // textures/weave_normal.png (normal_gl, repeat)
+uniform sampler2D hex_pebbles_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
 
 vec3 wrinkle_hex_pebbles_hex_grid(vec2 a, out vec2 result_2, out vec2 result_3, out vec2 result_4) {
     vec2 vector = vec2(a.x - a.y * 0.57735026, a.y * 1.1547005);
@@ -43,20 +47,21 @@ vec2 wrinkle_hex_pebbles_hex_copy(vec2 a, float b, out vec2 result_2) {
 }
 
 vec2 wrinkle_hex_pebbles_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(pebbles_image, a + b, 0.0);
-    float difference = texel.x - textureLod(pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(pebbles_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(pebbles_image, vec2(a.x + b.x, a.y), 0.0);
-    float difference_3 = texel_3.x - textureLod(pebbles_image, vec2(a.x - b.x, a.y), 0.0).x;
-    float sum = difference + difference_2 + 2.0 * difference_3;
-    vec4 texel_4 = textureLod(pebbles_image, vec2(a.x, a.y + b.y), 0.0);
-    float difference_4 = texel_4.x - textureLod(pebbles_image, vec2(a.x, a.y - b.y), 0.0).x;
-    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    vec4 texel = textureLod(hex_pebbles_pebbles_image, a + b, 0.0);
+    float difference = texel.x - textureLod(hex_pebbles_pebbles_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(hex_pebbles_pebbles_image, a + vec2(b.x, -b.y), 0.0);
+    vec4 texel_3 = textureLod(hex_pebbles_pebbles_image, a + vec2(-b.x, b.y), 0.0);
+    float difference_2 = texel_2.x - texel_3.x;
+    vec4 texel_4 = textureLod(hex_pebbles_pebbles_image, vec2(a.x + b.x, a.y), 0.0);
+    vec4 texel_5 = textureLod(hex_pebbles_pebbles_image, vec2(a.x - b.x, a.y), 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
+    vec4 texel_6 = textureLod(hex_pebbles_pebbles_image, vec2(a.x, a.y + b.y), 0.0);
+    vec4 texel_7 = textureLod(hex_pebbles_pebbles_image, vec2(a.x, a.y - b.y), 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
     return vec2(sum, sum_2) * 0.125;
 }
 
-vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
+WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
@@ -82,10 +87,11 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     vec2 grain_sum_3 = grain_sum_2 + grain_hex_copy;
     vec2 grain_sum_4 = grain_hex_copy_2 * tile_product.x + grain_vector * tile_product.y;
     vec2 grain_sum_5 = grain_hex_copy_2 * tile_product_2.x + grain_vector * tile_product_2.y;
-    vec3 grain_texel = textureGrad(grain_image, grain_sum_3, grain_sum_4, grain_sum_5).xyz - 0.5;
-    float grain_least_depth = max(abs(grain_texel.x), abs(grain_texel.y)) * 0.0078125;
-    float grain_quotient_2 = -0.4 / max(max(abs(grain_texel.z), grain_least_depth), 5e-07);
-    vec2 grain_product_2 = grain_texel.xy * grain_quotient_2;
+    vec4 grain_texel = textureGrad(hex_pebbles_grain_image, grain_sum_3, grain_sum_4, grain_sum_5);
+    vec3 grain_texel_2 = grain_texel.xyz - 0.5;
+    float grain_least_depth = max(abs(grain_texel_2.x), abs(grain_texel_2.y)) * 0.0078125;
+    float grain_quotient_2 = -0.4 / max(max(abs(grain_texel_2.z), grain_least_depth), 5e-07);
+    vec2 grain_product_2 = grain_texel_2.xy * grain_quotient_2;
     vec2 grain_vector_2 = vec2(dot(grain_product_2, grain_hex_copy_2), dot(grain_product_2,
             grain_vector));
     float grain_dot_product = dot(grain_vector_2, grain_vector_2);
@@ -100,10 +106,12 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     vec2 grain_sum_8 = grain_sum_7 + grain_hex_copy_3;
     vec2 grain_sum_9 = grain_hex_copy_4 * tile_product.x + grain_vector_3 * tile_product.y;
     vec2 grain_sum_10 = grain_hex_copy_4 * tile_product_2.x + grain_vector_3 * tile_product_2.y;
-    vec3 grain_texel_2 = textureGrad(grain_image, grain_sum_8, grain_sum_9, grain_sum_10).xyz - 0.5;
-    float grain_least_depth_2 = max(abs(grain_texel_2.x), abs(grain_texel_2.y)) * 0.0078125;
-    float grain_quotient_4 = -0.4 / max(max(abs(grain_texel_2.z), grain_least_depth_2), 5e-07);
-    vec2 grain_product_4 = grain_texel_2.xy * grain_quotient_4;
+    vec4 grain_texel_3 = textureGrad(hex_pebbles_grain_image, grain_sum_8, grain_sum_9,
+            grain_sum_10);
+    vec3 grain_texel_4 = grain_texel_3.xyz - 0.5;
+    float grain_least_depth_2 = max(abs(grain_texel_4.x), abs(grain_texel_4.y)) * 0.0078125;
+    float grain_quotient_4 = -0.4 / max(max(abs(grain_texel_4.z), grain_least_depth_2), 5e-07);
+    vec2 grain_product_4 = grain_texel_4.xy * grain_quotient_4;
     vec2 grain_vector_4 = vec2(dot(grain_product_4, grain_hex_copy_4), dot(grain_product_4,
             grain_vector_3));
     float grain_dot_product_2 = dot(grain_vector_4, grain_vector_4);
@@ -118,11 +126,12 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     vec2 grain_sum_13 = grain_sum_12 + grain_hex_copy_5;
     vec2 grain_sum_14 = grain_hex_copy_6 * tile_product.x + grain_vector_5 * tile_product.y;
     vec2 grain_sum_15 = grain_hex_copy_6 * tile_product_2.x + grain_vector_5 * tile_product_2.y;
-    vec3 grain_texel_3 = textureGrad(grain_image, grain_sum_13, grain_sum_14,
-            grain_sum_15).xyz - 0.5;
-    float grain_least_depth_3 = max(abs(grain_texel_3.x), abs(grain_texel_3.y)) * 0.0078125;
-    float grain_quotient_6 = -0.4 / max(max(abs(grain_texel_3.z), grain_least_depth_3), 5e-07);
-    vec2 grain_product_6 = grain_texel_3.xy * grain_quotient_6;
+    vec4 grain_texel_5 = textureGrad(hex_pebbles_grain_image, grain_sum_13, grain_sum_14,
+            grain_sum_15);
+    vec3 grain_texel_6 = grain_texel_5.xyz - 0.5;
+    float grain_least_depth_3 = max(abs(grain_texel_6.x), abs(grain_texel_6.y)) * 0.0078125;
+    float grain_quotient_6 = -0.4 / max(max(abs(grain_texel_6.z), grain_least_depth_3), 5e-07);
+    vec2 grain_product_6 = grain_texel_6.xy * grain_quotient_6;
     vec2 grain_vector_6 = vec2(dot(grain_product_6, grain_hex_copy_6), dot(grain_product_6,
             grain_vector_5));
     float grain_dot_product_3 = dot(grain_vector_6, grain_vector_6);
@@ -172,7 +181,7 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     vec2 pebbles_sum_2 = pebbles_hex_copy_2 * pebbles_difference.x + pebbles_product;
     vec2 pebbles_sum_3 = pebbles_sum_2 + pebbles_quotient + pebbles_hex_copy;
     vec2 pebbles_sum_4 = pebbles_hex_copy_2 * tile_product.x + pebbles_vector * tile_product.y;
-    vec2 pebbles_size = vec2(textureSize(pebbles_image, 0));
+    vec2 pebbles_size = vec2(textureSize(hex_pebbles_pebbles_image, 0));
     vec2 pebbles_product_2 = pebbles_sum_4 * pebbles_size;
     float pebbles_dot_product = dot(pebbles_product_2, pebbles_product_2);
     vec2 pebbles_sum_5 = pebbles_hex_copy_2 * tile_product_2.x + pebbles_vector * tile_product_2.y;
@@ -181,17 +190,19 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
     vec2 pebbles_quotient_2 = pebbles_root / pebbles_size;
     vec2 pebbles_vector_2 = vec2(pebbles_sum_3.x + pebbles_quotient_2.x, pebbles_sum_3.y);
-    vec4 pebbles_texel = textureGrad(pebbles_image, pebbles_vector_2, pebbles_sum_4, pebbles_sum_5);
-    vec4 pebbles_texel_2 = textureGrad(pebbles_image, pebbles_sum_3, pebbles_sum_4, pebbles_sum_5);
+    vec4 pebbles_texel = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_2, pebbles_sum_4,
+            pebbles_sum_5);
+    vec4 pebbles_texel_2 = textureGrad(hex_pebbles_pebbles_image, pebbles_sum_3, pebbles_sum_4,
+            pebbles_sum_5);
     float pebbles_difference_2 = pebbles_texel.x - pebbles_texel_2.x;
     vec2 pebbles_vector_3 = vec2(pebbles_sum_3.x, pebbles_sum_3.y + pebbles_quotient_2.y);
-    vec4 pebbles_texel_3 = textureGrad(pebbles_image, pebbles_vector_3, pebbles_sum_4,
+    vec4 pebbles_texel_3 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_3, pebbles_sum_4,
             pebbles_sum_5);
     vec2 pebbles_vector_4 = vec2(pebbles_difference_2, pebbles_texel_3.x - pebbles_texel_2.x);
     vec2 pebbles_quotient_3 = pebbles_vector_4 / pebbles_quotient_2;
     vec2 pebbles_quotient_4 = 1.0 / pebbles_size;
-    vec2 pebbles_product_4 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_3,
-            pebbles_quotient_4) * pebbles_size;
+    vec2 pebbles_smooth_slope = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_3, pebbles_quotient_4);
+    vec2 pebbles_product_4 = pebbles_smooth_slope * pebbles_size;
     float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
     vec2 pebbles_mixed = mix(pebbles_quotient_3, pebbles_product_4, pebbles_clamped);
     float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_vector);
@@ -246,17 +257,19 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     float pebbles_root_2 = sqrt(max(pebbles_greatest_3, 1.0));
     vec2 pebbles_quotient_8 = pebbles_root_2 / pebbles_size;
     vec2 pebbles_vector_9 = vec2(pebbles_sum_8.x + pebbles_quotient_8.x, pebbles_sum_8.y);
-    vec4 pebbles_texel_4 = textureGrad(pebbles_image, pebbles_vector_9, pebbles_sum_9,
+    vec4 pebbles_texel_4 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_9, pebbles_sum_9,
             pebbles_sum_10);
-    vec4 pebbles_texel_5 = textureGrad(pebbles_image, pebbles_sum_8, pebbles_sum_9, pebbles_sum_10);
+    vec4 pebbles_texel_5 = textureGrad(hex_pebbles_pebbles_image, pebbles_sum_8, pebbles_sum_9,
+            pebbles_sum_10);
     float pebbles_difference_10 = pebbles_texel_4.x - pebbles_texel_5.x;
     vec2 pebbles_vector_10 = vec2(pebbles_sum_8.x, pebbles_sum_8.y + pebbles_quotient_8.y);
-    vec4 pebbles_texel_6 = textureGrad(pebbles_image, pebbles_vector_10, pebbles_sum_9,
+    vec4 pebbles_texel_6 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_10, pebbles_sum_9,
             pebbles_sum_10);
     vec2 pebbles_vector_11 = vec2(pebbles_difference_10, pebbles_texel_6.x - pebbles_texel_5.x);
     vec2 pebbles_quotient_9 = pebbles_vector_11 / pebbles_quotient_8;
-    vec2 pebbles_product_15 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_8,
-            pebbles_quotient_4) * pebbles_size;
+    vec2 pebbles_smooth_slope_2 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_8,
+            pebbles_quotient_4);
+    vec2 pebbles_product_15 = pebbles_smooth_slope_2 * pebbles_size;
     float pebbles_clamped_2 = clamp((0.5 - log2(pebbles_root_2)) / 0.45, 0.0, 1.0);
     vec2 pebbles_mixed_2 = mix(pebbles_quotient_9, pebbles_product_15, pebbles_clamped_2);
     float pebbles_dot_product_4 = dot(pebbles_mixed_2, pebbles_vector_8);
@@ -283,18 +296,19 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
     float pebbles_root_3 = sqrt(max(pebbles_greatest_4, 1.0));
     vec2 pebbles_quotient_11 = pebbles_root_3 / pebbles_size;
     vec2 pebbles_vector_14 = vec2(pebbles_sum_14.x + pebbles_quotient_11.x, pebbles_sum_14.y);
-    vec4 pebbles_texel_7 = textureGrad(pebbles_image, pebbles_vector_14, pebbles_sum_15,
+    vec4 pebbles_texel_7 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_14, pebbles_sum_15,
             pebbles_sum_16);
-    vec4 pebbles_texel_8 = textureGrad(pebbles_image, pebbles_sum_14, pebbles_sum_15,
+    vec4 pebbles_texel_8 = textureGrad(hex_pebbles_pebbles_image, pebbles_sum_14, pebbles_sum_15,
             pebbles_sum_16);
     float pebbles_difference_12 = pebbles_texel_7.x - pebbles_texel_8.x;
     vec2 pebbles_vector_15 = vec2(pebbles_sum_14.x, pebbles_sum_14.y + pebbles_quotient_11.y);
-    vec4 pebbles_texel_9 = textureGrad(pebbles_image, pebbles_vector_15, pebbles_sum_15,
+    vec4 pebbles_texel_9 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_15, pebbles_sum_15,
             pebbles_sum_16);
     vec2 pebbles_vector_16 = vec2(pebbles_difference_12, pebbles_texel_9.x - pebbles_texel_8.x);
     vec2 pebbles_quotient_12 = pebbles_vector_16 / pebbles_quotient_11;
-    vec2 pebbles_product_19 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_14,
-            pebbles_quotient_4) * pebbles_size;
+    vec2 pebbles_smooth_slope_3 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_14,
+            pebbles_quotient_4);
+    vec2 pebbles_product_19 = pebbles_smooth_slope_3 * pebbles_size;
     float pebbles_clamped_3 = clamp((0.5 - log2(pebbles_root_3)) / 0.45, 0.0, 1.0);
     vec2 pebbles_mixed_3 = mix(pebbles_quotient_12, pebbles_product_19, pebbles_clamped_3);
     float pebbles_dot_product_6 = dot(pebbles_mixed_3, pebbles_vector_13);
@@ -311,72 +325,12 @@ vec3 wrinkle_hex_pebbles_normal(WrinkleSurface_hex_pebbles s) {
             dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     vec3 normal_gradient = normal_sum + normal_cross_product;
     vec3 normal_bumped = normal * s.facing - normal_gradient;
-    return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
-}
-
-vec3 wrinkle_hex_pebbles_color(WrinkleSurface_hex_pebbles s) {
-    vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
-    vec2 tile_product = dFdx(s.uv0) * 3.0;
-    vec2 tile_product_2 = dFdy(s.uv0) * 3.0;
-    // pebbles: Hex-tiled height map
-    vec2 pebbles_hex_grid_2;
-    vec2 pebbles_hex_grid_3;
-    vec2 pebbles_hex_grid_4;
-    vec3 pebbles_hex_grid = wrinkle_hex_pebbles_hex_grid(tile_uv * 3.4641016, pebbles_hex_grid_2,
-            pebbles_hex_grid_3, pebbles_hex_grid_4);
-    vec2 pebbles_hex_copy_2;
-    vec2 pebbles_hex_copy = wrinkle_hex_pebbles_hex_copy(pebbles_hex_grid_2, 1.0,
-            pebbles_hex_copy_2);
-    float pebbles_sum = pebbles_hex_grid_2.x + 0.5 * pebbles_hex_grid_2.y;
-    vec2 pebbles_quotient = vec2(pebbles_sum, pebbles_hex_grid_2.y * 0.8660254) / 3.4641016;
-    vec2 pebbles_difference = tile_uv - pebbles_quotient;
-    vec2 pebbles_vector = vec2(-pebbles_hex_copy_2.y, pebbles_hex_copy_2.x);
-    vec2 pebbles_product = pebbles_vector * pebbles_difference.y;
-    vec2 pebbles_sum_2 = pebbles_hex_copy_2 * pebbles_difference.x + pebbles_product;
-    vec2 pebbles_sum_3 = pebbles_sum_2 + pebbles_quotient + pebbles_hex_copy;
-    vec2 pebbles_sum_4 = pebbles_hex_copy_2 * tile_product.x + pebbles_vector * tile_product.y;
-    vec2 pebbles_sum_5 = pebbles_hex_copy_2 * tile_product_2.x + pebbles_vector * tile_product_2.y;
-    vec4 pebbles_texel = textureGrad(pebbles_image, pebbles_sum_3, pebbles_sum_4, pebbles_sum_5);
-    vec2 pebbles_hex_copy_4;
-    vec2 pebbles_hex_copy_3 = wrinkle_hex_pebbles_hex_copy(pebbles_hex_grid_3, 1.0,
-            pebbles_hex_copy_4);
-    float pebbles_sum_6 = pebbles_hex_grid_3.x + 0.5 * pebbles_hex_grid_3.y;
-    vec2 pebbles_quotient_2 = vec2(pebbles_sum_6, pebbles_hex_grid_3.y * 0.8660254) / 3.4641016;
-    vec2 pebbles_difference_2 = tile_uv - pebbles_quotient_2;
-    vec2 pebbles_vector_2 = vec2(-pebbles_hex_copy_4.y, pebbles_hex_copy_4.x);
-    vec2 pebbles_product_2 = pebbles_vector_2 * pebbles_difference_2.y;
-    vec2 pebbles_sum_7 = pebbles_hex_copy_4 * pebbles_difference_2.x + pebbles_product_2;
-    vec2 pebbles_sum_8 = pebbles_sum_7 + pebbles_quotient_2 + pebbles_hex_copy_3;
-    vec2 pebbles_sum_9 = pebbles_hex_copy_4 * tile_product.x + pebbles_vector_2 * tile_product.y;
-    vec2 pebbles_sum_10 = pebbles_hex_copy_4 * tile_product_2.x + pebbles_vector_2 *
-            tile_product_2.y;
-    vec4 pebbles_texel_2 = textureGrad(pebbles_image, pebbles_sum_8, pebbles_sum_9, pebbles_sum_10);
-    vec2 pebbles_hex_copy_6;
-    vec2 pebbles_hex_copy_5 = wrinkle_hex_pebbles_hex_copy(pebbles_hex_grid_4, 1.0,
-            pebbles_hex_copy_6);
-    float pebbles_sum_11 = pebbles_hex_grid_4.x + 0.5 * pebbles_hex_grid_4.y;
-    vec2 pebbles_quotient_3 = vec2(pebbles_sum_11, pebbles_hex_grid_4.y * 0.8660254) / 3.4641016;
-    vec2 pebbles_difference_3 = tile_uv - pebbles_quotient_3;
-    vec2 pebbles_vector_3 = vec2(-pebbles_hex_copy_6.y, pebbles_hex_copy_6.x);
-    vec2 pebbles_product_3 = pebbles_vector_3 * pebbles_difference_3.y;
-    vec2 pebbles_sum_12 = pebbles_hex_copy_6 * pebbles_difference_3.x + pebbles_product_3;
-    vec2 pebbles_sum_13 = pebbles_sum_12 + pebbles_quotient_3 + pebbles_hex_copy_5;
-    vec2 pebbles_sum_14 = pebbles_hex_copy_6 * tile_product.x + pebbles_vector_3 * tile_product.y;
-    vec2 pebbles_sum_15 = pebbles_hex_copy_6 * tile_product_2.x + pebbles_vector_3 *
-            tile_product_2.y;
-    vec4 pebbles_texel_3 = textureGrad(pebbles_image, pebbles_sum_13, pebbles_sum_14,
-            pebbles_sum_15);
-    vec3 pebbles_greatest = max(pebbles_hex_grid, vec3(1e-04));
-    float pebbles_choice = pebbles_greatest.x > 0.0 ? pow(pebbles_greatest.x, 7.0) : 0.0;
-    float pebbles_choice_2 = pebbles_greatest.y > 0.0 ? pow(pebbles_greatest.y, 7.0) : 0.0;
-    float pebbles_choice_3 = pebbles_greatest.z > 0.0 ? pow(pebbles_greatest.z, 7.0) : 0.0;
-    vec3 pebbles_vector_4 = vec3(pebbles_choice, pebbles_choice_2, pebbles_choice_3);
     // tint: Hex-tiled colour
-    float tint_dot_product = dot(pebbles_texel.xyz, vec3(0.2126, 0.7152, 0.0722));
-    float tint_dot_product_2 = dot(pebbles_texel_2.xyz, vec3(0.2126, 0.7152, 0.0722));
-    float tint_dot_product_3 = dot(pebbles_texel_3.xyz, vec3(0.2126, 0.7152, 0.0722));
+    float tint_dot_product = dot(pebbles_texel_2.xyz, vec3(0.2126, 0.7152, 0.0722));
+    float tint_dot_product_2 = dot(pebbles_texel_5.xyz, vec3(0.2126, 0.7152, 0.0722));
+    float tint_dot_product_3 = dot(pebbles_texel_8.xyz, vec3(0.2126, 0.7152, 0.0722));
     vec3 tint_vector = vec3(tint_dot_product, tint_dot_product_2, tint_dot_product_3);
-    vec3 tint_product = (0.4 + 0.6 * clamp(tint_vector, 0.0, 1.0)) * pebbles_vector_4;
+    vec3 tint_product = (0.4 + 0.6 * clamp(tint_vector, 0.0, 1.0)) * pebbles_vector_6;
     vec3 tint_quotient = tint_product / (tint_product.x + tint_product.y + tint_product.z);
     float tint_product_2 = 2.0 * tint_quotient.x;
     float tint_product_3 = 0.5 * (tint_product_2 > 0.0 ? tint_product_2 : 0.0);
@@ -395,7 +349,12 @@ vec3 wrinkle_hex_pebbles_color(WrinkleSurface_hex_pebbles s) {
     float tint_choice_3 = tint_quotient.z < 0.5 ? tint_product_7 : tint_difference_6;
     vec3 tint_vector_2 = vec3(tint_choice, tint_choice_2, tint_choice_3);
     vec3 tint_quotient_2 = tint_vector_2 / (tint_choice + tint_choice_2 + tint_choice_3);
-    vec3 tint_product_8 = pebbles_texel.xyz * tint_quotient_2.x;
-    vec3 tint_sum = tint_product_8 + pebbles_texel_2.xyz * tint_quotient_2.y;
-    return tint_sum + pebbles_texel_3.xyz * tint_quotient_2.z;
+    vec3 tint_product_8 = pebbles_texel_2.xyz * tint_quotient_2.x;
+    vec3 tint_sum = tint_product_8 + pebbles_texel_5.xyz * tint_quotient_2.y;
+    WrinkleMaterial_hex_pebbles m;
+    // normal: Resolve (continued)
+    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    // tint: Hex-tiled colour (continued)
+    m.color = tint_sum + pebbles_texel_8.xyz * tint_quotient_2.z;
+    return m;
 }

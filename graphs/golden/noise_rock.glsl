@@ -5,6 +5,11 @@ struct WrinkleSurface_noise_rock {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_noise_rock {
+    vec3 normal;      // unit normal, object space
+    float height;     // outwards, in length units
+    float roughness;  // perceptual, 0 to 1
+};
 
 vec3 wrinkle_noise_rock_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -70,7 +75,8 @@ vec3 wrinkle_noise_rock_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_noise_rock_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_noise_rock_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    vec3 gradient_noise_slope = wrinkle_noise_rock_gradient_noise_slope(a);
+    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
 float wrinkle_noise_rock_gradient_noise(vec3 a) {
@@ -82,30 +88,30 @@ float wrinkle_noise_rock_gradient_noise(vec3 a) {
     float dot_product = dot(wrinkle_noise_rock_noise_direction(whole, whole_2, whole_3),
             difference);
     int sum = whole + 1;
+    vec3 noise_direction = wrinkle_noise_rock_noise_direction(sum, whole_2, whole_3);
     float difference_2 = difference.x - 1.0;
-    vec3 vector = vec3(difference_2, difference.y, difference.z);
-    float dot_product_2 = dot(wrinkle_noise_rock_noise_direction(sum, whole_2, whole_3), vector);
+    float dot_product_2 = dot(noise_direction, vec3(difference_2, difference.y, difference.z));
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
     float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
+    vec3 noise_direction_2 = wrinkle_noise_rock_noise_direction(whole, sum_3, whole_3);
     float difference_3 = difference.y - 1.0;
-    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
-    float dot_product_3 = dot(wrinkle_noise_rock_noise_direction(whole, sum_3, whole_3), vector_2);
-    vec3 noise_direction = wrinkle_noise_rock_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
+    float dot_product_3 = dot(noise_direction_2, vec3(difference.x, difference_3, difference.z));
+    vec3 noise_direction_3 = wrinkle_noise_rock_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction_3, vec3(difference_2, difference_3, difference.z));
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
+    vec3 noise_direction_4 = wrinkle_noise_rock_noise_direction(whole, whole_2, sum_4);
     float difference_4 = difference.z - 1.0;
-    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
-    float dot_product_5 = dot(wrinkle_noise_rock_noise_direction(whole, whole_2, sum_4), vector_3);
-    vec3 noise_direction_2 = wrinkle_noise_rock_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
+    float dot_product_5 = dot(noise_direction_4, vec3(difference.x, difference.y, difference_4));
+    vec3 noise_direction_5 = wrinkle_noise_rock_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_5, vec3(difference_2, difference.y, difference_4));
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_3 = wrinkle_noise_rock_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_4 = wrinkle_noise_rock_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
+    vec3 noise_direction_6 = wrinkle_noise_rock_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_6, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_7 = wrinkle_noise_rock_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
@@ -114,7 +120,7 @@ float wrinkle_noise_rock_noise_octave(vec3 a, float b) {
     return wrinkle_noise_rock_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
-vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
+WrinkleMaterial_noise_rock wrinkle_noise_rock(WrinkleSurface_noise_rock s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -166,6 +172,18 @@ vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
     float lumps_sum_17 = lumps_sum_16 + lumps_noise_octave_slope_5.z * 48.0 * 0.0625;
     float lumps_quotient_3 = (lumps_sum_17 + lumps_noise_octave_slope_6.z * 96.0 * 0.03125) /
             1.96875;
+    float lumps_noise_octave = wrinkle_noise_rock_noise_octave(lumps_product, lumps_greatest);
+    float lumps_product_14 = wrinkle_noise_rock_noise_octave(lumps_sum, lumps_product_3) * 0.5;
+    float lumps_product_15 = wrinkle_noise_rock_noise_octave(lumps_sum_3, lumps_product_6) * 0.25;
+    float lumps_product_16 = wrinkle_noise_rock_noise_octave(lumps_sum_5, lumps_product_8) * 0.125;
+    float lumps_sum_18 = lumps_noise_octave + lumps_product_14 + lumps_product_15 +
+            lumps_product_16;
+    float lumps_product_17 = wrinkle_noise_rock_noise_octave(lumps_sum_7,
+            lumps_product_10) * 0.0625;
+    float lumps_product_18 = wrinkle_noise_rock_noise_octave(lumps_sum_9,
+            lumps_product_11) * 0.03125;
+    float lumps_value = (lumps_sum_18 + lumps_product_17 + lumps_product_18) / 1.96875;
+    float lumps_height = lumps_value * 0.06;
     vec3 cracks_product = s.position * 7.0;  // cracks: Gradient noise
     float cracks_greatest = max(length(dpdx * 7.0), length(dpdy * 7.0));
     float cracks_noise_octave = wrinkle_noise_rock_noise_octave(cracks_product, cracks_greatest);
@@ -203,89 +221,22 @@ vec3 wrinkle_noise_rock_normal(WrinkleSurface_noise_rock s) {
     float groove_choice_6 = groove_test ? 0.0 : groove_choice_5;
     float groove_product_6 = groove_choice_6 * groove_clamped;
     float groove_product_7 = (groove_product_6 + groove_product_6) * groove_difference;
+    float groove_result = groove_product_3 * groove_difference;
     // carve: Multiply
     float carve_product = (groove_product_2 + -(groove_choice_2 * 2.0) * groove_product_3) * 0.015;
     float carve_product_2 = (groove_product_5 + -(groove_choice_4 * 2.0) * groove_product_3) *
             0.015;
     float carve_product_3 = (groove_product_7 + -(groove_choice_6 * 2.0) * groove_product_3) *
             0.015;
+    float carve_result = groove_result * 0.015;
     float rock_sum = lumps_quotient * 0.06 + carve_product;  // rock: Add heights
     float rock_sum_2 = lumps_quotient_2 * 0.06 + carve_product_2;
     float rock_sum_3 = lumps_quotient_3 * 0.06 + carve_product_3;
     vec3 normal_gradient = vec3(rock_sum, rock_sum_2, rock_sum_3);  // normal: Resolve
-    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
-}
-
-float wrinkle_noise_rock_height(WrinkleSurface_noise_rock s) {
-    vec3 dpdx = dFdx(s.position_relative);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 lumps_product = s.position * 3.0;  // lumps: Gradient noise
-    float lumps_greatest = max(length(dpdx * 3.0), length(dpdy * 3.0));
-    float lumps_noise_octave = wrinkle_noise_rock_noise_octave(lumps_product, lumps_greatest);
-    vec3 lumps_product_2 = lumps_product * 2.0;
-    vec3 lumps_sum = lumps_product_2 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_3 = lumps_greatest * 2.0;
-    float lumps_product_4 = wrinkle_noise_rock_noise_octave(lumps_sum, lumps_product_3) * 0.5;
-    vec3 lumps_product_5 = lumps_product_2 * 2.0;
-    vec3 lumps_sum_2 = lumps_product_5 + vec3(38.38, 14.86, 63.42);
-    float lumps_product_6 = lumps_product_3 * 2.0;
-    float lumps_product_7 = wrinkle_noise_rock_noise_octave(lumps_sum_2, lumps_product_6) * 0.25;
-    vec3 lumps_product_8 = lumps_product_5 * 2.0;
-    vec3 lumps_sum_3 = lumps_product_8 + vec3(57.57, 22.29, 95.13);
-    float lumps_product_9 = lumps_product_6 * 2.0;
-    float lumps_product_10 = wrinkle_noise_rock_noise_octave(lumps_sum_3, lumps_product_9) * 0.125;
-    float lumps_sum_4 = lumps_noise_octave + lumps_product_4 + lumps_product_7 + lumps_product_10;
-    vec3 lumps_product_11 = lumps_product_8 * 2.0;
-    vec3 lumps_sum_5 = lumps_product_11 + vec3(76.76, 29.72, 126.84);
-    float lumps_product_12 = lumps_product_9 * 2.0;
-    float lumps_product_13 = wrinkle_noise_rock_noise_octave(lumps_sum_5,
-            lumps_product_12) * 0.0625;
-    vec3 lumps_sum_6 = lumps_product_11 * 2.0 + vec3(95.95, 37.15, 158.55);
-    float lumps_product_14 = wrinkle_noise_rock_noise_octave(lumps_sum_6,
-            lumps_product_12 * 2.0) * 0.03125;
-    float lumps_value = (lumps_sum_4 + lumps_product_13 + lumps_product_14) / 1.96875;
-    float lumps_height = lumps_value * 0.06;
-    vec3 cracks_product = s.position * 7.0;  // cracks: Gradient noise
-    float cracks_greatest = max(length(dpdx * 7.0), length(dpdy * 7.0));
-    float cracks_noise_octave = wrinkle_noise_rock_noise_octave(cracks_product, cracks_greatest);
-    vec3 cracks_sum = cracks_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float cracks_product_2 = wrinkle_noise_rock_noise_octave(cracks_sum,
-            cracks_greatest * 2.0) * 0.5;
-    float cracks_value = (cracks_noise_octave + cracks_product_2) / 1.5;
-    float depth_result = abs(cracks_value);  // depth: Absolute
-    float groove_clamped = clamp(depth_result / 0.12, 0.0, 1.0);  // groove: Smooth step
-    float groove_result = groove_clamped * groove_clamped * (3.0 - 2.0 * groove_clamped);
-    float carve_result = groove_result * 0.015;  // carve: Multiply
-    return lumps_height + carve_result;  // rock: Add heights
-}
-
-float wrinkle_noise_rock_roughness(WrinkleSurface_noise_rock s) {
-    vec3 lumps_product = s.position * 3.0;  // lumps: Gradient noise
-    float lumps_extent = length(dFdx(s.position_relative) * 3.0);
-    float lumps_greatest = max(lumps_extent, length(dFdy(s.position_relative) * 3.0));
-    float lumps_noise_octave = wrinkle_noise_rock_noise_octave(lumps_product, lumps_greatest);
-    vec3 lumps_product_2 = lumps_product * 2.0;
-    vec3 lumps_sum = lumps_product_2 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_3 = lumps_greatest * 2.0;
-    float lumps_product_4 = wrinkle_noise_rock_noise_octave(lumps_sum, lumps_product_3) * 0.5;
-    vec3 lumps_product_5 = lumps_product_2 * 2.0;
-    vec3 lumps_sum_2 = lumps_product_5 + vec3(38.38, 14.86, 63.42);
-    float lumps_product_6 = lumps_product_3 * 2.0;
-    float lumps_product_7 = wrinkle_noise_rock_noise_octave(lumps_sum_2, lumps_product_6) * 0.25;
-    vec3 lumps_product_8 = lumps_product_5 * 2.0;
-    vec3 lumps_sum_3 = lumps_product_8 + vec3(57.57, 22.29, 95.13);
-    float lumps_product_9 = lumps_product_6 * 2.0;
-    float lumps_product_10 = wrinkle_noise_rock_noise_octave(lumps_sum_3, lumps_product_9) * 0.125;
-    float lumps_sum_4 = lumps_noise_octave + lumps_product_4 + lumps_product_7 + lumps_product_10;
-    vec3 lumps_product_11 = lumps_product_8 * 2.0;
-    vec3 lumps_sum_5 = lumps_product_11 + vec3(76.76, 29.72, 126.84);
-    float lumps_product_12 = lumps_product_9 * 2.0;
-    float lumps_product_13 = wrinkle_noise_rock_noise_octave(lumps_sum_5,
-            lumps_product_12) * 0.0625;
-    vec3 lumps_sum_6 = lumps_product_11 * 2.0 + vec3(95.95, 37.15, 158.55);
-    float lumps_product_14 = wrinkle_noise_rock_noise_octave(lumps_sum_6,
-            lumps_product_12 * 2.0) * 0.03125;
-    float lumps_value = (lumps_sum_4 + lumps_product_13 + lumps_product_14) / 1.96875;
-    float lumps_height = lumps_value * 0.06;
-    return mix(0.25, 0.6, (lumps_height + 0.06) / 0.12);  // shade: Remap
+    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    WrinkleMaterial_noise_rock m;
+    m.normal = normalize(normal_difference);
+    m.height = lumps_height + carve_result;  // rock: Add heights (continued)
+    m.roughness = mix(0.25, 0.6, (lumps_height + 0.06) / 0.12);  // shade: Remap
+    return m;
 }

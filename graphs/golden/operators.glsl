@@ -5,58 +5,29 @@ struct WrinkleSurface_operators {
     vec2 uv0;      // first uv set, origin at the bottom left
     float facing;  // +1 on front faces, -1 on back faces
 };
-uniform sampler2D weave_image;    // textures/weave_normal.png (normal_gl, repeat)
-uniform sampler2D rivets_image;   // textures/rivets_normal.png (normal_gl, repeat)
-uniform sampler2D patches_image;  // textures/patches_mask.png (linear, repeat)
-uniform sampler2D pebbles_image;  // textures/pebbles_slopes.png (derivative, repeat)
+struct WrinkleMaterial_operators {
+    vec3 normal;  // unit normal, object space
+    float tilt;
+    float angle;
+};
+uniform sampler2D operators_weave_image;    // textures/weave_normal.png (normal_gl, repeat)
+uniform sampler2D operators_rivets_image;   // textures/rivets_normal.png (normal_gl, repeat)
+uniform sampler2D operators_patches_image;  // textures/patches_mask.png (linear, repeat)
+uniform sampler2D operators_pebbles_image;  // textures/pebbles_slopes.png (derivative, repeat)
 
-vec3 wrinkle_operators_normal(WrinkleSurface_operators s) {
+WrinkleMaterial_operators wrinkle_operators(WrinkleSurface_operators s) {
     vec2 tile_uv = s.uv0 * 4.0;  // tile: UV transform
-    vec3 weave_texel = texture(weave_image, tile_uv).xyz - 0.5;  // weave: Tangent normal map
+    // weave: Tangent normal map
+    vec3 weave_texel = texture(operators_weave_image, tile_uv).xyz - 0.5;
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
     vec2 weave_texel_2 = weave_texel.xy * 0.6;
-    vec3 rivets_texel = texture(rivets_image, tile_uv).xyz - 0.5;  // rivets: Tangent normal map
+    // rivets: Tangent normal map
+    vec3 rivets_texel = texture(operators_rivets_image, tile_uv).xyz - 0.5;
     float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
     float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
     // cloth: Bump over bump
-    float cloth_least = min(max(texture(patches_image, s.uv0).x, 0.0), 1.0);
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
-    vec3 bitangent = cross(s.normal, s.tangent.xyz);
-    float handedness = s.tangent.w > 0.0 ? 1.0 : -1.0;
-    vec2 gentle_slope = rivets_texel.xy * 2.0 * (-1.0 / rivets_depth);  // gentle: Limit slope
-    vec3 gentle_along_u = s.tangent.xyz * (gentle_slope.x * inverse_normal_length);
-    vec3 gentle_along_v = bitangent * (gentle_slope.y * (handedness * inverse_normal_length));
-    float gentle_extent = length(gentle_along_u + gentle_along_v);
-    float gentle_choice = gentle_extent != 0.0 ? 0.57735026 / gentle_extent : 0.0;
-    // stack: Compositor
-    vec2 stack_slope = -weave_texel_2 * 0.6 + weave_texel_2 * cloth_least * 0.4;
-    float stack_negated = -(2.0 * (gentle_extent > 0.57735026 ? gentle_choice : 1.0) * 0.5);
-    vec2 stack_slope_2 = rivets_texel.xy * stack_negated;
-    vec2 stack_slope_3 = (rivets_texel.xy * -cloth_least + stack_slope_2) * 0.6;
-    vec2 stack_slope_4 = stack_slope_3 + rivets_texel.xy * (1.0 - cloth_least) * 0.4;
-    vec2 stack_slope_5 = (texture(pebbles_image, tile_uv).xy - 0.5) * 2.0 * 2.0 * 0.6;
-    float normal_product = weave_depth * rivets_depth;  // normal: Resolve
-    vec2 normal_slope = stack_slope_4 * weave_depth;
-    vec2 normal_slope_2 = stack_slope * rivets_depth + normal_slope;
-    vec2 normal_slope_3 = normal_slope_2 + stack_slope_5 * -normal_product;
-    vec3 normal_along_v = bitangent * (normal_slope_3.y * handedness);
-    vec3 normal_gradient = s.tangent.xyz * normal_slope_3.x + normal_along_v;
-    vec3 normal_bumped = s.normal * (normal_product * s.facing) + normal_gradient;
-    return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
-}
-
-float wrinkle_operators_tilt(WrinkleSurface_operators s) {
-    vec2 tile_uv = s.uv0 * 4.0;  // tile: UV transform
-    vec3 weave_texel = texture(weave_image, tile_uv).xyz - 0.5;  // weave: Tangent normal map
-    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
-    vec2 weave_texel_2 = weave_texel.xy * 0.6;
-    vec3 rivets_texel = texture(rivets_image, tile_uv).xyz - 0.5;  // rivets: Tangent normal map
-    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
-    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
-    // cloth: Bump over bump
-    float cloth_least = min(max(texture(patches_image, s.uv0).x, 0.0), 1.0);
+    float cloth_least = min(max(texture(operators_patches_image, s.uv0).x, 0.0), 1.0);
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 bitangent = cross(s.normal, s.tangent.xyz);
     float handedness = s.tangent.w > 0.0 ? 1.0 : -1.0;
@@ -72,11 +43,13 @@ float wrinkle_operators_tilt(WrinkleSurface_operators s) {
     vec2 stack_slope_2 = rivets_texel.xy * stack_negated;
     vec2 stack_slope_3 = (rivets_texel.xy * -cloth_least + stack_slope_2) * 0.6;
     vec2 stack_slope_4 = stack_slope_3 + rivets_texel.xy * (1.0 - cloth_least) * 0.4;
-    vec2 stack_slope_5 = (texture(pebbles_image, tile_uv).xy - 0.5) * 2.0 * 2.0 * 0.6;
+    // pebbles: Derivative map
+    vec2 pebbles_texel = (texture(operators_pebbles_image, tile_uv).xy - 0.5) * 2.0 * 2.0;
+    vec3 pebbles_product = normal * s.facing;
     float normal_product = weave_depth * rivets_depth;  // normal: Resolve
     vec2 normal_slope = stack_slope_4 * weave_depth;
     vec2 normal_slope_2 = stack_slope * rivets_depth + normal_slope;
-    vec2 normal_slope_3 = normal_slope_2 + stack_slope_5 * -normal_product;
+    vec2 normal_slope_3 = normal_slope_2 + pebbles_texel * 0.6 * -normal_product;
     vec3 normal_along_v = bitangent * (normal_slope_3.y * handedness);
     vec3 normal_gradient = s.tangent.xyz * normal_slope_3.x + normal_along_v;
     vec3 normal_bumped = s.normal * (normal_product * s.facing) + normal_gradient;
@@ -85,46 +58,13 @@ float wrinkle_operators_tilt(WrinkleSurface_operators s) {
     float tilt_quotient = -1.0 / max(abs(again_dot_product), 1.1920929e-07);  // tilt: Tilt of bump
     vec3 tilt_product = normal * (-again_dot_product * tilt_quotient);
     float tilt_slope = length(normal_normal * tilt_quotient + tilt_product);
-    return atan(tilt_slope) * 57.29578;
-}
-
-float wrinkle_operators_angle(WrinkleSurface_operators s) {
-    float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
-    vec3 bitangent = cross(s.normal, s.tangent.xyz);
-    float handedness = s.tangent.w > 0.0 ? 1.0 : -1.0;
-    vec3 pebbles_product = s.normal * inverse_normal_length * s.facing;  // pebbles: Derivative map
-    vec2 tile_uv = s.uv0 * 4.0;  // tile: UV transform
-    vec3 weave_texel = texture(weave_image, tile_uv).xyz - 0.5;  // weave: Tangent normal map
-    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
-    vec2 weave_texel_2 = weave_texel.xy * 0.6;
-    vec3 rivets_texel = texture(rivets_image, tile_uv).xyz - 0.5;  // rivets: Tangent normal map
-    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
-    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
-    // cloth: Bump over bump
-    float cloth_least = min(max(texture(patches_image, s.uv0).x, 0.0), 1.0);
-    vec2 gentle_slope = rivets_texel.xy * 2.0 * (-1.0 / rivets_depth);  // gentle: Limit slope
-    vec3 gentle_along_u = s.tangent.xyz * (gentle_slope.x * inverse_normal_length);
-    vec3 gentle_along_v = bitangent * (gentle_slope.y * (handedness * inverse_normal_length));
-    float gentle_extent = length(gentle_along_u + gentle_along_v);
-    float gentle_choice = gentle_extent != 0.0 ? 0.57735026 / gentle_extent : 0.0;
-    // stack: Compositor
-    vec2 stack_slope = -weave_texel_2 * 0.6 + weave_texel_2 * cloth_least * 0.4;
-    float stack_negated = -(2.0 * (gentle_extent > 0.57735026 ? gentle_choice : 1.0) * 0.5);
-    vec2 stack_slope_2 = rivets_texel.xy * stack_negated;
-    vec2 stack_slope_3 = (rivets_texel.xy * -cloth_least + stack_slope_2) * 0.6;
-    vec2 stack_slope_4 = stack_slope_3 + rivets_texel.xy * (1.0 - cloth_least) * 0.4;
-    vec2 stack_slope_5 = (texture(pebbles_image, tile_uv).xy - 0.5) * 2.0 * 2.0 * 0.6;
-    float normal_product = weave_depth * rivets_depth;  // normal: Resolve
-    vec2 normal_slope = stack_slope_4 * weave_depth;
-    vec2 normal_slope_2 = stack_slope * rivets_depth + normal_slope;
-    vec2 normal_slope_3 = normal_slope_2 + stack_slope_5 * -normal_product;
-    vec3 normal_along_v = bitangent * (normal_slope_3.y * handedness);
-    vec3 normal_gradient = s.tangent.xyz * normal_slope_3.x + normal_along_v;
-    vec3 normal_bumped = s.normal * (normal_product * s.facing) + normal_gradient;
-    vec3 normal_normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
     float apart_dot_product = dot(pebbles_product, normal_normal);  // apart: Angle of normals
     float apart_extent = length(cross(pebbles_product, normal_normal));
     bool apart_test = abs(apart_dot_product) + abs(apart_extent) > 0.0;
-    return (apart_test ? atan(apart_extent, apart_dot_product) : 0.0) * 57.29578;
+    WrinkleMaterial_operators m;
+    m.normal = normal_normal;
+    m.tilt = atan(tilt_slope) * 57.29578;  // tilt: Tilt of bump (continued)
+    // apart: Angle of normals (continued)
+    m.angle = (apart_test ? atan(apart_extent, apart_dot_product) : 0.0) * 57.29578;
+    return m;
 }

@@ -6,23 +6,28 @@ struct WrinkleSurface_parallax_bricks {
     vec3 view;               // unit vector towards the eye, object space
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D bricks_image;  // textures/bricks_height.png (linear, repeat)
+struct WrinkleMaterial_parallax_bricks {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
+uniform sampler2D parallax_bricks_bricks_image;  // textures/bricks_height.png (linear, repeat)
 
 vec2 wrinkle_parallax_bricks_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(bricks_image, a + b, 0.0);
-    float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(bricks_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(bricks_image, vec2(a.x + b.x, a.y), 0.0);
-    float difference_3 = texel_3.x - textureLod(bricks_image, vec2(a.x - b.x, a.y), 0.0).x;
-    float sum = difference + difference_2 + 2.0 * difference_3;
-    vec4 texel_4 = textureLod(bricks_image, vec2(a.x, a.y + b.y), 0.0);
-    float difference_4 = texel_4.x - textureLod(bricks_image, vec2(a.x, a.y - b.y), 0.0).x;
-    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    vec4 texel = textureLod(parallax_bricks_bricks_image, a + b, 0.0);
+    float difference = texel.x - textureLod(parallax_bricks_bricks_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(parallax_bricks_bricks_image, a + vec2(b.x, -b.y), 0.0);
+    vec4 texel_3 = textureLod(parallax_bricks_bricks_image, a + vec2(-b.x, b.y), 0.0);
+    float difference_2 = texel_2.x - texel_3.x;
+    vec4 texel_4 = textureLod(parallax_bricks_bricks_image, vec2(a.x + b.x, a.y), 0.0);
+    vec4 texel_5 = textureLod(parallax_bricks_bricks_image, vec2(a.x - b.x, a.y), 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
+    vec4 texel_6 = textureLod(parallax_bricks_bricks_image, vec2(a.x, a.y + b.y), 0.0);
+    vec4 texel_7 = textureLod(parallax_bricks_bricks_image, vec2(a.x, a.y - b.y), 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
     return vec2(sum, sum_2) * 0.125;
 }
 
-vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
+WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_bricks s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec2 duv0_dx = dFdx(s.uv0);
@@ -30,7 +35,7 @@ vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
     vec2 duv0_dy = dFdy(s.uv0);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 bricks_product = normal * s.facing;  // bricks: Height map
-    vec2 bricks_size = vec2(textureSize(bricks_image, 0));
+    vec2 bricks_size = vec2(textureSize(parallax_bricks_bricks_image, 0));
     float march_dot_product = dot(bricks_product, s.view);  // march: Parallax occlusion
     vec3 march_difference = s.view - bricks_product * march_dot_product;
     vec3 march_difference_2 = dpdy - bricks_product * dot(bricks_product, dpdy);
@@ -47,7 +52,7 @@ vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
     vec2 tile_vector = vec2(duv0_dx.x * 2.0, duv0_dx.y);
     vec2 tile_vector_2 = vec2(duv0_dy.x * 2.0, duv0_dy.y);
     // bricks: Height map (continued)
-    float bricks_height = (texture(bricks_image, tile_uv).x - 1.0) * 0.03;
+    float bricks_height = (texture(parallax_bricks_bricks_image, tile_uv).x - 1.0) * 0.03;
     vec2 bricks_product_2 = tile_vector * bricks_size;
     float bricks_dot_product = dot(bricks_product_2, bricks_product_2);
     vec2 bricks_product_3 = tile_vector_2 * bricks_size;
@@ -68,7 +73,8 @@ vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
         // tile: UV transform (continued)
         vec2 tile_vector_3 = vec2(march_sum_2.x * 2.0, march_sum_2.y);
         // bricks: Height map (continued)
-        vec4 bricks_texel = textureGrad(bricks_image, tile_vector_3, tile_vector, tile_vector_2);
+        vec4 bricks_texel = textureGrad(parallax_bricks_bricks_image, tile_vector_3, tile_vector,
+                tile_vector_2);
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
@@ -88,7 +94,8 @@ vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
         // tile: UV transform (continued)
         vec2 tile_vector_4 = vec2(march_sum_4.x * 2.0, march_sum_4.y);
         // bricks: Height map (continued)
-        vec4 bricks_texel_2 = textureGrad(bricks_image, tile_vector_4, tile_vector, tile_vector_2);
+        vec4 bricks_texel_2 = textureGrad(parallax_bricks_bricks_image, tile_vector_4, tile_vector,
+                tile_vector_2);
         // march: Parallax occlusion (continued)
         float march_sum_5 = (bricks_texel_2.x - 1.0) * 0.03 + march_sum_3;
         bool march_test = march_sum_5 < 0.0;
@@ -106,11 +113,14 @@ vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
     vec2 tile_vector_5 = vec2(tile_product, march_uv.y);
     // bricks: Height map (continued)
     vec2 bricks_vector = vec2(tile_product + bricks_quotient.x, march_uv.y);
-    vec4 bricks_texel_3 = textureGrad(bricks_image, bricks_vector, tile_vector, tile_vector_2);
-    vec4 bricks_texel_4 = textureGrad(bricks_image, tile_vector_5, tile_vector, tile_vector_2);
+    vec4 bricks_texel_3 = textureGrad(parallax_bricks_bricks_image, bricks_vector, tile_vector,
+            tile_vector_2);
+    vec4 bricks_texel_4 = textureGrad(parallax_bricks_bricks_image, tile_vector_5, tile_vector,
+            tile_vector_2);
     float bricks_difference = bricks_texel_3.x - bricks_texel_4.x;
     vec2 bricks_vector_2 = vec2(tile_product, march_uv.y + bricks_quotient.y);
-    vec4 bricks_texel_5 = textureGrad(bricks_image, bricks_vector_2, tile_vector, tile_vector_2);
+    vec4 bricks_texel_5 = textureGrad(parallax_bricks_bricks_image, bricks_vector_2, tile_vector,
+            tile_vector_2);
     vec2 bricks_vector_3 = vec2(bricks_difference, bricks_texel_5.x - bricks_texel_4.x);
     vec2 bricks_product_4 = bricks_vector_3 * (1.0 / bricks_root);
     vec2 bricks_smooth_slope = wrinkle_parallax_bricks_smooth_slope(tile_vector_5,
@@ -122,80 +132,8 @@ vec3 wrinkle_parallax_bricks_normal(WrinkleSurface_parallax_bricks s) {
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
     vec2 normal_product_2 = normal_vector * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(bricks_product - normal_gradient);
-}
-
-float wrinkle_parallax_bricks_height(WrinkleSurface_parallax_bricks s) {
-    vec2 duv0_dx = dFdx(s.uv0);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec2 duv0_dy = dFdy(s.uv0);
-    vec3 dpdx = dFdx(s.position_relative);
-    vec3 bricks_product = normalize(s.normal) * s.facing;  // bricks: Height map
-    float march_dot_product = dot(bricks_product, s.view);  // march: Parallax occlusion
-    vec3 march_difference = s.view - bricks_product * march_dot_product;
-    vec3 march_difference_2 = dpdy - bricks_product * dot(bricks_product, dpdy);
-    vec3 march_cross_product = cross(march_difference_2, bricks_product);
-    vec3 march_difference_3 = dpdx - bricks_product * dot(bricks_product, dpdx);
-    vec2 march_product = duv0_dy * dot(march_difference, cross(bricks_product, march_difference_3));
-    vec2 march_sum = duv0_dx * dot(march_difference, march_cross_product) + march_product;
-    float march_dot_product_2 = dot(march_difference_3, march_cross_product);
-    float march_sign = march_dot_product_2 < 0.0 ? -1.0 : 1.0;
-    vec2 march_product_2 = march_sum * (march_sign / max(abs(march_dot_product_2), 1e-36));
-    vec2 march_product_3 = march_product_2 * (-1.0 / max(abs(march_dot_product), 0.1));
-    float march_quotient = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
-    vec2 tile_uv = vec2(s.uv0.x * 2.0, s.uv0.y);  // tile: UV transform
-    vec2 tile_vector = vec2(duv0_dx.x * 2.0, duv0_dx.y);
-    vec2 tile_vector_2 = vec2(duv0_dy.x * 2.0, duv0_dy.y);
-    // bricks: Height map (continued)
-    float bricks_height = (texture(bricks_image, tile_uv).x - 1.0) * 0.03;
-    // march: Parallax occlusion (continued)
-    float march_state = 0.0;
-    float march_state_2 = bricks_height;
-    float march_state_3 = 0.0;
-    float march_state_4 = bricks_height;
-    for (int i = 0; i < 33; ++i) {
-        if (!(march_state_4 < 0.0 && march_state_3 < 0.03)) break;
-        float march_least = min(march_state_3 + march_quotient, 0.03);
-        vec2 march_sum_2 = s.uv0 + march_product_3 * march_least;
-        // tile: UV transform (continued)
-        vec2 tile_vector_3 = vec2(march_sum_2.x * 2.0, march_sum_2.y);
-        // bricks: Height map (continued)
-        vec4 bricks_texel = textureGrad(bricks_image, tile_vector_3, tile_vector, tile_vector_2);
-        march_state = march_state_3;
-        march_state_2 = march_state_4;
-        march_state_3 = march_least;
-        march_state_4 = (bricks_texel.x - 1.0) * 0.03 + march_least;
-    }
-    // march: Parallax occlusion (continued)
-    float march_state_5 = march_state;
-    float march_state_6 = march_state_2;
-    float march_state_7 = march_state_3;
-    float march_state_8 = march_state_4;
-    for (int i_2 = 0; i_2 < 3; ++i_2) {
-        if (!(march_state_8 > 0.0)) break;
-        float march_difference_4 = march_state_6 - march_state_8;
-        float march_sum_3 = march_state_5 + (march_state_7 - march_state_5) * (march_difference_4
-                != 0.0 ? march_state_6 / march_difference_4 : 0.0);
-        vec2 march_sum_4 = s.uv0 + march_product_3 * march_sum_3;
-        // tile: UV transform (continued)
-        vec2 tile_vector_4 = vec2(march_sum_4.x * 2.0, march_sum_4.y);
-        // bricks: Height map (continued)
-        vec4 bricks_texel_2 = textureGrad(bricks_image, tile_vector_4, tile_vector, tile_vector_2);
-        // march: Parallax occlusion (continued)
-        float march_sum_5 = (bricks_texel_2.x - 1.0) * 0.03 + march_sum_3;
-        bool march_test = march_sum_5 < 0.0;
-        march_state_5 = march_test ? march_sum_3 : march_state_5;
-        march_state_6 = march_test ? march_sum_5 : march_state_6;
-        march_state_7 = march_test ? march_state_7 : march_sum_3;
-        march_state_8 = march_test ? march_state_8 : march_sum_5;
-    }
-    float march_difference_5 = march_state_6 - march_state_8;
-    float march_choice = march_difference_5 != 0.0 ? march_state_6 / march_difference_5 : 0.0;
-    float march_sum_6 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
-    vec2 march_product_4 = march_product_3 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
-    vec2 march_uv = s.uv0 + march_product_4;
-    vec2 tile_vector_5 = vec2(march_uv.x * 2.0, march_uv.y);  // tile: UV transform (continued)
-    // bricks: Height map (continued)
-    vec4 bricks_texel_3 = textureGrad(bricks_image, tile_vector_5, tile_vector, tile_vector_2);
-    return (bricks_texel_3.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
+    WrinkleMaterial_parallax_bricks m;
+    m.normal = normalize(bricks_product - normal_gradient);
+    m.height = (bricks_texel_4.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
+    return m;
 }

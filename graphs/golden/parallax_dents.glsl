@@ -7,19 +7,24 @@ struct WrinkleSurface_parallax_dents {
     vec3 view;               // unit vector towards the eye, object space
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D pebbles_image;  // textures/pebbles_height.png (linear, repeat)
+struct WrinkleMaterial_parallax_dents {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
+uniform sampler2D parallax_dents_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
 
 vec2 wrinkle_parallax_dents_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(pebbles_image, a + b, 0.0);
-    float difference = texel.x - textureLod(pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(pebbles_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(pebbles_image, vec2(a.x + b.x, a.y), 0.0);
-    float difference_3 = texel_3.x - textureLod(pebbles_image, vec2(a.x - b.x, a.y), 0.0).x;
-    float sum = difference + difference_2 + 2.0 * difference_3;
-    vec4 texel_4 = textureLod(pebbles_image, vec2(a.x, a.y + b.y), 0.0);
-    float difference_4 = texel_4.x - textureLod(pebbles_image, vec2(a.x, a.y - b.y), 0.0).x;
-    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    vec4 texel = textureLod(parallax_dents_pebbles_image, a + b, 0.0);
+    float difference = texel.x - textureLod(parallax_dents_pebbles_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(parallax_dents_pebbles_image, a + vec2(b.x, -b.y), 0.0);
+    vec4 texel_3 = textureLod(parallax_dents_pebbles_image, a + vec2(-b.x, b.y), 0.0);
+    float difference_2 = texel_2.x - texel_3.x;
+    vec4 texel_4 = textureLod(parallax_dents_pebbles_image, vec2(a.x + b.x, a.y), 0.0);
+    vec4 texel_5 = textureLod(parallax_dents_pebbles_image, vec2(a.x - b.x, a.y), 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
+    vec4 texel_6 = textureLod(parallax_dents_pebbles_image, vec2(a.x, a.y + b.y), 0.0);
+    vec4 texel_7 = textureLod(parallax_dents_pebbles_image, vec2(a.x, a.y - b.y), 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
     return vec2(sum, sum_2) * 0.125;
 }
 
@@ -87,10 +92,11 @@ vec3 wrinkle_parallax_dents_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_parallax_dents_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_parallax_dents_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    vec3 gradient_noise_slope = wrinkle_parallax_dents_gradient_noise_slope(a);
+    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
-vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
+WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_dents s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec2 duv0_dx = dFdx(s.uv0);
@@ -98,7 +104,7 @@ vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
     vec2 duv0_dy = dFdy(s.uv0);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 pebbles_product = normal * s.facing;  // pebbles: Height map
-    vec2 pebbles_size = vec2(textureSize(pebbles_image, 0));
+    vec2 pebbles_size = vec2(textureSize(parallax_dents_pebbles_image, 0));
     float march_dot_product = dot(pebbles_product, s.view);  // march: Parallax occlusion
     vec3 march_difference = s.view - pebbles_product * march_dot_product;
     vec3 march_difference_2 = dpdy - pebbles_product * dot(pebbles_product, dpdy);
@@ -117,7 +123,7 @@ vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
     vec2 tile_product = duv0_dx * 2.0;
     vec2 tile_product_2 = duv0_dy * 2.0;
     // pebbles: Height map (continued)
-    float pebbles_height = (texture(pebbles_image, tile_uv).x - 1.0) * 0.03;
+    float pebbles_height = (texture(parallax_dents_pebbles_image, tile_uv).x - 1.0) * 0.03;
     vec2 pebbles_product_2 = tile_product * pebbles_size;
     float pebbles_dot_product = dot(pebbles_product_2, pebbles_product_2);
     vec2 pebbles_product_3 = tile_product_2 * pebbles_size;
@@ -136,7 +142,7 @@ vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
         // tile: UV transform (continued)
         vec2 tile_product_3 = (s.uv0 + march_product_3 * march_least) * 2.0;
         // pebbles: Height map (continued)
-        vec4 pebbles_texel = textureGrad(pebbles_image, tile_product_3, tile_product,
+        vec4 pebbles_texel = textureGrad(parallax_dents_pebbles_image, tile_product_3, tile_product,
                 tile_product_2);
         float pebbles_texel_2 = (pebbles_texel.x - 1.0) * 0.03;
         march_state = march_state_3;
@@ -157,8 +163,8 @@ vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
         // tile: UV transform (continued)
         vec2 tile_product_4 = (s.uv0 + march_product_3 * march_sum) * 2.0;
         // pebbles: Height map (continued)
-        vec4 pebbles_texel_3 = textureGrad(pebbles_image, tile_product_4, tile_product,
-                tile_product_2);
+        vec4 pebbles_texel_3 = textureGrad(parallax_dents_pebbles_image, tile_product_4,
+                tile_product, tile_product_2);
         float pebbles_texel_4 = (pebbles_texel_3.x - 1.0) * 0.03;
         float march_sum_2 = pebbles_texel_4 + march_sum;  // march: Parallax occlusion (continued)
         bool march_test = march_sum_2 < 0.0;
@@ -177,11 +183,13 @@ vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
     vec2 tile_product_5 = march_uv * 2.0;  // tile: UV transform (continued)
     // pebbles: Height map (continued)
     vec2 pebbles_vector = vec2(tile_product_5.x + pebbles_quotient.x, tile_product_5.y);
-    vec4 pebbles_texel_5 = textureGrad(pebbles_image, pebbles_vector, tile_product, tile_product_2);
-    vec4 pebbles_texel_6 = textureGrad(pebbles_image, tile_product_5, tile_product, tile_product_2);
+    vec4 pebbles_texel_5 = textureGrad(parallax_dents_pebbles_image, pebbles_vector, tile_product,
+            tile_product_2);
+    vec4 pebbles_texel_6 = textureGrad(parallax_dents_pebbles_image, tile_product_5, tile_product,
+            tile_product_2);
     float pebbles_difference = pebbles_texel_5.x - pebbles_texel_6.x;
     vec2 pebbles_vector_2 = vec2(tile_product_5.x, tile_product_5.y + pebbles_quotient.y);
-    vec4 pebbles_texel_7 = textureGrad(pebbles_image, pebbles_vector_2, tile_product,
+    vec4 pebbles_texel_7 = textureGrad(parallax_dents_pebbles_image, pebbles_vector_2, tile_product,
             tile_product_2);
     vec2 pebbles_vector_3 = vec2(pebbles_difference, pebbles_texel_7.x - pebbles_texel_6.x);
     vec2 pebbles_product_4 = pebbles_vector_3 * (1.0 / pebbles_root);
@@ -213,82 +221,8 @@ vec3 wrinkle_parallax_dents_normal(WrinkleSurface_parallax_dents s) {
     vec3 bump_gradient = vec3(dents_product_4, dents_product_6, dents_product_8);
     // normal: Resolve
     vec3 normal_product = relief_normal * (1.0 + dot(relief_normal, bump_gradient));
-    return normalize(normal_product - bump_gradient);
-}
-
-float wrinkle_parallax_dents_height(WrinkleSurface_parallax_dents s) {
-    vec2 duv0_dx = dFdx(s.uv0);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec2 duv0_dy = dFdy(s.uv0);
-    vec3 dpdx = dFdx(s.position_relative);
-    vec3 pebbles_product = normalize(s.normal) * s.facing;  // pebbles: Height map
-    float march_dot_product = dot(pebbles_product, s.view);  // march: Parallax occlusion
-    vec3 march_difference = s.view - pebbles_product * march_dot_product;
-    vec3 march_difference_2 = dpdy - pebbles_product * dot(pebbles_product, dpdy);
-    vec3 march_cross_product = cross(march_difference_2, pebbles_product);
-    vec2 march_product = duv0_dx * dot(march_difference, march_cross_product);
-    vec3 march_difference_3 = dpdx - pebbles_product * dot(pebbles_product, dpdx);
-    float march_dot_product_2 = dot(march_difference, cross(pebbles_product, march_difference_3));
-    float march_dot_product_3 = dot(march_difference_3, march_cross_product);
-    float march_sign = march_dot_product_3 < 0.0 ? -1.0 : 1.0;
-    float march_quotient = march_sign / max(abs(march_dot_product_3), 1e-36);
-    vec2 march_product_2 = (march_product + duv0_dy * march_dot_product_2) * march_quotient;
-    vec2 march_product_3 = march_product_2 * (-1.0 / max(abs(march_dot_product), 0.1));
-    float march_quotient_2 = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
-    vec2 tile_uv = s.uv0 * 2.0;  // tile: UV transform
-    vec2 tile_product = duv0_dx * 2.0;
-    vec2 tile_product_2 = duv0_dy * 2.0;
-    // pebbles: Height map (continued)
-    float pebbles_height = (texture(pebbles_image, tile_uv).x - 1.0) * 0.03;
-    // march: Parallax occlusion (continued)
-    float march_state = 0.0;
-    float march_state_2 = pebbles_height;
-    float march_state_3 = 0.0;
-    float march_state_4 = pebbles_height;
-    for (int i = 0; i < 33; ++i) {
-        if (!(march_state_4 < 0.0 && march_state_3 < 0.03)) break;
-        float march_least = min(march_state_3 + march_quotient_2, 0.03);
-        // tile: UV transform (continued)
-        vec2 tile_product_3 = (s.uv0 + march_product_3 * march_least) * 2.0;
-        // pebbles: Height map (continued)
-        vec4 pebbles_texel = textureGrad(pebbles_image, tile_product_3, tile_product,
-                tile_product_2);
-        float pebbles_texel_2 = (pebbles_texel.x - 1.0) * 0.03;
-        march_state = march_state_3;
-        march_state_2 = march_state_4;
-        march_state_3 = march_least;
-        march_state_4 = pebbles_texel_2 + march_least;
-    }
-    // march: Parallax occlusion (continued)
-    float march_state_5 = march_state;
-    float march_state_6 = march_state_2;
-    float march_state_7 = march_state_3;
-    float march_state_8 = march_state_4;
-    for (int i_2 = 0; i_2 < 3; ++i_2) {
-        if (!(march_state_8 > 0.0)) break;
-        float march_difference_4 = march_state_6 - march_state_8;
-        float march_sum = march_state_5 + (march_state_7 - march_state_5) * (march_difference_4 !=
-                0.0 ? march_state_6 / march_difference_4 : 0.0);
-        // tile: UV transform (continued)
-        vec2 tile_product_4 = (s.uv0 + march_product_3 * march_sum) * 2.0;
-        // pebbles: Height map (continued)
-        vec4 pebbles_texel_3 = textureGrad(pebbles_image, tile_product_4, tile_product,
-                tile_product_2);
-        float pebbles_texel_4 = (pebbles_texel_3.x - 1.0) * 0.03;
-        float march_sum_2 = pebbles_texel_4 + march_sum;  // march: Parallax occlusion (continued)
-        bool march_test = march_sum_2 < 0.0;
-        march_state_5 = march_test ? march_sum : march_state_5;
-        march_state_6 = march_test ? march_sum_2 : march_state_6;
-        march_state_7 = march_test ? march_state_7 : march_sum;
-        march_state_8 = march_test ? march_state_8 : march_sum_2;
-    }
-    float march_difference_5 = march_state_6 - march_state_8;
-    float march_choice = march_difference_5 != 0.0 ? march_state_6 / march_difference_5 : 0.0;
-    float march_sum_3 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
-    vec2 march_product_4 = march_product_3 * (march_state_8 < 0.0 ? march_state_7 : march_sum_3);
-    vec2 march_uv = s.uv0 + march_product_4;
-    vec2 tile_product_5 = march_uv * 2.0;  // tile: UV transform (continued)
-    // pebbles: Height map (continued)
-    vec4 pebbles_texel_5 = textureGrad(pebbles_image, tile_product_5, tile_product, tile_product_2);
-    return (pebbles_texel_5.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
+    WrinkleMaterial_parallax_dents m;
+    m.normal = normalize(normal_product - bump_gradient);
+    m.height = (pebbles_texel_6.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
+    return m;
 }

@@ -7,7 +7,11 @@ struct WrinkleSurface_parallax_detail {
     vec3 view;               // unit vector towards the eye, object space
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D weave_image;  // textures/weave_normal.png (normal_gl, repeat)
+struct WrinkleMaterial_parallax_detail {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
+uniform sampler2D parallax_detail_weave_image;  // textures/weave_normal.png (normal_gl, repeat)
 
 vec3 wrinkle_parallax_detail_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -28,43 +32,40 @@ float wrinkle_parallax_detail_gradient_noise(vec3 a) {
     int whole = int(floored.x);
     int whole_2 = int(floored.y);
     int whole_3 = int(floored.z);
+    vec3 noise_direction = wrinkle_parallax_detail_noise_direction(whole, whole_2, whole_3);
     vec3 difference = a - floored;
-    float dot_product = dot(wrinkle_parallax_detail_noise_direction(whole, whole_2, whole_3),
-            difference);
     int sum = whole + 1;
+    vec3 noise_direction_2 = wrinkle_parallax_detail_noise_direction(sum, whole_2, whole_3);
     float difference_2 = difference.x - 1.0;
-    vec3 vector = vec3(difference_2, difference.y, difference.z);
-    float dot_product_2 = dot(wrinkle_parallax_detail_noise_direction(sum, whole_2, whole_3),
-            vector);
+    float dot_product = dot(noise_direction_2, vec3(difference_2, difference.y, difference.z));
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
-    float mixed = mix(dot_product, dot_product_2, product.x);
+    float mixed = mix(dot(noise_direction, difference), dot_product, product.x);
     int sum_3 = whole_2 + 1;
+    vec3 noise_direction_3 = wrinkle_parallax_detail_noise_direction(whole, sum_3, whole_3);
     float difference_3 = difference.y - 1.0;
-    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
-    float dot_product_3 = dot(wrinkle_parallax_detail_noise_direction(whole, sum_3, whole_3),
-            vector_2);
-    vec3 noise_direction = wrinkle_parallax_detail_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
-    float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
+    float dot_product_2 = dot(noise_direction_3, vec3(difference.x, difference_3, difference.z));
+    vec3 noise_direction_4 = wrinkle_parallax_detail_noise_direction(sum, sum_3, whole_3);
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_2, difference_3, difference.z));
+    float mixed_2 = mix(mixed, mix(dot_product_2, dot_product_3, product.x), product.y);
     int sum_4 = whole_3 + 1;
+    vec3 noise_direction_5 = wrinkle_parallax_detail_noise_direction(whole, whole_2, sum_4);
     float difference_4 = difference.z - 1.0;
-    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
-    float dot_product_5 = dot(wrinkle_parallax_detail_noise_direction(whole, whole_2, sum_4),
-            vector_3);
-    vec3 noise_direction_2 = wrinkle_parallax_detail_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
-    float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_3 = wrinkle_parallax_detail_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_4 = wrinkle_parallax_detail_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
-    float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
+    float dot_product_4 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_4));
+    vec3 noise_direction_6 = wrinkle_parallax_detail_noise_direction(sum, whole_2, sum_4);
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_2, difference.y, difference_4));
+    float mixed_3 = mix(dot_product_4, dot_product_5, product.x);
+    vec3 noise_direction_7 = wrinkle_parallax_detail_noise_direction(whole, sum_3, sum_4);
+    float dot_product_6 = dot(noise_direction_7, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_8 = wrinkle_parallax_detail_noise_direction(sum, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
+    float mixed_4 = mix(mixed_3, mix(dot_product_6, dot_product_7, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
 
 float wrinkle_parallax_detail_noise_octave(vec3 a, float b) {
-    return wrinkle_parallax_detail_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    float gradient_noise = wrinkle_parallax_detail_gradient_noise(a);
+    return gradient_noise * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
 vec3 wrinkle_parallax_detail_gradient_noise_slope(vec3 a) {
@@ -117,10 +118,11 @@ vec3 wrinkle_parallax_detail_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_parallax_detail_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_parallax_detail_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    vec3 gradient_noise_slope = wrinkle_parallax_detail_gradient_noise_slope(a);
+    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
-vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
+WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_detail s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
@@ -229,6 +231,10 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
     float dunes_product_18 = dunes_noise_octave_slope_2.x * (dunes_product_4 * 2.0);
     float dunes_sum_8 = dunes_product_18 + dunes_noise_octave_slope_2.y * (dunes_product_5 * 2.0);
     float dunes_quotient_2 = (dunes_sum_7 + dunes_sum_8 * 0.5) / 1.5;
+    float dunes_noise_octave_4 = wrinkle_parallax_detail_noise_octave(dunes_product_14,
+            dunes_greatest);
+    float dunes_product_19 = wrinkle_parallax_detail_noise_octave(dunes_sum_5,
+            dunes_product_6) * 0.5;
     // march: Parallax occlusion (continued)
     vec2 march_product_7 = vec2(dunes_quotient, dunes_quotient_2) * march_product_5;
     vec3 march_gradient = cross(normal, dpdx * march_product_7.y - dpdy * march_product_7.x);
@@ -243,115 +249,25 @@ vec3 wrinkle_parallax_detail_normal(WrinkleSurface_parallax_detail s) {
     vec2 tile_product_2 = duv0_dy * march_exponential * 4.0;
     float tile_product_3 = march_exponential * 4.0;
     // weave: Tangent normal map
-    vec3 weave_texel = textureGrad(weave_image, tile_uv, tile_product, tile_product_2).xyz - 0.5;
-    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
-    vec2 weave_texel_2 = weave_texel.xy * 0.5;
+    vec4 weave_texel = textureGrad(parallax_detail_weave_image, tile_uv, tile_product,
+            tile_product_2);
+    vec3 weave_texel_2 = weave_texel.xyz - 0.5;
+    float weave_least_depth = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
+    float weave_depth = max(max(abs(weave_texel_2.z), weave_least_depth), 5e-07);
+    vec2 weave_texel_3 = weave_texel_2.xy * 0.5;
     float weave_magnitude = abs(tile_product_3 * tile_product_3);
     float weave_choice = weave_magnitude > 0.0 ? inversesqrt(max(weave_magnitude, 1e-36)) : 0.0;
     float weave_product = tile_product_3 * weave_choice;
     // normal: Resolve
-    float normal_slope_u = weave_texel_2.x * weave_product * inverse_normal_length;
+    float normal_slope_u = weave_texel_3.x * weave_product * inverse_normal_length;
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
-    float normal_slope_v = weave_texel_2.y * weave_product * normal_product;
+    float normal_slope_v = weave_texel_3.y * weave_product * normal_product;
     vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * normal_slope_v;
     vec3 normal_sum = s.tangent.xyz * normal_slope_u + normal_along_v;
     float normal_difference = weave_depth - dot(relief_normal, normal_sum);
-    return normalize(relief_normal * normal_difference + normal_sum);
-}
-
-float wrinkle_parallax_detail_height(WrinkleSurface_parallax_detail s) {
-    vec2 duv0_dx = dFdx(s.uv0);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec2 duv0_dy = dFdy(s.uv0);
-    vec3 dpdx = dFdx(s.position_relative);
-    vec3 point_vector = vec3(s.uv0.x, s.uv0.y, 0.37);  // point: Combine vec3
-    // march: Parallax occlusion
-    vec3 march_product = s.normal * inversesqrt(dot(s.normal, s.normal)) * s.facing;
-    float march_dot_product = dot(march_product, s.view);
-    vec3 march_difference = s.view - march_product * march_dot_product;
-    vec3 march_difference_2 = dpdy - march_product * dot(march_product, dpdy);
-    vec3 march_cross_product = cross(march_difference_2, march_product);
-    vec3 march_difference_3 = dpdx - march_product * dot(march_product, dpdx);
-    vec2 march_product_2 = duv0_dy * dot(march_difference, cross(march_product,
-            march_difference_3));
-    vec2 march_sum = duv0_dx * dot(march_difference, march_cross_product) + march_product_2;
-    float march_dot_product_2 = dot(march_difference_3, march_cross_product);
-    float march_sign = march_dot_product_2 < 0.0 ? -1.0 : 1.0;
-    vec2 march_product_3 = march_sum * (march_sign / max(abs(march_dot_product_2), 1e-36));
-    vec2 march_product_4 = march_product_3 * (-1.0 / max(abs(march_dot_product), 0.1));
-    float march_quotient = 0.08 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
-    vec3 dunes_product = point_vector * 7.0;  // dunes: Gradient noise
-    float dunes_extent = length(vec3(duv0_dx.x * 7.0, duv0_dx.y * 7.0, 0.0));
-    float dunes_extent_2 = length(vec3(duv0_dy.x * 7.0, duv0_dy.y * 7.0, 0.0));
-    float dunes_greatest = max(dunes_extent, dunes_extent_2);
-    float dunes_noise_octave = wrinkle_parallax_detail_noise_octave(dunes_product, dunes_greatest);
-    vec3 dunes_sum = dunes_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float dunes_product_2 = dunes_greatest * 2.0;
-    float dunes_product_3 = wrinkle_parallax_detail_noise_octave(dunes_sum, dunes_product_2) * 0.5;
-    float dunes_value = (dunes_noise_octave + dunes_product_3) / 1.5;
-    float dunes_height = dunes_value * 0.08;
-    float march_difference_4 = dunes_height - 0.04;  // march: Parallax occlusion (continued)
-    float march_state = 0.0;
-    float march_state_2 = march_difference_4;
-    float march_state_3 = 0.0;
-    float march_state_4 = march_difference_4;
-    for (int i = 0; i < 33; ++i) {
-        if (!(march_state_4 < 0.0 && march_state_3 < 0.08)) break;
-        float march_least = min(march_state_3 + march_quotient, 0.08);
-        vec2 march_sum_2 = s.uv0 + march_product_4 * march_least;
-        // dunes: Gradient noise (continued)
-        vec3 dunes_product_4 = vec3(march_sum_2.x, march_sum_2.y, 0.37) * 7.0;
-        float dunes_noise_octave_2 = wrinkle_parallax_detail_noise_octave(dunes_product_4,
-                dunes_greatest);
-        vec3 dunes_sum_2 = dunes_product_4 * 2.0 + vec3(19.19, 7.43, 31.71);
-        float dunes_product_5 = wrinkle_parallax_detail_noise_octave(dunes_sum_2,
-                dunes_product_2) * 0.5;
-        float dunes_product_6 = (dunes_noise_octave_2 + dunes_product_5) / 1.5 * 0.08;
-        march_state = march_state_3;
-        march_state_2 = march_state_4;
-        march_state_3 = march_least;
-        march_state_4 = dunes_product_6 - 0.04 + march_least;
-    }
+    WrinkleMaterial_parallax_detail m;
+    m.normal = normalize(relief_normal * normal_difference + normal_sum);
     // march: Parallax occlusion (continued)
-    float march_state_5 = march_state;
-    float march_state_6 = march_state_2;
-    float march_state_7 = march_state_3;
-    float march_state_8 = march_state_4;
-    for (int i_2 = 0; i_2 < 3; ++i_2) {
-        if (!(march_state_8 > 0.0)) break;
-        float march_difference_5 = march_state_6 - march_state_8;
-        float march_sum_3 = march_state_5 + (march_state_7 - march_state_5) * (march_difference_5
-                != 0.0 ? march_state_6 / march_difference_5 : 0.0);
-        vec2 march_sum_4 = s.uv0 + march_product_4 * march_sum_3;
-        // dunes: Gradient noise (continued)
-        vec3 dunes_product_7 = vec3(march_sum_4.x, march_sum_4.y, 0.37) * 7.0;
-        float dunes_noise_octave_3 = wrinkle_parallax_detail_noise_octave(dunes_product_7,
-                dunes_greatest);
-        vec3 dunes_sum_3 = dunes_product_7 * 2.0 + vec3(19.19, 7.43, 31.71);
-        float dunes_product_8 = wrinkle_parallax_detail_noise_octave(dunes_sum_3,
-                dunes_product_2) * 0.5;
-        float dunes_product_9 = (dunes_noise_octave_3 + dunes_product_8) / 1.5 * 0.08;
-        // march: Parallax occlusion (continued)
-        float march_sum_5 = dunes_product_9 - 0.04 + march_sum_3;
-        bool march_test = march_sum_5 < 0.0;
-        march_state_5 = march_test ? march_sum_3 : march_state_5;
-        march_state_6 = march_test ? march_sum_5 : march_state_6;
-        march_state_7 = march_test ? march_state_7 : march_sum_3;
-        march_state_8 = march_test ? march_state_8 : march_sum_5;
-    }
-    float march_difference_6 = march_state_6 - march_state_8;
-    float march_choice = march_difference_6 != 0.0 ? march_state_6 / march_difference_6 : 0.0;
-    float march_sum_6 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
-    vec2 march_product_5 = march_product_4 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
-    vec2 march_detail_uv = s.uv0 + march_product_5;
-    // dunes: Gradient noise (continued)
-    vec3 dunes_product_10 = vec3(march_detail_uv.x, march_detail_uv.y, 0.37) * 7.0;
-    float dunes_noise_octave_4 = wrinkle_parallax_detail_noise_octave(dunes_product_10,
-            dunes_greatest);
-    vec3 dunes_sum_4 = dunes_product_10 * 2.0 + vec3(19.19, 7.43, 31.71);
-    float dunes_product_11 = wrinkle_parallax_detail_noise_octave(dunes_sum_4,
-            dunes_product_2) * 0.5;
-    // march: Parallax occlusion (continued)
-    return (dunes_noise_octave_4 + dunes_product_11) / 1.5 * 0.08;
+    m.height = (dunes_noise_octave_4 + dunes_product_19) / 1.5 * 0.08;
+    return m;
 }

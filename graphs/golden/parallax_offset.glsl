@@ -6,23 +6,28 @@ struct WrinkleSurface_parallax_offset {
     vec3 view;               // unit vector towards the eye, object space
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D pebbles_image;  // textures/pebbles_height.png (linear, repeat)
+struct WrinkleMaterial_parallax_offset {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
+uniform sampler2D parallax_offset_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
 
 vec2 wrinkle_parallax_offset_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(pebbles_image, a + b, 0.0);
-    float difference = texel.x - textureLod(pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(pebbles_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(pebbles_image, vec2(a.x + b.x, a.y), 0.0);
-    float difference_3 = texel_3.x - textureLod(pebbles_image, vec2(a.x - b.x, a.y), 0.0).x;
-    float sum = difference + difference_2 + 2.0 * difference_3;
-    vec4 texel_4 = textureLod(pebbles_image, vec2(a.x, a.y + b.y), 0.0);
-    float difference_4 = texel_4.x - textureLod(pebbles_image, vec2(a.x, a.y - b.y), 0.0).x;
-    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    vec4 texel = textureLod(parallax_offset_pebbles_image, a + b, 0.0);
+    float difference = texel.x - textureLod(parallax_offset_pebbles_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(parallax_offset_pebbles_image, a + vec2(b.x, -b.y), 0.0);
+    vec4 texel_3 = textureLod(parallax_offset_pebbles_image, a + vec2(-b.x, b.y), 0.0);
+    float difference_2 = texel_2.x - texel_3.x;
+    vec4 texel_4 = textureLod(parallax_offset_pebbles_image, vec2(a.x + b.x, a.y), 0.0);
+    vec4 texel_5 = textureLod(parallax_offset_pebbles_image, vec2(a.x - b.x, a.y), 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
+    vec4 texel_6 = textureLod(parallax_offset_pebbles_image, vec2(a.x, a.y + b.y), 0.0);
+    vec4 texel_7 = textureLod(parallax_offset_pebbles_image, vec2(a.x, a.y - b.y), 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
     return vec2(sum, sum_2) * 0.125;
 }
 
-vec3 wrinkle_parallax_offset_normal(WrinkleSurface_parallax_offset s) {
+WrinkleMaterial_parallax_offset wrinkle_parallax_offset(WrinkleSurface_parallax_offset s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec2 duv0_dx = dFdx(s.uv0);
@@ -30,7 +35,7 @@ vec3 wrinkle_parallax_offset_normal(WrinkleSurface_parallax_offset s) {
     vec2 duv0_dy = dFdy(s.uv0);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 pebbles_product = normal * s.facing;  // pebbles: Height map
-    vec2 pebbles_size = vec2(textureSize(pebbles_image, 0));
+    vec2 pebbles_size = vec2(textureSize(parallax_offset_pebbles_image, 0));
     // shift: Parallax offset
     vec3 shift_difference = dpdy - pebbles_product * dot(pebbles_product, dpdy);
     vec3 shift_cross_product = cross(shift_difference, pebbles_product);
@@ -44,7 +49,7 @@ vec3 wrinkle_parallax_offset_normal(WrinkleSurface_parallax_offset s) {
     vec2 tile_product = duv0_dx * 2.0;
     vec2 tile_product_2 = duv0_dy * 2.0;
     // pebbles: Height map (continued)
-    float pebbles_height = (texture(pebbles_image, tile_uv).x - 0.5) * 0.03;
+    float pebbles_height = (texture(parallax_offset_pebbles_image, tile_uv).x - 0.5) * 0.03;
     vec2 pebbles_product_2 = tile_product * pebbles_size;
     float pebbles_dot_product = dot(pebbles_product_2, pebbles_product_2);
     vec2 pebbles_product_3 = tile_product_2 * pebbles_size;
@@ -56,12 +61,14 @@ vec3 wrinkle_parallax_offset_normal(WrinkleSurface_parallax_offset s) {
     vec2 tile_product_3 = shift_uv * 2.0;  // tile: UV transform (continued)
     // pebbles: Height map (continued)
     vec2 pebbles_vector = vec2(tile_product_3.x + pebbles_quotient.x, tile_product_3.y);
-    vec4 pebbles_texel = textureGrad(pebbles_image, pebbles_vector, tile_product, tile_product_2);
-    vec4 pebbles_texel_2 = textureGrad(pebbles_image, tile_product_3, tile_product, tile_product_2);
+    vec4 pebbles_texel = textureGrad(parallax_offset_pebbles_image, pebbles_vector, tile_product,
+            tile_product_2);
+    vec4 pebbles_texel_2 = textureGrad(parallax_offset_pebbles_image, tile_product_3, tile_product,
+            tile_product_2);
     float pebbles_difference = pebbles_texel.x - pebbles_texel_2.x;
     vec2 pebbles_vector_2 = vec2(tile_product_3.x, tile_product_3.y + pebbles_quotient.y);
-    vec4 pebbles_texel_3 = textureGrad(pebbles_image, pebbles_vector_2, tile_product,
-            tile_product_2);
+    vec4 pebbles_texel_3 = textureGrad(parallax_offset_pebbles_image, pebbles_vector_2,
+            tile_product, tile_product_2);
     vec2 pebbles_vector_3 = vec2(pebbles_difference, pebbles_texel_3.x - pebbles_texel_2.x);
     vec2 pebbles_product_4 = pebbles_vector_3 * (1.0 / pebbles_root);
     vec2 pebbles_smooth_slope = wrinkle_parallax_offset_smooth_slope(tile_product_3,
@@ -73,32 +80,8 @@ vec3 wrinkle_parallax_offset_normal(WrinkleSurface_parallax_offset s) {
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
     vec2 normal_product_2 = normal_vector * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(pebbles_product - normal_gradient);
-}
-
-float wrinkle_parallax_offset_height(WrinkleSurface_parallax_offset s) {
-    vec2 duv0_dx = dFdx(s.uv0);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec2 duv0_dy = dFdy(s.uv0);
-    vec3 dpdx = dFdx(s.position_relative);
-    vec3 pebbles_product = normalize(s.normal) * s.facing;  // pebbles: Height map
-    // shift: Parallax offset
-    vec3 shift_difference = dpdy - pebbles_product * dot(pebbles_product, dpdy);
-    vec3 shift_cross_product = cross(shift_difference, pebbles_product);
-    vec3 shift_difference_2 = dpdx - pebbles_product * dot(pebbles_product, dpdx);
-    vec2 shift_product = duv0_dy * dot(s.view, cross(pebbles_product, shift_difference_2));
-    vec2 shift_sum = duv0_dx * dot(s.view, shift_cross_product) + shift_product;
-    float shift_dot_product = dot(shift_difference_2, shift_cross_product);
-    float shift_sign = shift_dot_product < 0.0 ? -1.0 : 1.0;
-    vec2 shift_negated = -(shift_sum * (shift_sign / max(abs(shift_dot_product), 1e-36)));
-    vec2 tile_uv = s.uv0 * 2.0;  // tile: UV transform
-    vec2 tile_product = duv0_dx * 2.0;
-    vec2 tile_product_2 = duv0_dy * 2.0;
-    // pebbles: Height map (continued)
-    float pebbles_height = (texture(pebbles_image, tile_uv).x - 0.5) * 0.03;
-    vec2 shift_uv = s.uv0 + shift_negated * -pebbles_height;  // shift: Parallax offset (continued)
-    vec2 tile_product_3 = shift_uv * 2.0;  // tile: UV transform (continued)
-    // pebbles: Height map (continued)
-    vec4 pebbles_texel = textureGrad(pebbles_image, tile_product_3, tile_product, tile_product_2);
-    return (pebbles_texel.x - 0.5) * 0.03;  // shift: Parallax offset (continued)
+    WrinkleMaterial_parallax_offset m;
+    m.normal = normalize(pebbles_product - normal_gradient);
+    m.height = (pebbles_texel_2.x - 0.5) * 0.03;  // shift: Parallax offset (continued)
+    return m;
 }

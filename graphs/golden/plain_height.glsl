@@ -5,29 +5,34 @@ struct WrinkleSurface_plain_height {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D bricks_image;  // textures/bricks_height.png (linear, repeat)
+struct WrinkleMaterial_plain_height {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
+uniform sampler2D plain_height_bricks_image;  // textures/bricks_height.png (linear, repeat)
 
 vec2 wrinkle_plain_height_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(bricks_image, a + b, 0.0);
-    float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(bricks_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(bricks_image, vec2(a.x + b.x, a.y), 0.0);
-    float difference_3 = texel_3.x - textureLod(bricks_image, vec2(a.x - b.x, a.y), 0.0).x;
-    float sum = difference + difference_2 + 2.0 * difference_3;
-    vec4 texel_4 = textureLod(bricks_image, vec2(a.x, a.y + b.y), 0.0);
-    float difference_4 = texel_4.x - textureLod(bricks_image, vec2(a.x, a.y - b.y), 0.0).x;
-    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    vec4 texel = textureLod(plain_height_bricks_image, a + b, 0.0);
+    float difference = texel.x - textureLod(plain_height_bricks_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(plain_height_bricks_image, a + vec2(b.x, -b.y), 0.0);
+    vec4 texel_3 = textureLod(plain_height_bricks_image, a + vec2(-b.x, b.y), 0.0);
+    float difference_2 = texel_2.x - texel_3.x;
+    vec4 texel_4 = textureLod(plain_height_bricks_image, vec2(a.x + b.x, a.y), 0.0);
+    vec4 texel_5 = textureLod(plain_height_bricks_image, vec2(a.x - b.x, a.y), 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
+    vec4 texel_6 = textureLod(plain_height_bricks_image, vec2(a.x, a.y + b.y), 0.0);
+    vec4 texel_7 = textureLod(plain_height_bricks_image, vec2(a.x, a.y - b.y), 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
     return vec2(sum, sum_2) * 0.125;
 }
 
-vec3 wrinkle_plain_height_normal(WrinkleSurface_plain_height s) {
+WrinkleMaterial_plain_height wrinkle_plain_height(WrinkleSurface_plain_height s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 tile_uv = s.uv0 * vec2(4.0, 2.0);  // tile: UV transform
-    vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
+    vec2 bricks_size = vec2(textureSize(plain_height_bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = dFdx(s.uv0) * vec2(4.0, 2.0) * bricks_size;
     float bricks_dot_product = dot(bricks_product, bricks_product);
     vec2 bricks_product_2 = dFdy(s.uv0) * vec2(4.0, 2.0) * bricks_size;
@@ -36,10 +41,11 @@ vec3 wrinkle_plain_height_normal(WrinkleSurface_plain_height s) {
     float bricks_root = sqrt(bricks_greatest);
     vec2 bricks_quotient = bricks_root / bricks_size;
     vec2 bricks_vector = vec2(tile_uv.x + bricks_quotient.x, tile_uv.y);
-    vec4 bricks_texel = texture(bricks_image, tile_uv);
-    float bricks_difference = texture(bricks_image, bricks_vector).x - bricks_texel.x;
+    vec4 bricks_texel = texture(plain_height_bricks_image, tile_uv);
+    float bricks_difference = texture(plain_height_bricks_image, bricks_vector).x - bricks_texel.x;
     vec2 bricks_vector_2 = vec2(tile_uv.x, tile_uv.y + bricks_quotient.y);
-    float bricks_difference_2 = texture(bricks_image, bricks_vector_2).x - bricks_texel.x;
+    float bricks_difference_2 = texture(plain_height_bricks_image,
+            bricks_vector_2).x - bricks_texel.x;
     vec2 bricks_product_3 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
     vec2 bricks_smooth_slope = wrinkle_plain_height_smooth_slope(tile_uv, 1.0 / bricks_size);
     float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
@@ -50,10 +56,8 @@ vec3 wrinkle_plain_height_normal(WrinkleSurface_plain_height s) {
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.04;
     vec2 normal_product_2 = normal_vector * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_plain_height_height(WrinkleSurface_plain_height s) {
-    vec2 tile_uv = s.uv0 * vec2(4.0, 2.0);  // tile: UV transform
-    return (texture(bricks_image, tile_uv).x - 0.5) * 0.04;  // bricks: Height map
+    WrinkleMaterial_plain_height m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.height = (bricks_texel.x - 0.5) * 0.04;  // bricks: Height map (continued)
+    return m;
 }

@@ -5,23 +5,27 @@ struct WrinkleSurface_planar_dust {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D pebbles_image;  // textures/pebbles_height.png (linear, repeat)
+struct WrinkleMaterial_planar_dust {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D planar_dust_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
 
 vec2 wrinkle_planar_dust_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(pebbles_image, a + b, 0.0);
-    float difference = texel.x - textureLod(pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(pebbles_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(pebbles_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(pebbles_image, vec2(a.x + b.x, a.y), 0.0);
-    float difference_3 = texel_3.x - textureLod(pebbles_image, vec2(a.x - b.x, a.y), 0.0).x;
-    float sum = difference + difference_2 + 2.0 * difference_3;
-    vec4 texel_4 = textureLod(pebbles_image, vec2(a.x, a.y + b.y), 0.0);
-    float difference_4 = texel_4.x - textureLod(pebbles_image, vec2(a.x, a.y - b.y), 0.0).x;
-    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    vec4 texel = textureLod(planar_dust_pebbles_image, a + b, 0.0);
+    float difference = texel.x - textureLod(planar_dust_pebbles_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(planar_dust_pebbles_image, a + vec2(b.x, -b.y), 0.0);
+    vec4 texel_3 = textureLod(planar_dust_pebbles_image, a + vec2(-b.x, b.y), 0.0);
+    float difference_2 = texel_2.x - texel_3.x;
+    vec4 texel_4 = textureLod(planar_dust_pebbles_image, vec2(a.x + b.x, a.y), 0.0);
+    vec4 texel_5 = textureLod(planar_dust_pebbles_image, vec2(a.x - b.x, a.y), 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
+    vec4 texel_6 = textureLod(planar_dust_pebbles_image, vec2(a.x, a.y + b.y), 0.0);
+    vec4 texel_7 = textureLod(planar_dust_pebbles_image, vec2(a.x, a.y - b.y), 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
     return vec2(sum, sum_2) * 0.125;
 }
 
-vec3 wrinkle_planar_dust_normal(WrinkleSurface_planar_dust s) {
+WrinkleMaterial_planar_dust wrinkle_planar_dust(WrinkleSurface_planar_dust s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -32,7 +36,7 @@ vec3 wrinkle_planar_dust_normal(WrinkleSurface_planar_dust s) {
     float from_above_clamped = clamp((normal.y - 0.2) / 0.3, 0.0, 1.0);
     float from_above_product_3 = from_above_clamped * from_above_clamped;
     float from_above_weight = from_above_product_3 * (3.0 - 2.0 * from_above_clamped);
-    vec2 pebbles_size = vec2(textureSize(pebbles_image, 0));  // pebbles: Height map
+    vec2 pebbles_size = vec2(textureSize(planar_dust_pebbles_image, 0));  // pebbles: Height map
     vec2 pebbles_product = from_above_product * pebbles_size;
     float pebbles_dot_product = dot(pebbles_product, pebbles_product);
     vec2 pebbles_product_2 = from_above_product_2 * pebbles_size;
@@ -40,10 +44,12 @@ vec3 wrinkle_planar_dust_normal(WrinkleSurface_planar_dust s) {
     float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
     vec2 pebbles_quotient = pebbles_root / pebbles_size;
     vec2 pebbles_vector = vec2(from_above_uv.x + pebbles_quotient.x, from_above_uv.y);
-    vec4 pebbles_texel = texture(pebbles_image, from_above_uv);
-    float pebbles_difference = texture(pebbles_image, pebbles_vector).x - pebbles_texel.x;
+    vec4 pebbles_texel = texture(planar_dust_pebbles_image, from_above_uv);
+    float pebbles_difference = texture(planar_dust_pebbles_image,
+            pebbles_vector).x - pebbles_texel.x;
     vec2 pebbles_vector_2 = vec2(from_above_uv.x, from_above_uv.y + pebbles_quotient.y);
-    float pebbles_difference_2 = texture(pebbles_image, pebbles_vector_2).x - pebbles_texel.x;
+    float pebbles_difference_2 = texture(planar_dust_pebbles_image,
+            pebbles_vector_2).x - pebbles_texel.x;
     vec2 pebbles_product_3 = vec2(pebbles_difference, pebbles_difference_2) * (1.0 / pebbles_root);
     vec2 pebbles_smooth_slope = wrinkle_planar_dust_smooth_slope(from_above_uv, 1.0 / pebbles_size);
     float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
@@ -56,5 +62,7 @@ vec3 wrinkle_planar_dust_normal(WrinkleSurface_planar_dust s) {
     vec3 normal_product = normal * (s.facing + (normal.x * g_product + normal.z * g_product_2));
     float normal_difference = normal_product.x - g_product;
     float normal_difference_2 = normal_product.z - g_product_2;
-    return normalize(vec3(normal_difference, normal_product.y, normal_difference_2));
+    WrinkleMaterial_planar_dust m;
+    m.normal = normalize(vec3(normal_difference, normal_product.y, normal_difference_2));
+    return m;
 }

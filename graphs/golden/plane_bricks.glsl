@@ -5,23 +5,27 @@ struct WrinkleSurface_plane_bricks {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D g_image;  // textures/bricks_height.png (linear, repeat)
+struct WrinkleMaterial_plane_bricks {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D plane_bricks_g_image;  // textures/bricks_height.png (linear, repeat)
 
 vec2 wrinkle_plane_bricks_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(g_image, a + b, 0.0);
-    float difference = texel.x - textureLod(g_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(g_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(g_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(g_image, vec2(a.x + b.x, a.y), 0.0);
-    float difference_3 = texel_3.x - textureLod(g_image, vec2(a.x - b.x, a.y), 0.0).x;
-    float sum = difference + difference_2 + 2.0 * difference_3;
-    vec4 texel_4 = textureLod(g_image, vec2(a.x, a.y + b.y), 0.0);
-    float difference_4 = texel_4.x - textureLod(g_image, vec2(a.x, a.y - b.y), 0.0).x;
-    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    vec4 texel = textureLod(plane_bricks_g_image, a + b, 0.0);
+    float difference = texel.x - textureLod(plane_bricks_g_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(plane_bricks_g_image, a + vec2(b.x, -b.y), 0.0);
+    vec4 texel_3 = textureLod(plane_bricks_g_image, a + vec2(-b.x, b.y), 0.0);
+    float difference_2 = texel_2.x - texel_3.x;
+    vec4 texel_4 = textureLod(plane_bricks_g_image, vec2(a.x + b.x, a.y), 0.0);
+    vec4 texel_5 = textureLod(plane_bricks_g_image, vec2(a.x - b.x, a.y), 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
+    vec4 texel_6 = textureLod(plane_bricks_g_image, vec2(a.x, a.y + b.y), 0.0);
+    vec4 texel_7 = textureLod(plane_bricks_g_image, vec2(a.x, a.y - b.y), 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
     return vec2(sum, sum_2) * 0.125;
 }
 
-vec3 wrinkle_plane_bricks_normal(WrinkleSurface_plane_bricks s) {
+WrinkleMaterial_plane_bricks wrinkle_plane_bricks(WrinkleSurface_plane_bricks s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -32,22 +36,24 @@ vec3 wrinkle_plane_bricks_normal(WrinkleSurface_plane_bricks s) {
     vec2 slant_vector = vec2(dpdx.x * 0.8944272 + dpdx.z * -0.4472136, slant_dot_product_2);
     float slant_dot_product_3 = dot(dpdy, vec3(-0.18257418, 0.91287094, -0.36514837));
     vec2 slant_vector_2 = vec2(dpdy.x * 0.8944272 + dpdy.z * -0.4472136, slant_dot_product_3);
-    vec2 g_size = vec2(textureSize(g_image, 0));  // g: Height map
+    vec2 g_size = vec2(textureSize(plane_bricks_g_image, 0));  // g: Height map
     vec2 g_product = slant_vector * 1.5 * g_size;
     vec2 g_product_2 = slant_vector_2 * 1.5 * g_size;
     float g_root = sqrt(max(max(dot(g_product, g_product), dot(g_product_2, g_product_2)), 1.0));
     vec2 g_quotient = g_root / g_size;
     vec2 g_vector = vec2(slant_uv.x + g_quotient.x, slant_uv.y);
-    vec4 g_texel = texture(g_image, slant_uv);
-    float g_difference = texture(g_image, g_vector).x - g_texel.x;
+    vec4 g_texel = texture(plane_bricks_g_image, slant_uv);
+    float g_difference = texture(plane_bricks_g_image, g_vector).x - g_texel.x;
     vec2 g_vector_2 = vec2(slant_uv.x, slant_uv.y + g_quotient.y);
-    vec2 g_vector_3 = vec2(g_difference, texture(g_image, g_vector_2).x - g_texel.x);
-    vec2 g_product_3 = g_vector_3 * (1.0 / g_root);
+    float g_difference_2 = texture(plane_bricks_g_image, g_vector_2).x - g_texel.x;
+    vec2 g_product_3 = vec2(g_difference, g_difference_2) * (1.0 / g_root);
     vec2 g_smooth_slope = wrinkle_plane_bricks_smooth_slope(slant_uv, 1.0 / g_size);
     vec2 g_mixed = mix(g_product_3, g_smooth_slope, clamp((0.5 - log2(g_root)) / 0.45, 0.0, 1.0));
     float g_product_4 = dot(g_mixed, vec2(1.3416408, -0.2738613) * g_size) * 0.03;
     float g_product_5 = dot(g_mixed, vec2(-0.6708204, -0.5477226) * g_size) * 0.03;
     vec3 g_gradient = vec3(g_product_4, g_mixed.y * (1.3693064 * g_size.y) * 0.03, g_product_5);
+    WrinkleMaterial_plane_bricks m;
     // normal: Resolve
-    return normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);
+    m.normal = normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);
+    return m;
 }

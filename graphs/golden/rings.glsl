@@ -6,8 +6,13 @@ struct WrinkleSurface_rings {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_rings {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+    float front;
+};
 
-vec3 wrinkle_rings_normal(WrinkleSurface_rings s) {
+WrinkleMaterial_rings wrinkle_rings(WrinkleSurface_rings s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -56,10 +61,8 @@ vec3 wrinkle_rings_normal(WrinkleSurface_rings s) {
     float curve_choice_3 = curve_test ? (inside_test ? 0.0 : inside_choice_2) * curve_choice : 0.0;
     float phase_result = curve_result * 40.0;  // phase: Multiply
     float waves_cosine = cos(phase_result);  // waves: Sine
+    float waves_result = sin(phase_result);
     float edge_result = step(0.15, inside_result);  // edge: Step
-    // ringed: Multiply
-    float ringed_product = curve_choice_2 * 40.0 * waves_cosine * 0.01 * edge_result;
-    float ringed_product_2 = curve_choice_3 * 40.0 * waves_cosine * 0.01 * edge_result;
     // angle: Arctangent of y, x
     bool angle_test = abs(lengths_vector.x) + abs(lengths_vector.y) > 0.0;
     float angle_product = lengths_product.y * lengths_vector.x;
@@ -83,51 +86,23 @@ vec3 wrinkle_rings_normal(WrinkleSurface_rings s) {
     float whole_result = floor(turns_result);  // whole: Floor
     float odd_result = mod(whole_result, 2.0);  // odd: Modulo
     float spokes_difference = 1.0 - odd_result;  // spokes: Mix
+    float spokes_result = mix(bend_result, 0.2, odd_result);
     // spoked: Multiply
     float spoked_product = from_middle_negated * bend_sum * spokes_difference * 0.01;
     float spoked_product_2 = from_middle_negated_2 * bend_sum * spokes_difference * 0.01;
+    float spoked_result = spokes_result * 0.01;
+    float relief_result = waves_result * 0.01;  // relief: Multiply
+    // ringed: Multiply
+    float ringed_product = curve_choice_2 * 40.0 * waves_cosine * 0.01 * edge_result;
+    float ringed_product_2 = curve_choice_3 * 40.0 * waves_cosine * 0.01 * edge_result;
+    float ringed_result = relief_result * edge_result;
     // normal: Resolve
     vec2 normal_vector = vec2(ringed_product + spoked_product, ringed_product_2 + spoked_product_2);
     vec2 normal_product = normal_vector * (sign(screen_area) / max(abs(screen_area), 1e-36));
     vec3 normal_gradient = cross(normal, dpdx * normal_product.y - dpdy * normal_product.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_rings_height(WrinkleSurface_rings s) {
-    vec2 place_vector = s.uv0 + -0.5;  // place: Add vec2
-    vec2 lengths_vector = place_vector * 2.0;  // lengths: Scale vec2
-    // flat_place: Combine vec3
-    vec3 flat_place_vector = vec3(lengths_vector.x, lengths_vector.y, 0.0);
-    // shifted: Subtract vec3
-    vec3 shifted_vector = vec3(lengths_vector.x - 0.05, lengths_vector.y, 0.0);
-    vec3 blended_vector = mix(flat_place_vector, shifted_vector, 0.5);  // blended: Mix vec3
-    float radius_result = length(blended_vector);  // radius: Length
-    float squared_result = dot(blended_vector, blended_vector);  // squared: Dot product
-    float root_result = sqrt(squared_result);  // root: Square root
-    float least_result = min(radius_result, root_result);  // least: Minimum
-    float most_result = max(least_result, 0.1);  // most: Maximum
-    float inside_result = clamp(most_result, 0.1, 0.9);  // inside: Clamp
-    float curve_result = inside_result > 0.0 ? pow(inside_result, 1.5) : 0.0;  // curve: Power
-    float phase_result = curve_result * 40.0;  // phase: Multiply
-    float waves_result = sin(phase_result);  // waves: Sine
-    float relief_result = waves_result * 0.01;  // relief: Multiply
-    float edge_result = step(0.15, inside_result);  // edge: Step
-    float ringed_result = relief_result * edge_result;  // ringed: Multiply
-    // angle: Arctangent of y, x
-    bool angle_test = abs(lengths_vector.x) + abs(lengths_vector.y) > 0.0;
-    float angle_result = angle_test ? atan(lengths_vector.y, lengths_vector.x) : 0.0;
-    float turns_result = angle_result / 1.0471976;  // turns: Divide
-    float spoke_result = fract(turns_result);  // spoke: Fraction
-    float from_middle_result = -spoke_result;  // from_middle: Negate
-    float centred_result = from_middle_result + 0.5;  // centred: Add
-    float bend_result = tan(centred_result);  // bend: Tangent
-    float whole_result = floor(turns_result);  // whole: Floor
-    float odd_result = mod(whole_result, 2.0);  // odd: Modulo
-    float spokes_result = mix(bend_result, 0.2, odd_result);  // spokes: Mix
-    float spoked_result = spokes_result * 0.01;  // spoked: Multiply
-    return ringed_result + spoked_result;  // sum: Add heights
-}
-
-float wrinkle_rings_front(WrinkleSurface_rings s) {
-    return s.position.z;
+    WrinkleMaterial_rings m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.height = ringed_result + spoked_result;  // sum: Add heights
+    m.front = s.position.z;
+    return m;
 }

@@ -5,9 +5,12 @@ struct WrinkleSurface_sphere_globe {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D g_image;  // textures/weave_normal.png (normal_gl, repeat)
+struct WrinkleMaterial_sphere_globe {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D sphere_globe_g_image;  // textures/weave_normal.png (normal_gl, repeat)
 
-vec3 wrinkle_sphere_globe_normal(WrinkleSurface_sphere_globe s) {
+WrinkleMaterial_sphere_globe wrinkle_sphere_globe(WrinkleSurface_sphere_globe s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -71,7 +74,8 @@ vec3 wrinkle_sphere_globe_normal(WrinkleSurface_sphere_globe s) {
     vec2 tile_product_3 = globe_vector_4 * vec2(8.0, 4.0);
     vec2 tile_product_4 = globe_vector_5 * vec2(8.0, 4.0);
     // g: Tangent normal map
-    vec3 g_texel = textureGrad(g_image, tile_uv, tile_product, tile_product_2).xyz - 0.5;
+    vec3 g_texel = textureGrad(sphere_globe_g_image, tile_uv, tile_product,
+            tile_product_2).xyz - 0.5;
     float g_least_depth = max(abs(g_texel.x), abs(g_texel.y)) * 0.0078125;
     // normal: Resolve
     float normal_product = max(max(abs(g_texel.z), g_least_depth), 5e-07) * s.facing;
@@ -83,5 +87,7 @@ vec3 wrinkle_sphere_globe_normal(WrinkleSurface_sphere_globe s) {
     vec3 normal_along_u = cross(normal_bitangent, normal) * normal_slope_u;
     float normal_product_3 = normal_scale * (dot(normal, cross(dpdx, dpdy)) < 0.0 ? -1.0 : 1.0);
     vec3 normal_along_v = normal_bitangent * (g_texel.y * normal_product_3);
-    return normalize(normal * normal_product + (normal_along_u + normal_along_v));
+    WrinkleMaterial_sphere_globe m;
+    m.normal = normalize(normal * normal_product + (normal_along_u + normal_along_v));
+    return m;
 }

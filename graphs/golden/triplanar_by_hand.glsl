@@ -5,25 +5,29 @@ struct WrinkleSurface_triplanar_by_hand {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D rivets_image;  // textures/rivets_normal.png (normal_gl, repeat)
-uniform sampler2D weave_image;   // textures/weave_normal.png (normal_gl, repeat)
-uniform sampler2D bricks_image;  // textures/bricks_height.png (linear, repeat)
+struct WrinkleMaterial_triplanar_by_hand {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D triplanar_by_hand_rivets_image;  // textures/rivets_normal.png (normal_gl, repeat)
+uniform sampler2D triplanar_by_hand_weave_image;  // textures/weave_normal.png (normal_gl, repeat)
+uniform sampler2D triplanar_by_hand_bricks_image;  // textures/bricks_height.png (linear, repeat)
 
 vec2 wrinkle_triplanar_by_hand_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(bricks_image, a + b, 0.0);
-    float difference = texel.x - textureLod(bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(bricks_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(bricks_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(bricks_image, vec2(a.x + b.x, a.y), 0.0);
-    float difference_3 = texel_3.x - textureLod(bricks_image, vec2(a.x - b.x, a.y), 0.0).x;
-    float sum = difference + difference_2 + 2.0 * difference_3;
-    vec4 texel_4 = textureLod(bricks_image, vec2(a.x, a.y + b.y), 0.0);
-    float difference_4 = texel_4.x - textureLod(bricks_image, vec2(a.x, a.y - b.y), 0.0).x;
-    float sum_2 = difference - difference_2 + 2.0 * difference_4;
+    vec4 texel = textureLod(triplanar_by_hand_bricks_image, a + b, 0.0);
+    float difference = texel.x - textureLod(triplanar_by_hand_bricks_image, a - b, 0.0).x;
+    vec4 texel_2 = textureLod(triplanar_by_hand_bricks_image, a + vec2(b.x, -b.y), 0.0);
+    vec4 texel_3 = textureLod(triplanar_by_hand_bricks_image, a + vec2(-b.x, b.y), 0.0);
+    float difference_2 = texel_2.x - texel_3.x;
+    vec4 texel_4 = textureLod(triplanar_by_hand_bricks_image, vec2(a.x + b.x, a.y), 0.0);
+    vec4 texel_5 = textureLod(triplanar_by_hand_bricks_image, vec2(a.x - b.x, a.y), 0.0);
+    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
+    vec4 texel_6 = textureLod(triplanar_by_hand_bricks_image, vec2(a.x, a.y + b.y), 0.0);
+    vec4 texel_7 = textureLod(triplanar_by_hand_bricks_image, vec2(a.x, a.y - b.y), 0.0);
+    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
     return vec2(sum, sum_2) * 0.125;
 }
 
-vec3 wrinkle_triplanar_by_hand_normal(WrinkleSurface_triplanar_by_hand s) {
+WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_triplanar_by_hand s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -31,12 +35,14 @@ vec3 wrinkle_triplanar_by_hand_normal(WrinkleSurface_triplanar_by_hand s) {
     vec2 side_uv = vec2(side_negated * s.position.z, s.position.y) * 2.0;
     float side_negated_2 = -(normal.y < 0.0 ? -1.0 : 1.0);
     float side_sign = normal.z < 0.0 ? -1.0 : 1.0;
-    vec3 rivets_texel = texture(rivets_image, side_uv).xyz - 0.5;  // rivets: Tangent normal map
+    // rivets: Tangent normal map
+    vec3 rivets_texel = texture(triplanar_by_hand_rivets_image, side_uv).xyz - 0.5;
     float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
     float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
     vec2 rivets_texel_2 = rivets_texel.xy * 0.5;
     vec2 top_uv = vec2(s.position.x, side_negated_2 * s.position.z) * 4.0;  // top: Planar UV
-    vec3 weave_texel = texture(weave_image, top_uv).xyz - 0.5;  // weave: Tangent normal map
+    // weave: Tangent normal map
+    vec3 weave_texel = texture(triplanar_by_hand_weave_image, top_uv).xyz - 0.5;
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
     vec2 weave_texel_2 = weave_texel.xy * 0.25;
@@ -50,7 +56,7 @@ vec3 wrinkle_triplanar_by_hand_normal(WrinkleSurface_triplanar_by_hand s) {
     float weights_sum = weights_product_2.x + weights_product_2.y + weights_product_2.z;
     vec3 weights_weights = weights_product_2 / max(weights_sum, 1e-36);
     vec2 front_uv = vec2(side_sign * s.position.x, s.position.y) * 2.0;  // front: Planar UV
-    vec2 bricks_size = vec2(textureSize(bricks_image, 0));  // bricks: Height map
+    vec2 bricks_size = vec2(textureSize(triplanar_by_hand_bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = vec2(dpdx.x * side_sign, dpdx.y) * 2.0 * bricks_size;
     float bricks_dot_product = dot(bricks_product, bricks_product);
     vec2 bricks_product_2 = vec2(dpdy.x * side_sign, dpdy.y) * 2.0 * bricks_size;
@@ -59,11 +65,13 @@ vec3 wrinkle_triplanar_by_hand_normal(WrinkleSurface_triplanar_by_hand s) {
     float bricks_root = sqrt(bricks_greatest);
     vec2 bricks_quotient = bricks_root / bricks_size;
     vec2 bricks_vector = vec2(front_uv.x + bricks_quotient.x, front_uv.y);
-    vec4 bricks_texel = texture(bricks_image, front_uv);
-    float bricks_difference = texture(bricks_image, bricks_vector).x - bricks_texel.x;
+    vec4 bricks_texel = texture(triplanar_by_hand_bricks_image, bricks_vector);
+    vec4 bricks_texel_2 = texture(triplanar_by_hand_bricks_image, front_uv);
+    float bricks_difference = bricks_texel.x - bricks_texel_2.x;
     vec2 bricks_vector_2 = vec2(front_uv.x, front_uv.y + bricks_quotient.y);
-    float bricks_difference_2 = texture(bricks_image, bricks_vector_2).x - bricks_texel.x;
-    vec2 bricks_product_3 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
+    vec4 bricks_texel_3 = texture(triplanar_by_hand_bricks_image, bricks_vector_2);
+    vec2 bricks_vector_3 = vec2(bricks_difference, bricks_texel_3.x - bricks_texel_2.x);
+    vec2 bricks_product_3 = bricks_vector_3 * (1.0 / bricks_root);
     vec2 bricks_smooth_slope = wrinkle_triplanar_by_hand_smooth_slope(front_uv, 1.0 / bricks_size);
     float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
     vec2 bricks_mixed = mix(bricks_product_3, bricks_smooth_slope, bricks_clamped);
@@ -82,5 +90,7 @@ vec3 wrinkle_triplanar_by_hand_normal(WrinkleSurface_triplanar_by_hand s) {
     float normal_sum_3 = of_x_product * weave_depth + of_y_product * rivets_depth;
     vec3 normal_vector = vec3(normal_sum, normal_sum_2, normal_sum_3);
     vec3 normal_product_4 = normal * (normal_product * s.facing - dot(normal, normal_vector));
-    return normalize(normal_product_4 + normal_vector);
+    WrinkleMaterial_triplanar_by_hand m;
+    m.normal = normalize(normal_product_4 + normal_vector);
+    return m;
 }

@@ -5,7 +5,10 @@ struct WrinkleSurface_triplanar_slopes {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D g_image;  // textures/weave_normal.png (derivative, repeat)
+struct WrinkleMaterial_triplanar_slopes {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D triplanar_slopes_g_image;  // textures/weave_normal.png (derivative, repeat)
 
 vec3 wrinkle_triplanar_slopes_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -71,10 +74,11 @@ vec3 wrinkle_triplanar_slopes_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_triplanar_slopes_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_triplanar_slopes_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    vec3 gradient_noise_slope = wrinkle_triplanar_slopes_gradient_noise_slope(a);
+    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
-vec3 wrinkle_triplanar_slopes_normal(WrinkleSurface_triplanar_slopes s) {
+WrinkleMaterial_triplanar_slopes wrinkle_triplanar_slopes(WrinkleSurface_triplanar_slopes s) {
     vec3 normal = normalize(s.normal);
     vec3 noise_product = s.position * 2.0;  // noise: Gradient noise
     float noise_extent = length(dFdx(s.position_relative) * 2.0);
@@ -89,21 +93,25 @@ vec3 wrinkle_triplanar_slopes_normal(WrinkleSurface_triplanar_slopes s) {
     vec3 g_product = s.position * 3.0;  // g: Triplanar derivative map
     vec3 g_product_2 = base_normal * s.facing;
     float g_sign = g_product_2.y < 0.0 ? -1.0 : 1.0;
-    vec4 g_texel = texture(g_image, vec2(g_product.x, -g_sign * g_product.z));
+    vec2 g_vector = vec2(g_product.x, -g_sign * g_product.z);
     vec3 g_greatest = max(abs(base_normal) - 0.2, vec3(0.0));
     vec3 g_product_3 = g_greatest * g_greatest * g_greatest;
     vec3 g_quotient = g_product_3 / max(g_product_3.x + g_product_3.y + g_product_3.z, 1e-36);
     vec3 g_product_4 = g_quotient * 0.1;
-    vec2 g_product_5 = (g_texel.xy - 0.5) * 2.0 * g_product_4.y;
+    vec2 g_product_5 = (texture(triplanar_slopes_g_image, g_vector).xy - 0.5) * 2.0 * g_product_4.y;
     float g_sign_2 = g_product_2.z < 0.0 ? -1.0 : 1.0;
-    vec4 g_texel_2 = texture(g_image, vec2(g_sign_2 * g_product.x, g_product.y));
-    vec2 g_product_6 = (g_texel_2.xy - 0.5) * 2.0 * g_product_4.z;
+    vec2 g_vector_2 = vec2(g_sign_2 * g_product.x, g_product.y);
+    vec2 g_product_6 = (texture(triplanar_slopes_g_image,
+            g_vector_2).xy - 0.5) * 2.0 * g_product_4.z;
     float g_sum = g_product_5.x + g_product_6.x * g_sign_2;
     float g_sign_3 = g_product_2.x < 0.0 ? -1.0 : 1.0;
-    vec4 g_texel_3 = texture(g_image, vec2(-g_sign_3 * g_product.z, g_product.y));
-    vec2 g_product_7 = (g_texel_3.xy - 0.5) * 2.0 * g_product_4.x;
+    vec2 g_vector_3 = vec2(-g_sign_3 * g_product.z, g_product.y);
+    vec2 g_product_7 = (texture(triplanar_slopes_g_image,
+            g_vector_3).xy - 0.5) * 2.0 * g_product_4.x;
     float g_negated = -(g_product_7.x * g_sign_3 + g_product_5.y * g_sign);
     vec3 g_volume = vec3(g_sum, g_product_7.y + g_product_6.y, g_negated) * 3.0;
+    WrinkleMaterial_triplanar_slopes m;
     // normal: Resolve
-    return normalize(base_normal * (1.0 + dot(base_normal, g_volume)) - g_volume);
+    m.normal = normalize(base_normal * (1.0 + dot(base_normal, g_volume)) - g_volume);
+    return m;
 }

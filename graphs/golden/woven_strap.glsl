@@ -7,11 +7,14 @@ struct WrinkleSurface_woven_strap {
     vec2 uv1;                // second uv set
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D plates_image;  // textures/rivets_normal.png (normal_gl, repeat)
-uniform sampler2D cloth_image;   // textures/weave_normal.png (normal_gl, repeat)
-uniform float input_weave;
+struct WrinkleMaterial_woven_strap {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D woven_strap_plates_image;  // textures/rivets_normal.png (normal_gl, repeat)
+uniform sampler2D woven_strap_cloth_image;   // textures/weave_normal.png (normal_gl, repeat)
+uniform float woven_strap_input_weave;
 
-vec3 wrinkle_woven_strap_normal(WrinkleSurface_woven_strap s) {
+WrinkleMaterial_woven_strap wrinkle_woven_strap(WrinkleSurface_woven_strap s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
@@ -20,18 +23,20 @@ vec3 wrinkle_woven_strap_normal(WrinkleSurface_woven_strap s) {
     vec2 duv1_dx = dFdx(s.uv1);
     vec3 uv1_bitangent = cross(normal, dpdx * duv1_dy.y - dpdy * duv1_dx.y);
     float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), 1e-36));
-    vec3 plates_texel = texture(plates_image, s.uv0).xyz - 0.5;  // plates: Tangent normal map
+    // plates: Tangent normal map
+    vec3 plates_texel = texture(woven_strap_plates_image, s.uv0).xyz - 0.5;
     float plates_least_depth = max(abs(plates_texel.x), abs(plates_texel.y)) * 0.0078125;
     float plates_depth = max(max(abs(plates_texel.z), plates_least_depth), 5e-07);
     vec2 tile_uv = s.uv1 * 6.0;  // tile: UV transform
-    vec3 cloth_texel = texture(cloth_image, tile_uv).xyz - 0.5;  // cloth: Tangent normal map
+    // cloth: Tangent normal map
+    vec3 cloth_texel = texture(woven_strap_cloth_image, tile_uv).xyz - 0.5;
     float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
     float cloth_depth = max(max(abs(cloth_texel.z), cloth_least_depth), 5e-07);
     vec2 normal_slope = plates_texel.xy * cloth_depth;  // normal: Resolve
     vec3 normal_along_u = s.tangent.xyz * (normal_slope.x * inverse_normal_length);
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
     vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (normal_slope.y * normal_product);
-    vec2 normal_slope_2 = cloth_texel.xy * input_weave * plates_depth;
+    vec2 normal_slope_2 = cloth_texel.xy * woven_strap_input_weave * plates_depth;
     float normal_sign = duv1_dx.x * duv1_dy.y - duv1_dy.x * duv1_dx.y < 0.0 ? -1.0 : 1.0;
     float normal_slope_u = normal_slope_2.x * (uv1_scale * normal_sign);
     vec3 normal_along_u_2 = cross(uv1_bitangent, normal) * normal_slope_u;
@@ -39,5 +44,7 @@ vec3 wrinkle_woven_strap_normal(WrinkleSurface_woven_strap s) {
     vec3 normal_along_v_2 = uv1_bitangent * (normal_slope_2.y * normal_product_2);
     vec3 normal_gradient = normal_along_u + normal_along_v + (normal_along_u_2 + normal_along_v_2);
     vec3 normal_bumped = normal * (plates_depth * cloth_depth * s.facing) + normal_gradient;
-    return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    WrinkleMaterial_woven_strap m;
+    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    return m;
 }

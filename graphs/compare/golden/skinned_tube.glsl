@@ -6,23 +6,14 @@ struct WrinkleSurface_skinned_tube {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
-uniform sampler2D map_image;  // textures/rivets_normal.png (normal_gl, repeat)
+struct WrinkleMaterial_skinned_tube {
+    vec3 normal;   // unit normal, object space
+    vec3 derived;
+    vec3 naive;
+};
+uniform sampler2D skinned_tube_map_image;  // textures/rivets_normal.png (normal_gl, repeat)
 
-vec3 wrinkle_skinned_tube_normal(WrinkleSurface_skinned_tube s) {
-    vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
-    vec3 map_texel = texture(map_image, tile_uv).xyz - 0.5;  // map: Image
-    // vertex: Bump from tangent-space normal
-    float vertex_least_depth = max(abs(map_texel.x), abs(map_texel.y)) * 0.0078125;
-    // resolved: Resolve
-    float resolved_product = max(max(abs(map_texel.z), vertex_least_depth), 5e-07) * s.facing;
-    float resolved_slope_v = map_texel.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
-    vec3 resolved_along_v = cross(s.normal, s.tangent.xyz) * resolved_slope_v;
-    vec3 resolved_gradient = s.tangent.xyz * map_texel.x + resolved_along_v;
-    vec3 resolved_bumped = s.normal * resolved_product + resolved_gradient;
-    return normalize(vec3(resolved_bumped.xy, resolved_bumped.z + 1e-18));
-}
-
-vec3 wrinkle_skinned_tube_derived(WrinkleSurface_skinned_tube s) {
+WrinkleMaterial_skinned_tube wrinkle_skinned_tube(WrinkleSurface_skinned_tube s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec2 duv0_dy = dFdy(s.uv0);
@@ -31,11 +22,18 @@ vec3 wrinkle_skinned_tube_derived(WrinkleSurface_skinned_tube s) {
     vec3 uv0_bitangent = cross(normal, dpdx * duv0_dy.y - dpdy * duv0_dx.y);
     float uv0_scale = inversesqrt(max(dot(uv0_bitangent, uv0_bitangent), 1e-36));
     vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
-    vec3 map_texel = texture(map_image, tile_uv).xyz - 0.5;  // map: Image
+    vec2 tile_product = duv0_dy * 3.0;
+    vec2 tile_product_2 = duv0_dx * 3.0;
+    vec3 map_texel = texture(skinned_tube_map_image, tile_uv).xyz - 0.5;  // map: Image
+    vec3 map_color = map_texel * 2.0;
     // vertex: Bump from tangent-space normal
     float vertex_least_depth = max(abs(map_texel.x), abs(map_texel.y)) * 0.0078125;
     // resolved: Resolve
     float resolved_product = max(max(abs(map_texel.z), vertex_least_depth), 5e-07) * s.facing;
+    float resolved_slope_v = map_texel.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
+    vec3 resolved_along_v = cross(s.normal, s.tangent.xyz) * resolved_slope_v;
+    vec3 resolved_gradient = s.tangent.xyz * map_texel.x + resolved_along_v;
+    vec3 resolved_bumped = s.normal * resolved_product + resolved_gradient;
     // derived_resolved: Resolve
     float derived_resolved_sign = duv0_dx.x * duv0_dy.y - duv0_dy.x * duv0_dx.y < 0.0 ? -1.0 : 1.0;
     float derived_resolved_slope_u = map_texel.x * (uv0_scale * derived_resolved_sign);
@@ -44,16 +42,6 @@ vec3 wrinkle_skinned_tube_derived(WrinkleSurface_skinned_tube s) {
             dpdy)) < 0.0 ? -1.0 : 1.0);
     vec3 derived_resolved_along_v = uv0_bitangent * (map_texel.y * derived_resolved_product);
     vec3 derived_resolved_sum = derived_resolved_along_u + derived_resolved_along_v;
-    return normalize(normal * resolved_product + derived_resolved_sum);
-}
-
-vec3 wrinkle_skinned_tube_naive(WrinkleSurface_skinned_tube s) {
-    vec3 dpdx = dFdx(s.position_relative);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec2 tile_product = dFdy(s.uv0) * 3.0;  // tile: UV transform
-    vec2 tile_product_2 = dFdx(s.uv0) * 3.0;
-    vec2 tile_uv = s.uv0 * 3.0;
-    vec3 map_color = (texture(map_image, tile_uv).xyz - 0.5) * 2.0;  // map: Image
     // naive: Wrong: unprojected derived basis
     vec3 naive_difference = dpdx * tile_product.y - dpdy * tile_product_2.y;
     bool naive_test = dot(naive_difference, naive_difference) > 0.0;
@@ -62,6 +50,13 @@ vec3 wrinkle_skinned_tube_naive(WrinkleSurface_skinned_tube s) {
     bool naive_test_2 = dot(naive_difference_2, naive_difference_2) > 0.0;
     vec3 naive_choice_2 = naive_test_2 ? normalize(naive_difference_2) : vec3(0.0);
     vec3 naive_sum = naive_choice * map_color.x + naive_choice_2 * map_color.y;
-    vec3 naive_sum_2 = naive_sum + normalize(s.normal) * s.facing * map_color.z;
-    return dot(naive_sum_2, naive_sum_2) > 0.0 ? normalize(naive_sum_2) : vec3(0.0);
+    vec3 naive_sum_2 = naive_sum + normal * s.facing * map_color.z;
+    WrinkleMaterial_skinned_tube m;
+    // resolved: Resolve (continued)
+    m.normal = normalize(vec3(resolved_bumped.xy, resolved_bumped.z + 1e-18));
+    // derived_resolved: Resolve (continued)
+    m.derived = normalize(normal * resolved_product + derived_resolved_sum);
+    // naive: Wrong: unprojected derived basis (continued)
+    m.naive = dot(naive_sum_2, naive_sum_2) > 0.0 ? normalize(naive_sum_2) : vec3(0.0);
+    return m;
 }

@@ -7,6 +7,10 @@ struct WrinkleSurface_blended_bumps {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_blended_bumps {
+    vec3 normal;  // unit normal, object space
+    vec3 naive;
+};
 
 vec3 wrinkle_blended_bumps_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -72,76 +76,11 @@ vec3 wrinkle_blended_bumps_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_blended_bumps_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_blended_bumps_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    vec3 gradient_noise_slope = wrinkle_blended_bumps_gradient_noise_slope(a);
+    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
-vec3 wrinkle_blended_bumps_normal(WrinkleSurface_blended_bumps s) {
-    vec3 normal = s.normal * inversesqrt(dot(s.normal, s.normal));  // the surface point
-    vec3 dpdx = dFdx(s.position_relative);
-    vec3 dpdy = dFdy(s.position_relative);
-    float screen_area = dot(normal, cross(dpdx, dpdy));
-    vec3 grain_product = s.position * 14.0;  // grain: Gradient noise
-    float grain_greatest = max(length(dpdx * 14.0), length(dpdy * 14.0));
-    vec3 grain_noise_octave_slope = wrinkle_blended_bumps_noise_octave_slope(grain_product,
-            grain_greatest);
-    vec3 grain_product_2 = grain_product * 2.0;
-    vec3 grain_sum = grain_product_2 + vec3(19.19, 7.43, 31.71);
-    float grain_product_3 = grain_greatest * 2.0;
-    vec3 grain_noise_octave_slope_2 = wrinkle_blended_bumps_noise_octave_slope(grain_sum,
-            grain_product_3);
-    float grain_product_4 = grain_noise_octave_slope_2.x * 28.0 * 0.5;
-    float grain_sum_2 = grain_noise_octave_slope.x * 14.0 + grain_product_4;
-    vec3 grain_product_5 = grain_product_2 * 2.0;
-    vec3 grain_sum_3 = grain_product_5 + vec3(38.38, 14.86, 63.42);
-    float grain_product_6 = grain_product_3 * 2.0;
-    vec3 grain_noise_octave_slope_3 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_3,
-            grain_product_6);
-    float grain_sum_4 = grain_sum_2 + grain_noise_octave_slope_3.x * 56.0 * 0.25;
-    vec3 grain_sum_5 = grain_product_5 * 2.0 + vec3(57.57, 22.29, 95.13);
-    float grain_product_7 = grain_product_6 * 2.0;
-    vec3 grain_noise_octave_slope_4 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_5,
-            grain_product_7);
-    float grain_quotient = (grain_sum_4 + grain_noise_octave_slope_4.x * 112.0 * 0.125) / 1.875;
-    float grain_product_8 = grain_noise_octave_slope_2.y * 28.0 * 0.5;
-    float grain_sum_6 = grain_noise_octave_slope.y * 14.0 + grain_product_8;
-    float grain_sum_7 = grain_sum_6 + grain_noise_octave_slope_3.y * 56.0 * 0.25;
-    float grain_quotient_2 = (grain_sum_7 + grain_noise_octave_slope_4.y * 112.0 * 0.125) / 1.875;
-    float grain_product_9 = grain_noise_octave_slope_2.z * 28.0 * 0.5;
-    float grain_sum_8 = grain_noise_octave_slope.z * 14.0 + grain_product_9;
-    float grain_sum_9 = grain_sum_8 + grain_noise_octave_slope_3.z * 56.0 * 0.25;
-    float grain_quotient_3 = (grain_sum_9 + grain_noise_octave_slope_4.z * 112.0 * 0.125) / 1.875;
-    // sum: Add bumps
-    vec3 sum_gradient = vec3(grain_quotient * 0.03, grain_quotient_2 * 0.03,
-            grain_quotient_3 * 0.03);
-    vec2 knobs_product = s.uv0 * 6.0;  // knobs: Domes
-    float knobs_difference = knobs_product.y - floor(knobs_product.y) - 0.5;
-    vec2 knobs_vector = vec2(fract(knobs_product.x) - 0.5, knobs_difference);
-    float knobs_quotient = dot(knobs_vector, knobs_vector) / 0.1225;
-    float knobs_difference_2 = 1.0 - 0.64 * min(knobs_quotient, 1.0);
-    bool knobs_test = knobs_difference_2 < 0.0;
-    bool knobs_test_2 = 1.0 < knobs_quotient;
-    vec2 knobs_product_2 = dFdx(s.uv0) * 6.0;
-    float knobs_sum = dot(knobs_product_2, knobs_vector) + dot(knobs_vector, knobs_product_2);
-    float knobs_negated = -((knobs_test_2 ? 0.0 : knobs_sum / 0.1225) * 0.64);
-    float knobs_root = sqrt(max(knobs_difference_2, 0.0));
-    float knobs_choice = knobs_root > 0.0 ? 0.5 / knobs_root : 0.0;
-    float knobs_quotient_2 = (knobs_test ? 0.0 : knobs_negated) * knobs_choice / 0.4;
-    vec2 knobs_product_3 = dFdy(s.uv0) * 6.0;
-    float knobs_greatest = max(length(knobs_product_2), length(knobs_product_3));
-    float knobs_difference_3 = 1.0 - smoothstep(0.25, 0.75, knobs_greatest);
-    float knobs_product_4 = knobs_quotient_2 * knobs_difference_3;
-    float knobs_sum_2 = dot(knobs_product_3, knobs_vector) + dot(knobs_vector, knobs_product_3);
-    float knobs_negated_2 = -((knobs_test_2 ? 0.0 : knobs_sum_2 / 0.1225) * 0.64);
-    float knobs_quotient_3 = (knobs_test ? 0.0 : knobs_negated_2) * knobs_choice / 0.4;
-    vec3 normal_product = normal * (s.facing + dot(normal, sum_gradient));  // normal: Resolve
-    float normal_product_2 = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08;
-    vec2 normal_product_3 = vec2(knobs_product_4,
-            knobs_quotient_3 * knobs_difference_3) * normal_product_2;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_3.y - dpdy * normal_product_3.x);
-    return normalize(normal_product - (normal_gradient + sum_gradient));
-}
-
-vec3 wrinkle_blended_bumps_naive(WrinkleSurface_blended_bumps s) {
+WrinkleMaterial_blended_bumps wrinkle_blended_bumps(WrinkleSurface_blended_bumps s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
@@ -149,31 +88,6 @@ vec3 wrinkle_blended_bumps_naive(WrinkleSurface_blended_bumps s) {
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 bitangent = cross(s.normal, s.tangent.xyz);
     float handedness = s.tangent.w > 0.0 ? 1.0 : -1.0;
-    vec2 knobs_product = s.uv0 * 6.0;  // knobs: Domes
-    float knobs_difference = knobs_product.y - floor(knobs_product.y) - 0.5;
-    vec2 knobs_vector = vec2(fract(knobs_product.x) - 0.5, knobs_difference);
-    float knobs_quotient = dot(knobs_vector, knobs_vector) / 0.1225;
-    float knobs_difference_2 = 1.0 - 0.64 * min(knobs_quotient, 1.0);
-    bool knobs_test = knobs_difference_2 < 0.0;
-    bool knobs_test_2 = 1.0 < knobs_quotient;
-    vec2 knobs_product_2 = dFdx(s.uv0) * 6.0;
-    float knobs_sum = dot(knobs_product_2, knobs_vector) + dot(knobs_vector, knobs_product_2);
-    float knobs_negated = -((knobs_test_2 ? 0.0 : knobs_sum / 0.1225) * 0.64);
-    float knobs_root = sqrt(max(knobs_difference_2, 0.0));
-    float knobs_choice = knobs_root > 0.0 ? 0.5 / knobs_root : 0.0;
-    float knobs_quotient_2 = (knobs_test ? 0.0 : knobs_negated) * knobs_choice / 0.4;
-    vec2 knobs_product_3 = dFdy(s.uv0) * 6.0;
-    float knobs_greatest = max(length(knobs_product_2), length(knobs_product_3));
-    float knobs_difference_3 = 1.0 - smoothstep(0.25, 0.75, knobs_greatest);
-    float knobs_product_4 = knobs_quotient_2 * knobs_difference_3;
-    float knobs_sum_2 = dot(knobs_product_3, knobs_vector) + dot(knobs_vector, knobs_product_3);
-    float knobs_negated_2 = -((knobs_test_2 ? 0.0 : knobs_sum_2 / 0.1225) * 0.64);
-    float knobs_quotient_3 = (knobs_test ? 0.0 : knobs_negated_2) * knobs_choice / 0.4;
-    // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08;
-    vec2 normal_product_2 = vec2(knobs_product_4,
-            knobs_quotient_3 * knobs_difference_3) * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     vec3 grain_product = s.position * 14.0;  // grain: Gradient noise
     float grain_greatest = max(length(dpdx * 14.0), length(dpdy * 14.0));
     vec3 grain_noise_octave_slope = wrinkle_blended_bumps_noise_octave_slope(grain_product,
@@ -207,6 +121,32 @@ vec3 wrinkle_blended_bumps_naive(WrinkleSurface_blended_bumps s) {
     // sum: Add bumps
     vec3 sum_gradient = vec3(grain_quotient * 0.03, grain_quotient_2 * 0.03,
             grain_quotient_3 * 0.03);
+    vec2 knobs_product = s.uv0 * 6.0;  // knobs: Domes
+    float knobs_difference = knobs_product.y - floor(knobs_product.y) - 0.5;
+    vec2 knobs_vector = vec2(fract(knobs_product.x) - 0.5, knobs_difference);
+    float knobs_quotient = dot(knobs_vector, knobs_vector) / 0.1225;
+    float knobs_difference_2 = 1.0 - 0.64 * min(knobs_quotient, 1.0);
+    bool knobs_test = knobs_difference_2 < 0.0;
+    bool knobs_test_2 = 1.0 < knobs_quotient;
+    vec2 knobs_product_2 = dFdx(s.uv0) * 6.0;
+    float knobs_sum = dot(knobs_product_2, knobs_vector) + dot(knobs_vector, knobs_product_2);
+    float knobs_negated = -((knobs_test_2 ? 0.0 : knobs_sum / 0.1225) * 0.64);
+    float knobs_root = sqrt(max(knobs_difference_2, 0.0));
+    float knobs_choice = knobs_root > 0.0 ? 0.5 / knobs_root : 0.0;
+    float knobs_quotient_2 = (knobs_test ? 0.0 : knobs_negated) * knobs_choice / 0.4;
+    vec2 knobs_product_3 = dFdy(s.uv0) * 6.0;
+    float knobs_greatest = max(length(knobs_product_2), length(knobs_product_3));
+    float knobs_difference_3 = 1.0 - smoothstep(0.25, 0.75, knobs_greatest);
+    float knobs_product_4 = knobs_quotient_2 * knobs_difference_3;
+    float knobs_sum_2 = dot(knobs_product_3, knobs_vector) + dot(knobs_vector, knobs_product_3);
+    float knobs_negated_2 = -((knobs_test_2 ? 0.0 : knobs_sum_2 / 0.1225) * 0.64);
+    float knobs_quotient_3 = (knobs_test ? 0.0 : knobs_negated_2) * knobs_choice / 0.4;
+    float normal_dot_product = dot(normal, sum_gradient);  // normal: Resolve
+    vec3 normal_product = normal * (s.facing + normal_dot_product);
+    float normal_product_2 = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08;
+    vec2 normal_product_3 = vec2(knobs_product_4,
+            knobs_quotient_3 * knobs_difference_3) * normal_product_2;
+    vec3 normal_gradient = cross(normal, dpdx * normal_product_3.y - dpdy * normal_product_3.x);
     // blend: Wrong: bumps blended as normals
     vec3 blend_along_u = s.tangent.xyz * inverse_normal_length;
     float blend_negated = -dot(blend_along_u, normal_gradient);
@@ -215,7 +155,7 @@ vec3 wrinkle_blended_bumps_naive(WrinkleSurface_blended_bumps s) {
     float blend_sum = blend_negated * blend_negated + blend_negated_2 * blend_negated_2 + 1.0;
     vec3 blend_unit = normalize(vec3(blend_negated, blend_negated_2, 1.0));
     vec3 blend_choice = blend_sum > 0.0 ? blend_unit : vec3(0.0);
-    vec3 blend_sum_2 = sum_gradient + normal * -dot(normal, sum_gradient);
+    vec3 blend_sum_2 = sum_gradient + normal * -normal_dot_product;
     float blend_negated_3 = -dot(blend_along_u, blend_sum_2);
     float blend_negated_4 = -dot(blend_along_v, blend_sum_2);
     float blend_sum_3 = blend_negated_3 * blend_negated_3 + blend_negated_4 * blend_negated_4 + 1.0;
@@ -230,5 +170,10 @@ vec3 wrinkle_blended_bumps_naive(WrinkleSurface_blended_bumps s) {
     vec3 blended_along_v = bitangent * (blend_choice_2.y * handedness);
     vec3 blended_gradient = s.tangent.xyz * blend_choice_2.x + blended_along_v;
     vec3 blended_bumped = s.normal * blended_product + blended_gradient;
-    return normalize(vec3(blended_bumped.xy, blended_bumped.z + 1e-18));
+    WrinkleMaterial_blended_bumps m;
+    // normal: Resolve (continued)
+    m.normal = normalize(normal_product - (normal_gradient + sum_gradient));
+    // blended: Resolve (continued)
+    m.naive = normalize(vec3(blended_bumped.xy, blended_bumped.z + 1e-18));
+    return m;
 }

@@ -5,8 +5,12 @@ struct WrinkleSurface_brick {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_brick {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
-vec3 wrinkle_brick_normal(WrinkleSurface_brick s) {
+WrinkleMaterial_brick wrinkle_brick(WrinkleSurface_brick s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -15,6 +19,7 @@ vec3 wrinkle_brick_normal(WrinkleSurface_brick s) {
     vec2 relief_product_2 = dFdy(s.uv0) * 6.0;
     float relief_greatest = max(length(relief_product), length(relief_product_2));
     float relief_greatest_2 = max(0.15, relief_greatest);
+    float relief_least = min(1.0, 0.21 / relief_greatest_2);
     vec2 relief_product_3 = s.uv0 * 6.0;
     float relief_floored = floor(relief_product_3.y);
     float relief_difference = fract(relief_product_3.x / 2.5 - relief_floored * 0.5) - 0.5;
@@ -24,7 +29,7 @@ vec3 wrinkle_brick_normal(WrinkleSurface_brick s) {
     float relief_difference_4 = 0.5 * (relief_greatest_2 + 0.21) - min(relief_product_4,
             relief_difference_3);
     float relief_quotient = relief_difference_4 / relief_greatest_2;
-    bool relief_test = min(1.0, 0.21 / relief_greatest_2) < max(relief_quotient, 0.0);
+    bool relief_test = relief_least < max(relief_quotient, 0.0);
     bool relief_test_2 = relief_quotient < 0.0;
     bool relief_test_3 = relief_difference_3 < relief_product_4;
     float relief_sign = sign(relief_difference_2);
@@ -39,27 +44,15 @@ vec3 wrinkle_brick_normal(WrinkleSurface_brick s) {
     float relief_choice_2 = relief_test_3 ? -(relief_product_2.y * relief_sign) : relief_product_7;
     float relief_quotient_3 = -relief_choice_2 / relief_greatest_2;
     float relief_negated_2 = -(relief_test ? 0.0 : relief_test_2 ? 0.0 : relief_quotient_3);
+    float relief_difference_6 = 1.0 - clamp(relief_quotient, 0.0, relief_least);
+    float relief_value = mix(0.72364, relief_difference_6, relief_difference_5);
     // normal: Resolve
     vec2 normal_vector = vec2(relief_product_6, relief_negated_2 * relief_difference_5);
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
     vec2 normal_product_2 = normal_vector * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_brick_height(WrinkleSurface_brick s) {
-    float relief_extent = length(dFdx(s.uv0) * 6.0);  // relief: Bricks
-    float relief_greatest = max(relief_extent, length(dFdy(s.uv0) * 6.0));
-    float relief_greatest_2 = max(0.15, relief_greatest);
-    vec2 relief_product = s.uv0 * 6.0;
-    float relief_floored = floor(relief_product.y);
-    float relief_difference = 0.5 - abs(fract(relief_product.x / 2.5 - relief_floored * 0.5) - 0.5);
-    float relief_difference_2 = 0.5 - abs(relief_product.y - relief_floored - 0.5);
-    float relief_least = min(relief_difference * 2.5, relief_difference_2);
-    float relief_quotient = (0.5 * (relief_greatest_2 + 0.21) - relief_least) / relief_greatest_2;
-    float relief_difference_3 = 1.0 - clamp(relief_quotient, 0.0, min(1.0,
-            0.21 / relief_greatest_2));
-    float relief_difference_4 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_value = mix(0.72364, relief_difference_3, relief_difference_4);
-    return relief_value * 0.02;
+    WrinkleMaterial_brick m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.height = relief_value * 0.02;  // relief: Bricks (continued)
+    return m;
 }

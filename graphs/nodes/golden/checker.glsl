@@ -5,8 +5,12 @@ struct WrinkleSurface_checker {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_checker {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
-vec3 wrinkle_checker_normal(WrinkleSurface_checker s) {
+WrinkleMaterial_checker wrinkle_checker(WrinkleSurface_checker s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -33,26 +37,15 @@ vec3 wrinkle_checker_normal(WrinkleSurface_checker s) {
     vec2 relief_difference_4 = relief_product_10 * relief_sign - relief_product_10 * relief_sign_2;
     vec2 relief_quotient_3 = relief_difference_4 / relief_greatest;
     float relief_product_11 = relief_quotient_3.x * 0.5 * relief_quotient_2.y;
+    float relief_value = 0.5 + relief_product_9 * relief_quotient_2.y;
     // normal: Resolve
     vec2 normal_vector = vec2(relief_sum,
             relief_product_11 + relief_quotient_3.y * relief_product_9);
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
     vec2 normal_product_2 = normal_vector * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_checker_height(WrinkleSurface_checker s) {
-    vec2 relief_product = s.uv0 * 6.0;  // relief: Checker
-    vec2 relief_magnitude = abs(dFdx(s.uv0) * 6.0);
-    vec2 relief_greatest = max(relief_magnitude + abs(dFdy(s.uv0) * 6.0), 0.1);
-    vec2 relief_product_2 = relief_greatest * 0.5;
-    vec2 relief_product_3 = (relief_product - relief_product_2) * 0.5;
-    vec2 relief_magnitude_2 = abs((relief_product_3 - floor(relief_product_3)) * 2.0 - 1.0);
-    vec2 relief_product_4 = (relief_product + relief_product_2) * 0.5;
-    vec2 relief_magnitude_3 = abs((relief_product_4 - floor(relief_product_4)) * 2.0 - 1.0);
-    vec2 relief_difference = relief_magnitude_2 - relief_magnitude_3;
-    vec2 relief_quotient = relief_difference / relief_greatest;
-    float relief_value = 0.5 + 0.5 * relief_quotient.x * relief_quotient.y;
-    return relief_value * 0.02;
+    WrinkleMaterial_checker m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.height = relief_value * 0.02;  // relief: Checker (continued)
+    return m;
 }

@@ -5,6 +5,10 @@ struct WrinkleSurface_dents {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_dents {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
 vec3 wrinkle_dents_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -38,26 +42,27 @@ float wrinkle_dents_gradient_noise(vec3 a) {
     float difference_3 = difference.y - 1.0;
     vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
     float dot_product_3 = dot(wrinkle_dents_noise_direction(whole, sum_3, whole_3), vector_2);
-    vec3 noise_direction = wrinkle_dents_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
+    vec3 vector_3 = vec3(difference_2, difference_3, difference.z);
+    float dot_product_4 = dot(wrinkle_dents_noise_direction(sum, sum_3, whole_3), vector_3);
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
     float difference_4 = difference.z - 1.0;
-    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
-    float dot_product_5 = dot(wrinkle_dents_noise_direction(whole, whole_2, sum_4), vector_3);
-    vec3 noise_direction_2 = wrinkle_dents_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
+    vec3 vector_4 = vec3(difference.x, difference.y, difference_4);
+    float dot_product_5 = dot(wrinkle_dents_noise_direction(whole, whole_2, sum_4), vector_4);
+    vec3 vector_5 = vec3(difference_2, difference.y, difference_4);
+    float dot_product_6 = dot(wrinkle_dents_noise_direction(sum, whole_2, sum_4), vector_5);
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_3 = wrinkle_dents_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_4 = wrinkle_dents_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
+    vec3 vector_6 = vec3(difference.x, difference_3, difference_4);
+    float dot_product_7 = dot(wrinkle_dents_noise_direction(whole, sum_3, sum_4), vector_6);
+    vec3 noise_direction = wrinkle_dents_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
 
 float wrinkle_dents_billow(vec3 a, float b) {
-    return mix(0.22, abs(wrinkle_dents_gradient_noise(a)), 1.0 - smoothstep(0.25, 0.75, b));
+    float magnitude = abs(wrinkle_dents_gradient_noise(a));
+    return mix(0.22, magnitude, 1.0 - smoothstep(0.25, 0.75, b));
 }
 
 vec3 wrinkle_dents_gradient_noise_slope(vec3 a) {
@@ -115,7 +120,7 @@ vec3 wrinkle_dents_billow_slope(vec3 a, float b) {
     return wrinkle_dents_gradient_noise_slope(a) * product;
 }
 
-vec3 wrinkle_dents_normal(WrinkleSurface_dents s) {
+WrinkleMaterial_dents wrinkle_dents(WrinkleSurface_dents s) {
     vec3 normal = normalize(s.normal);
     vec3 relief_product = s.position * 5.0;  // relief: Dents
     float relief_extent = length(dFdx(s.position_relative) * 5.0);
@@ -133,7 +138,8 @@ vec3 wrinkle_dents_normal(WrinkleSurface_dents s) {
     vec3 relief_billow_slope_2 = wrinkle_dents_billow_slope(relief_sum, relief_product_2);
     float relief_sum_3 = relief_billow_slope.x * 5.0 + relief_billow_slope_2.x * 10.0 * 0.5;
     float relief_choice = relief_test_2 ? 0.0 : relief_test_3 ? 0.0 : relief_sum_3 / 1.5 / 0.85;
-    float relief_choice_2 = relief_test ? 1.5 * pow(relief_clamped, 1.5) / relief_clamped : 0.0;
+    float relief_power = pow(relief_clamped, 1.5);
+    float relief_choice_2 = relief_test ? 1.5 * relief_power / relief_clamped : 0.0;
     float relief_product_4 = relief_choice * relief_choice_2;
     float relief_product_5 = -(relief_test ? relief_product_4 : 0.0) * 0.08;
     float relief_sum_4 = relief_billow_slope.y * 5.0 + relief_billow_slope_2.y * 10.0 * 0.5;
@@ -144,20 +150,12 @@ vec3 wrinkle_dents_normal(WrinkleSurface_dents s) {
     float relief_choice_4 = relief_test_2 ? 0.0 : relief_test_3 ? 0.0 : relief_sum_5 / 1.5 / 0.85;
     float relief_product_8 = relief_choice_4 * relief_choice_2;
     float relief_product_9 = -(relief_test ? relief_product_8 : 0.0) * 0.08;
+    float relief_value = -(relief_test ? relief_power : 0.0);
     // normal: Resolve
     vec3 normal_gradient = vec3(relief_product_5, relief_product_7, relief_product_9);
-    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
-}
-
-float wrinkle_dents_height(WrinkleSurface_dents s) {
-    vec3 relief_product = s.position * 5.0;  // relief: Dents
-    float relief_extent = length(dFdx(s.position_relative) * 5.0);
-    float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 5.0));
-    vec3 relief_sum = relief_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float relief_product_2 = wrinkle_dents_billow(relief_sum, relief_greatest * 2.0) * 0.5;
-    float relief_sum_2 = wrinkle_dents_billow(relief_product, relief_greatest) + relief_product_2;
-    float relief_quotient = relief_sum_2 / 1.5;
-    float relief_clamped = clamp((relief_quotient - 0.15) / 0.85, 0.0, 1.0);
-    float relief_value = -(relief_clamped > 0.0 ? pow(relief_clamped, 1.5) : 0.0);
-    return relief_value * 0.08;
+    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    WrinkleMaterial_dents m;
+    m.normal = normalize(normal_difference);
+    m.height = relief_value * 0.08;  // relief: Dents (continued)
+    return m;
 }

@@ -5,8 +5,12 @@ struct WrinkleSurface_domes {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_domes {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
-vec3 wrinkle_domes_normal(WrinkleSurface_domes s) {
+WrinkleMaterial_domes wrinkle_domes(WrinkleSurface_domes s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -33,24 +37,14 @@ vec3 wrinkle_domes_normal(WrinkleSurface_domes s) {
             relief_product_3);
     float relief_negated_2 = -((relief_test_2 ? 0.0 : relief_sum_2 / 0.1225) * 0.64);
     float relief_quotient_3 = (relief_test ? 0.0 : relief_negated_2) * relief_choice / 0.4;
+    float relief_value = mix(0.20845777, (relief_root - 0.6) / 0.4, relief_difference_3);
     // normal: Resolve
     vec2 normal_vector = vec2(relief_product_4, relief_quotient_3 * relief_difference_3);
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
     vec2 normal_product_2 = normal_vector * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_domes_height(WrinkleSurface_domes s) {
-    vec2 relief_product = s.uv0 * 6.0;  // relief: Domes
-    float relief_floored = floor(relief_product.y);
-    float relief_difference = fract(relief_product.x - relief_floored * 0.5) - 0.5;
-    vec2 relief_vector = vec2(relief_difference, relief_product.y - relief_floored - 0.5);
-    float relief_difference_2 = 1.0 - 0.64 * min(dot(relief_vector, relief_vector) / 0.1225, 1.0);
-    float relief_greatest = max(relief_difference_2, 0.0);
-    float relief_extent = length(dFdx(s.uv0) * 6.0);
-    float relief_greatest_2 = max(relief_extent, length(dFdy(s.uv0) * 6.0));
-    float relief_difference_3 = 1.0 - smoothstep(0.25, 0.75, relief_greatest_2);
-    float relief_value = mix(0.20845777, (sqrt(relief_greatest) - 0.6) / 0.4, relief_difference_3);
-    return relief_value * 0.05;
+    WrinkleMaterial_domes m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.height = relief_value * 0.05;  // relief: Domes (continued)
+    return m;
 }

@@ -5,6 +5,10 @@ struct WrinkleSurface_fbm {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_fbm {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
 vec3 wrinkle_fbm_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -106,7 +110,7 @@ float wrinkle_fbm_noise_octave(vec3 a, float b) {
     return wrinkle_fbm_simplex_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
-vec3 wrinkle_fbm_normal(WrinkleSurface_fbm s) {
+WrinkleMaterial_fbm wrinkle_fbm(WrinkleSurface_fbm s) {
     vec3 normal = normalize(s.normal);
     vec3 relief_product = s.position * 3.0;  // relief: Fractal noise
     float relief_extent = length(dFdx(s.position_relative) * 3.0);
@@ -156,38 +160,23 @@ vec3 wrinkle_fbm_normal(WrinkleSurface_fbm s) {
     float relief_sum_18 = relief_sum_17 + relief_noise_octave_slope_4.z * 24.0 * 0.125;
     float relief_sum_19 = relief_sum_18 + relief_noise_octave_slope_5.z * 48.0 * 0.0625;
     float relief_sum_20 = relief_sum_19 + relief_noise_octave_slope_6.z * 96.0 * 0.03125;
+    float relief_product_16 = wrinkle_fbm_noise_octave(relief_sum, relief_product_3) * 0.5;
+    float relief_sum_21 = wrinkle_fbm_noise_octave(relief_product,
+            relief_greatest) + relief_product_16;
+    float relief_sum_22 = relief_sum_21 + wrinkle_fbm_noise_octave(relief_sum_3,
+            relief_product_6) * 0.25;
+    float relief_sum_23 = relief_sum_22 + wrinkle_fbm_noise_octave(relief_sum_5,
+            relief_product_8) * 0.125;
+    float relief_sum_24 = relief_sum_23 + wrinkle_fbm_noise_octave(relief_sum_7,
+            relief_product_10) * 0.0625;
+    float relief_product_17 = wrinkle_fbm_noise_octave(relief_sum_9, relief_product_11) * 0.03125;
+    float relief_value = (relief_sum_24 + relief_product_17) / 1.96875;
     // normal: Resolve
     vec3 normal_gradient = vec3(relief_product_12, relief_product_14,
             relief_sum_20 / 1.96875 * 0.06);
-    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
-}
-
-float wrinkle_fbm_height(WrinkleSurface_fbm s) {
-    vec3 relief_product = s.position * 3.0;  // relief: Fractal noise
-    float relief_extent = length(dFdx(s.position_relative) * 3.0);
-    float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 3.0));
-    float relief_noise_octave = wrinkle_fbm_noise_octave(relief_product, relief_greatest);
-    vec3 relief_product_2 = relief_product * 2.0;
-    vec3 relief_sum = relief_product_2 + vec3(19.19, 7.43, 31.71);
-    float relief_product_3 = relief_greatest * 2.0;
-    float relief_product_4 = wrinkle_fbm_noise_octave(relief_sum, relief_product_3) * 0.5;
-    vec3 relief_product_5 = relief_product_2 * 2.0;
-    vec3 relief_sum_2 = relief_product_5 + vec3(38.38, 14.86, 63.42);
-    float relief_product_6 = relief_product_3 * 2.0;
-    float relief_product_7 = wrinkle_fbm_noise_octave(relief_sum_2, relief_product_6) * 0.25;
-    float relief_sum_3 = relief_noise_octave + relief_product_4 + relief_product_7;
-    vec3 relief_product_8 = relief_product_5 * 2.0;
-    vec3 relief_sum_4 = relief_product_8 + vec3(57.57, 22.29, 95.13);
-    float relief_product_9 = relief_product_6 * 2.0;
-    float relief_product_10 = wrinkle_fbm_noise_octave(relief_sum_4, relief_product_9) * 0.125;
-    vec3 relief_product_11 = relief_product_8 * 2.0;
-    vec3 relief_sum_5 = relief_product_11 + vec3(76.76, 29.72, 126.84);
-    float relief_product_12 = relief_product_9 * 2.0;
-    float relief_product_13 = wrinkle_fbm_noise_octave(relief_sum_5, relief_product_12) * 0.0625;
-    vec3 relief_sum_6 = relief_product_11 * 2.0 + vec3(95.95, 37.15, 158.55);
-    float relief_product_14 = wrinkle_fbm_noise_octave(relief_sum_6,
-            relief_product_12 * 2.0) * 0.03125;
-    float relief_sum_7 = relief_sum_3 + relief_product_10 + relief_product_13 + relief_product_14;
-    float relief_value = relief_sum_7 / 1.96875;
-    return relief_value * 0.06;
+    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    WrinkleMaterial_fbm m;
+    m.normal = normalize(normal_difference);
+    m.height = relief_value * 0.06;  // relief: Fractal noise (continued)
+    return m;
 }

@@ -5,6 +5,10 @@ struct WrinkleSurface_gradient_noise {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_gradient_noise {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
 vec3 wrinkle_gradient_noise_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -70,7 +74,8 @@ vec3 wrinkle_gradient_noise_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_gradient_noise_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_gradient_noise_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    vec3 gradient_noise_slope = wrinkle_gradient_noise_gradient_noise_slope(a);
+    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
 float wrinkle_gradient_noise_gradient_noise(vec3 a) {
@@ -82,42 +87,40 @@ float wrinkle_gradient_noise_gradient_noise(vec3 a) {
     float dot_product = dot(wrinkle_gradient_noise_noise_direction(whole, whole_2, whole_3),
             difference);
     int sum = whole + 1;
+    vec3 noise_direction = wrinkle_gradient_noise_noise_direction(sum, whole_2, whole_3);
     float difference_2 = difference.x - 1.0;
-    vec3 vector = vec3(difference_2, difference.y, difference.z);
-    float dot_product_2 = dot(wrinkle_gradient_noise_noise_direction(sum, whole_2, whole_3),
-            vector);
+    float dot_product_2 = dot(noise_direction, vec3(difference_2, difference.y, difference.z));
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
     float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
+    vec3 noise_direction_2 = wrinkle_gradient_noise_noise_direction(whole, sum_3, whole_3);
     float difference_3 = difference.y - 1.0;
-    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
-    float dot_product_3 = dot(wrinkle_gradient_noise_noise_direction(whole, sum_3, whole_3),
-            vector_2);
-    vec3 noise_direction = wrinkle_gradient_noise_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
+    float dot_product_3 = dot(noise_direction_2, vec3(difference.x, difference_3, difference.z));
+    vec3 noise_direction_3 = wrinkle_gradient_noise_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction_3, vec3(difference_2, difference_3, difference.z));
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
+    vec3 noise_direction_4 = wrinkle_gradient_noise_noise_direction(whole, whole_2, sum_4);
     float difference_4 = difference.z - 1.0;
-    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
-    float dot_product_5 = dot(wrinkle_gradient_noise_noise_direction(whole, whole_2, sum_4),
-            vector_3);
-    vec3 noise_direction_2 = wrinkle_gradient_noise_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
+    float dot_product_5 = dot(noise_direction_4, vec3(difference.x, difference.y, difference_4));
+    vec3 noise_direction_5 = wrinkle_gradient_noise_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_5, vec3(difference_2, difference.y, difference_4));
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_3 = wrinkle_gradient_noise_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_4 = wrinkle_gradient_noise_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
+    vec3 noise_direction_6 = wrinkle_gradient_noise_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_6, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_7 = wrinkle_gradient_noise_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
 
 float wrinkle_gradient_noise_noise_octave(vec3 a, float b) {
-    return wrinkle_gradient_noise_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    float gradient_noise = wrinkle_gradient_noise_gradient_noise(a);
+    return gradient_noise * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
-vec3 wrinkle_gradient_noise_normal(WrinkleSurface_gradient_noise s) {
+WrinkleMaterial_gradient_noise wrinkle_gradient_noise(WrinkleSurface_gradient_noise s) {
     vec3 normal = normalize(s.normal);
     vec3 relief_product = s.position * 4.0;  // relief: Gradient noise
     float relief_extent = length(dFdx(s.position_relative) * 4.0);
@@ -151,32 +154,22 @@ vec3 wrinkle_gradient_noise_normal(WrinkleSurface_gradient_noise s) {
     float relief_sum_8 = relief_noise_octave_slope.z * 4.0 + relief_product_10;
     float relief_sum_9 = relief_sum_8 + relief_noise_octave_slope_3.z * 16.0 * 0.25;
     float relief_quotient_3 = (relief_sum_9 + relief_noise_octave_slope_4.z * 32.0 * 0.125) / 1.875;
+    float relief_noise_octave = wrinkle_gradient_noise_noise_octave(relief_product,
+            relief_greatest);
+    float relief_product_11 = wrinkle_gradient_noise_noise_octave(relief_sum,
+            relief_product_3) * 0.5;
+    float relief_product_12 = wrinkle_gradient_noise_noise_octave(relief_sum_3,
+            relief_product_6) * 0.25;
+    float relief_sum_10 = relief_noise_octave + relief_product_11 + relief_product_12;
+    float relief_product_13 = wrinkle_gradient_noise_noise_octave(relief_sum_5,
+            relief_product_7) * 0.125;
+    float relief_value = (relief_sum_10 + relief_product_13) / 1.875;
     // normal: Resolve
     vec3 normal_gradient = vec3(relief_product_8, relief_quotient_2 * 0.05,
             relief_quotient_3 * 0.05);
-    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
-}
-
-float wrinkle_gradient_noise_height(WrinkleSurface_gradient_noise s) {
-    vec3 relief_product = s.position * 4.0;  // relief: Gradient noise
-    float relief_extent = length(dFdx(s.position_relative) * 4.0);
-    float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 4.0));
-    float relief_noise_octave = wrinkle_gradient_noise_noise_octave(relief_product,
-            relief_greatest);
-    vec3 relief_product_2 = relief_product * 2.0;
-    vec3 relief_sum = relief_product_2 + vec3(19.19, 7.43, 31.71);
-    float relief_product_3 = relief_greatest * 2.0;
-    float relief_product_4 = wrinkle_gradient_noise_noise_octave(relief_sum,
-            relief_product_3) * 0.5;
-    vec3 relief_product_5 = relief_product_2 * 2.0;
-    vec3 relief_sum_2 = relief_product_5 + vec3(38.38, 14.86, 63.42);
-    float relief_product_6 = relief_product_3 * 2.0;
-    float relief_product_7 = wrinkle_gradient_noise_noise_octave(relief_sum_2,
-            relief_product_6) * 0.25;
-    float relief_sum_3 = relief_noise_octave + relief_product_4 + relief_product_7;
-    vec3 relief_sum_4 = relief_product_5 * 2.0 + vec3(57.57, 22.29, 95.13);
-    float relief_product_8 = wrinkle_gradient_noise_noise_octave(relief_sum_4,
-            relief_product_6 * 2.0) * 0.125;
-    float relief_value = (relief_sum_3 + relief_product_8) / 1.875;
-    return relief_value * 0.05;
+    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    WrinkleMaterial_gradient_noise m;
+    m.normal = normalize(normal_difference);
+    m.height = relief_value * 0.05;  // relief: Gradient noise (continued)
+    return m;
 }

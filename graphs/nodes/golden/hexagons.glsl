@@ -5,8 +5,12 @@ struct WrinkleSurface_hexagons {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_hexagons {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
-vec3 wrinkle_hexagons_normal(WrinkleSurface_hexagons s) {
+WrinkleMaterial_hexagons wrinkle_hexagons(WrinkleSurface_hexagons s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -15,6 +19,7 @@ vec3 wrinkle_hexagons_normal(WrinkleSurface_hexagons s) {
     vec2 relief_product_2 = dFdy(s.uv0) * 5.0;
     float relief_greatest = max(length(relief_product), length(relief_product_2));
     float relief_greatest_2 = max(0.15, relief_greatest);
+    float relief_least = min(1.0, 0.19 / relief_greatest_2);
     vec2 relief_product_3 = s.uv0 * 5.0;
     vec2 relief_quotient = relief_product_3 / vec2(1.0, 1.7320508);
     vec2 relief_floored = floor(relief_quotient + 0.5);
@@ -30,7 +35,7 @@ vec3 wrinkle_hexagons_normal(WrinkleSurface_hexagons s) {
     float relief_difference_3 = 0.5 - max(relief_magnitude.x, relief_dot_product_2);
     float relief_quotient_2 = (0.5 * (relief_greatest_2 + 0.19) - relief_difference_3) /
             relief_greatest_2;
-    bool relief_test_2 = min(1.0, 0.19 / relief_greatest_2) < max(relief_quotient_2, 0.0);
+    bool relief_test_2 = relief_least < max(relief_quotient_2, 0.0);
     bool relief_test_3 = relief_quotient_2 < 0.0;
     bool relief_test_4 = relief_magnitude.x < relief_dot_product_2;
     vec2 relief_sign = sign(relief_choice);
@@ -46,33 +51,15 @@ vec3 wrinkle_hexagons_normal(WrinkleSurface_hexagons s) {
     float relief_choice_4 = relief_test_4 ? relief_dot_product_4 : relief_product_6.x;
     float relief_choice_5 = relief_test_3 ? 0.0 : relief_choice_4 / relief_greatest_2;
     float relief_negated_2 = -(relief_test_2 ? 0.0 : relief_choice_5);
+    float relief_difference_5 = 1.0 - clamp(relief_quotient_2, 0.0, relief_least);
+    float relief_value = mix(0.6561, relief_difference_5, relief_difference_4);
     // normal: Resolve
     vec2 normal_vector = vec2(relief_product_5, relief_negated_2 * relief_difference_4);
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
     vec2 normal_product_2 = normal_vector * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_hexagons_height(WrinkleSurface_hexagons s) {
-    float relief_extent = length(dFdx(s.uv0) * 5.0);  // relief: Hexagons
-    float relief_greatest = max(relief_extent, length(dFdy(s.uv0) * 5.0));
-    float relief_greatest_2 = max(0.15, relief_greatest);
-    vec2 relief_product = s.uv0 * 5.0;
-    vec2 relief_quotient = relief_product / vec2(1.0, 1.7320508);
-    vec2 relief_floored = floor(relief_quotient + 0.5);
-    vec2 relief_vector = vec2(relief_floored.x, 1.7320508 * relief_floored.y);
-    vec2 relief_difference = relief_product - relief_vector;
-    float relief_dot_product = dot(relief_difference, relief_difference);
-    vec2 relief_sum = floor(relief_quotient) + 0.5;
-    vec2 relief_difference_2 = relief_product - vec2(relief_sum.x, 1.7320508 * relief_sum.y);
-    bool relief_test = relief_dot_product < dot(relief_difference_2, relief_difference_2);
-    vec2 relief_magnitude = abs(relief_test ? relief_difference : relief_difference_2);
-    float relief_greatest_3 = max(relief_magnitude.x, dot(relief_magnitude, vec2(0.5, 0.8660254)));
-    float relief_difference_3 = 0.5 * (relief_greatest_2 + 0.19) - (0.5 - relief_greatest_3);
-    float relief_quotient_2 = relief_difference_3 / relief_greatest_2;
-    float relief_clamped = clamp(relief_quotient_2, 0.0, min(1.0, 0.19 / relief_greatest_2));
-    float relief_difference_4 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_value = mix(0.6561, 1.0 - relief_clamped, relief_difference_4);
-    return relief_value * 0.02;
+    WrinkleMaterial_hexagons m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.height = relief_value * 0.02;  // relief: Hexagons (continued)
+    return m;
 }

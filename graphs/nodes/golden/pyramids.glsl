@@ -5,8 +5,12 @@ struct WrinkleSurface_pyramids {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_pyramids {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
-vec3 wrinkle_pyramids_normal(WrinkleSurface_pyramids s) {
+WrinkleMaterial_pyramids wrinkle_pyramids(WrinkleSurface_pyramids s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -31,20 +35,14 @@ vec3 wrinkle_pyramids_normal(WrinkleSurface_pyramids s) {
     float relief_quotient_2 = (relief_test_3 ? relief_product_6.y : relief_product_6.x) * 2.0 / 0.5;
     float relief_choice_2 = relief_test ? 0.0 : relief_test_2 ? 0.0 : -relief_quotient_2;
     float relief_product_7 = relief_choice_2 * relief_difference_3;
+    float relief_value = mix(0.083333336, clamp(relief_difference_2, 0.0, 1.0),
+            relief_difference_3);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
     vec2 normal_product_2 = vec2(relief_product_5, relief_product_7) * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_pyramids_height(WrinkleSurface_pyramids s) {
-    vec2 relief_product = s.uv0 * 6.0;  // relief: Pyramids
-    vec2 relief_magnitude = abs(relief_product - floor(relief_product) - 0.5);
-    float relief_difference = 1.0 - 2.0 * max(relief_magnitude.x, relief_magnitude.y) / 0.5;
-    float relief_extent = length(dFdx(s.uv0) * 6.0);
-    float relief_greatest = max(relief_extent, length(dFdy(s.uv0) * 6.0));
-    float relief_difference_2 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_value = mix(0.083333336, clamp(relief_difference, 0.0, 1.0), relief_difference_2);
-    return relief_value * 0.05;
+    WrinkleMaterial_pyramids m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.height = relief_value * 0.05;  // relief: Pyramids (continued)
+    return m;
 }

@@ -5,6 +5,10 @@ struct WrinkleSurface_scratches {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_scratches {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
 float wrinkle_scratches_scratch(vec2 a, vec2 b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -34,7 +38,8 @@ float wrinkle_scratches_scratch(vec2 a, vec2 b, int c) {
     float clamped = clamp(dot(difference, vector), -product_10, product_10);
     float clamped_2 = clamp(1.0 - length(difference - vector * clamped) / 0.04, 0.0, 1.0);
     float choice = product_10 != 0.0 ? clamped / product_10 : 0.0;
-    return test ? clamped_2 * clamped_2 * (3.0 - 2.0 * clamped_2) * (1.0 - choice * choice) : 0.0;
+    float product_11 = clamped_2 * clamped_2 * (3.0 - 2.0 * clamped_2) * (1.0 - choice * choice);
+    return test ? product_11 : 0.0;
 }
 
 vec2 wrinkle_scratches_deepest_scratch(vec2 a, vec2 b, int c) {
@@ -106,7 +111,7 @@ float wrinkle_scratches_scratch_change(vec2 a, vec2 b, int c, vec2 d) {
     return test ? sum_9 : 0.0;
 }
 
-vec3 wrinkle_scratches_normal(WrinkleSurface_scratches s) {
+WrinkleMaterial_scratches wrinkle_scratches(WrinkleSurface_scratches s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -128,6 +133,7 @@ vec3 wrinkle_scratches_normal(WrinkleSurface_scratches s) {
     vec2 relief_sum_3 = relief_floored_2 + relief_deepest_scratch_2;
     vec2 relief_difference_4 = relief_difference_3 - relief_deepest_scratch_2;
     float relief_scratch_2 = wrinkle_scratches_scratch(relief_sum_3, relief_difference_4, 1);
+    float relief_greatest_2 = max(relief_greatest, relief_scratch_2);
     vec2 relief_sum_4 = relief_product + vec2(0.74, 1.22);
     vec2 relief_floored_3 = floor(relief_sum_4);
     vec2 relief_difference_5 = relief_sum_4 - relief_floored_3;
@@ -136,7 +142,7 @@ vec3 wrinkle_scratches_normal(WrinkleSurface_scratches s) {
     vec2 relief_sum_5 = relief_floored_3 + relief_deepest_scratch_3;
     vec2 relief_difference_6 = relief_difference_5 - relief_deepest_scratch_3;
     float relief_scratch_3 = wrinkle_scratches_scratch(relief_sum_5, relief_difference_6, 2);
-    bool relief_test = max(relief_greatest, relief_scratch_2) < relief_scratch_3;
+    bool relief_test = relief_greatest_2 < relief_scratch_3;
     vec2 relief_product_2 = dFdx(s.uv0) * 5.0;
     float relief_scratch_change = wrinkle_scratches_scratch_change(relief_sum_5,
             relief_difference_6, 2, relief_product_2);
@@ -163,43 +169,14 @@ vec3 wrinkle_scratches_normal(WrinkleSurface_scratches s) {
     float relief_choice_5 = relief_test_2 ? relief_scratch_change_5 : relief_choice_4;
     float relief_choice_6 = relief_test ? relief_scratch_change_4 : relief_choice_5;
     float relief_negated_2 = -(relief_choice_6 * relief_difference_7);
+    float relief_value = -mix(0.0588, max(relief_greatest_2, relief_scratch_3),
+            relief_difference_7);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.006;
     vec2 normal_product_2 = vec2(relief_negated, relief_negated_2) * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_scratches_height(WrinkleSurface_scratches s) {
-    vec2 relief_product = s.uv0 * 5.0;  // relief: Scratches
-    vec2 relief_floored = floor(relief_product);
-    vec2 relief_difference = relief_product - relief_floored;
-    vec2 relief_deepest_scratch = wrinkle_scratches_deepest_scratch(relief_floored,
-            relief_difference, 0);
-    vec2 relief_sum = relief_floored + relief_deepest_scratch;
-    vec2 relief_difference_2 = relief_difference - relief_deepest_scratch;
-    float relief_greatest = max(0.0, wrinkle_scratches_scratch(relief_sum, relief_difference_2, 0));
-    vec2 relief_sum_2 = relief_product + vec2(0.37, 0.61);
-    vec2 relief_floored_2 = floor(relief_sum_2);
-    vec2 relief_difference_3 = relief_sum_2 - relief_floored_2;
-    vec2 relief_deepest_scratch_2 = wrinkle_scratches_deepest_scratch(relief_floored_2,
-            relief_difference_3, 1);
-    vec2 relief_sum_3 = relief_floored_2 + relief_deepest_scratch_2;
-    vec2 relief_difference_4 = relief_difference_3 - relief_deepest_scratch_2;
-    float relief_scratch = wrinkle_scratches_scratch(relief_sum_3, relief_difference_4, 1);
-    vec2 relief_sum_4 = relief_product + vec2(0.74, 1.22);
-    vec2 relief_floored_3 = floor(relief_sum_4);
-    vec2 relief_difference_5 = relief_sum_4 - relief_floored_3;
-    vec2 relief_deepest_scratch_3 = wrinkle_scratches_deepest_scratch(relief_floored_3,
-            relief_difference_5, 2);
-    vec2 relief_sum_5 = relief_floored_3 + relief_deepest_scratch_3;
-    vec2 relief_difference_6 = relief_difference_5 - relief_deepest_scratch_3;
-    float relief_scratch_2 = wrinkle_scratches_scratch(relief_sum_5, relief_difference_6, 2);
-    float relief_greatest_2 = max(max(relief_greatest, relief_scratch), relief_scratch_2);
-    float relief_extent = length(dFdx(s.uv0) * 5.0);
-    float relief_quotient = max(relief_extent, length(dFdy(s.uv0) * 5.0)) / 0.16;
-    float relief_ramp = smoothstep(0.25, 0.75, relief_quotient);
-    float relief_mixed = mix(0.0588, relief_greatest_2, 1.0 - relief_ramp);
-    float relief_value = -relief_mixed;
-    return relief_value * 0.006;
+    WrinkleMaterial_scratches m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.height = relief_value * 0.006;  // relief: Scratches (continued)
+    return m;
 }

@@ -5,6 +5,10 @@ struct WrinkleSurface_simplex_noise {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_simplex_noise {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
 vec3 wrinkle_simplex_noise_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -28,8 +32,8 @@ vec3 wrinkle_simplex_noise_simplex_noise_slope(vec3 a) {
     vec3 difference_2 = difference - product;
     float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
     int whole = int(floored.x);
-    vec3 noise_direction = wrinkle_simplex_noise_noise_direction(whole, int(floored.y),
-            int(floored.z));
+    int whole_2 = int(floored.y);
+    vec3 noise_direction = wrinkle_simplex_noise_noise_direction(whole, whole_2, int(floored.z));
     vec3 product_2 = 8.0 * dot(noise_direction, difference_2) * difference_2;
     vec3 difference_3 = greatest * noise_direction - product_2;
     vec3 product_3 = greatest * greatest * greatest * difference_3;
@@ -41,7 +45,8 @@ vec3 wrinkle_simplex_noise_simplex_noise_slope(vec3 a) {
     vec3 sum_2 = difference_2 - clamped + 0.16666667;
     float greatest_2 = max(0.5 - dot(sum_2, sum_2), 0.0);
     vec3 sum_3 = floored + clamped;
-    vec3 noise_direction_2 = wrinkle_simplex_noise_noise_direction(int(sum_3.x), int(sum_3.y),
+    int whole_3 = int(sum_3.x);
+    vec3 noise_direction_2 = wrinkle_simplex_noise_noise_direction(whole_3, int(sum_3.y),
             int(sum_3.z));
     vec3 difference_4 = greatest_2 * noise_direction_2 - 8.0 * dot(noise_direction_2,
             sum_2) * sum_2;
@@ -50,7 +55,8 @@ vec3 wrinkle_simplex_noise_simplex_noise_slope(vec3 a) {
     vec3 sum_5 = difference_2 - clamped_2 + 0.33333334;
     float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
     vec3 sum_6 = floored + clamped_2;
-    vec3 noise_direction_3 = wrinkle_simplex_noise_noise_direction(int(sum_6.x), int(sum_6.y),
+    int whole_4 = int(sum_6.x);
+    vec3 noise_direction_3 = wrinkle_simplex_noise_noise_direction(whole_4, int(sum_6.y),
             int(sum_6.z));
     vec3 difference_5 = greatest_3 * noise_direction_3 - 8.0 * dot(noise_direction_3,
             sum_5) * sum_5;
@@ -58,7 +64,8 @@ vec3 wrinkle_simplex_noise_simplex_noise_slope(vec3 a) {
     vec3 difference_6 = difference_2 - 0.5;
     float greatest_4 = max(0.5 - dot(difference_6, difference_6), 0.0);
     vec3 sum_8 = floored + 1.0;
-    vec3 noise_direction_4 = wrinkle_simplex_noise_noise_direction(int(sum_8.x), int(sum_8.y),
+    int whole_5 = int(sum_8.x);
+    vec3 noise_direction_4 = wrinkle_simplex_noise_noise_direction(whole_5, int(sum_8.y),
             int(sum_8.z));
     vec3 product_4 = 8.0 * dot(noise_direction_4, difference_6) * difference_6;
     vec3 difference_7 = greatest_4 * noise_direction_4 - product_4;
@@ -74,8 +81,8 @@ float wrinkle_simplex_noise_simplex_noise(vec3 a) {
     float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
     float product_2 = greatest * greatest * greatest * greatest;
     int whole = int(floored.x);
-    vec3 noise_direction = wrinkle_simplex_noise_noise_direction(whole, int(floored.y),
-            int(floored.z));
+    int whole_2 = int(floored.y);
+    vec3 noise_direction = wrinkle_simplex_noise_noise_direction(whole, whole_2, int(floored.z));
     float product_3 = product_2 * dot(noise_direction, difference_2);
     float number = float(difference.x >= difference.y);
     float number_2 = float(difference.x >= difference.z);
@@ -86,7 +93,8 @@ float wrinkle_simplex_noise_simplex_noise(vec3 a) {
     float greatest_2 = max(0.5 - dot(sum_2, sum_2), 0.0);
     float product_4 = greatest_2 * greatest_2 * greatest_2 * greatest_2;
     vec3 sum_3 = floored + clamped;
-    vec3 noise_direction_2 = wrinkle_simplex_noise_noise_direction(int(sum_3.x), int(sum_3.y),
+    int whole_3 = int(sum_3.x);
+    vec3 noise_direction_2 = wrinkle_simplex_noise_noise_direction(whole_3, int(sum_3.y),
             int(sum_3.z));
     float sum_4 = product_3 + product_4 * dot(noise_direction_2, sum_2);
     vec3 clamped_2 = clamp(vector, 0.0, 1.0);
@@ -94,37 +102,36 @@ float wrinkle_simplex_noise_simplex_noise(vec3 a) {
     float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
     float product_5 = greatest_3 * greatest_3 * greatest_3 * greatest_3;
     vec3 sum_6 = floored + clamped_2;
-    vec3 noise_direction_3 = wrinkle_simplex_noise_noise_direction(int(sum_6.x), int(sum_6.y),
+    int whole_4 = int(sum_6.x);
+    vec3 noise_direction_3 = wrinkle_simplex_noise_noise_direction(whole_4, int(sum_6.y),
             int(sum_6.z));
     vec3 difference_3 = difference_2 - 0.5;
     float greatest_4 = max(0.5 - dot(difference_3, difference_3), 0.0);
     float product_6 = greatest_4 * greatest_4 * greatest_4 * greatest_4;
     vec3 sum_7 = floored + 1.0;
-    vec3 noise_direction_4 = wrinkle_simplex_noise_noise_direction(int(sum_7.x), int(sum_7.y),
+    int whole_5 = int(sum_7.x);
+    vec3 noise_direction_4 = wrinkle_simplex_noise_noise_direction(whole_5, int(sum_7.y),
             int(sum_7.z));
     float product_7 = product_6 * dot(noise_direction_4, difference_3);
     return (sum_4 + product_5 * dot(noise_direction_3, sum_5) + product_7) * 76.0;
 }
 
-vec3 wrinkle_simplex_noise_normal(WrinkleSurface_simplex_noise s) {
+WrinkleMaterial_simplex_noise wrinkle_simplex_noise(WrinkleSurface_simplex_noise s) {
     vec3 normal = normalize(s.normal);
-    // relief: Simplex noise
-    vec3 relief_simplex_noise_slope = wrinkle_simplex_noise_simplex_noise_slope(s.position * 8.0);
+    vec3 relief_product = s.position * 8.0;  // relief: Simplex noise
+    vec3 relief_simplex_noise_slope = wrinkle_simplex_noise_simplex_noise_slope(relief_product);
     float relief_extent = length(dFdx(s.position_relative) * 8.0);
     float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 8.0));
     float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product = relief_simplex_noise_slope.x * 8.0 * relief_difference * 0.02;
-    float relief_product_2 = relief_simplex_noise_slope.y * 8.0 * relief_difference * 0.02;
-    float relief_product_3 = relief_simplex_noise_slope.z * 8.0 * relief_difference * 0.02;
+    float relief_product_2 = relief_simplex_noise_slope.x * 8.0 * relief_difference * 0.02;
+    float relief_product_3 = relief_simplex_noise_slope.y * 8.0 * relief_difference * 0.02;
+    float relief_product_4 = relief_simplex_noise_slope.z * 8.0 * relief_difference * 0.02;
+    float relief_value = wrinkle_simplex_noise_simplex_noise(relief_product) * relief_difference;
     // normal: Resolve
-    vec3 normal_gradient = vec3(relief_product, relief_product_2, relief_product_3);
-    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
-}
-
-float wrinkle_simplex_noise_height(WrinkleSurface_simplex_noise s) {
-    float relief_extent = length(dFdx(s.position_relative) * 8.0);  // relief: Simplex noise
-    float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 8.0));
-    float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_value = wrinkle_simplex_noise_simplex_noise(s.position * 8.0) * relief_difference;
-    return relief_value * 0.02;
+    vec3 normal_gradient = vec3(relief_product_2, relief_product_3, relief_product_4);
+    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    WrinkleMaterial_simplex_noise m;
+    m.normal = normalize(normal_difference);
+    m.height = relief_value * 0.02;  // relief: Simplex noise (continued)
+    return m;
 }

@@ -7,6 +7,9 @@ struct WrinkleSurface_tangent_space_normal {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_tangent_space_normal {
+    vec3 color;  // base color, linear
+};
 
 vec3 wrinkle_tangent_space_normal_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -27,44 +30,40 @@ float wrinkle_tangent_space_normal_gradient_noise(vec3 a) {
     int whole = int(floored.x);
     int whole_2 = int(floored.y);
     int whole_3 = int(floored.z);
+    vec3 noise_direction = wrinkle_tangent_space_normal_noise_direction(whole, whole_2, whole_3);
     vec3 difference = a - floored;
-    float dot_product = dot(wrinkle_tangent_space_normal_noise_direction(whole, whole_2, whole_3),
-            difference);
     int sum = whole + 1;
+    vec3 noise_direction_2 = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, whole_3);
     float difference_2 = difference.x - 1.0;
-    vec3 vector = vec3(difference_2, difference.y, difference.z);
-    float dot_product_2 = dot(wrinkle_tangent_space_normal_noise_direction(sum, whole_2, whole_3),
-            vector);
+    float dot_product = dot(noise_direction_2, vec3(difference_2, difference.y, difference.z));
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
-    float mixed = mix(dot_product, dot_product_2, product.x);
+    float mixed = mix(dot(noise_direction, difference), dot_product, product.x);
     int sum_3 = whole_2 + 1;
+    vec3 noise_direction_3 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, whole_3);
     float difference_3 = difference.y - 1.0;
-    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
-    float dot_product_3 = dot(wrinkle_tangent_space_normal_noise_direction(whole, sum_3, whole_3),
-            vector_2);
-    vec3 noise_direction = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
-    float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
+    float dot_product_2 = dot(noise_direction_3, vec3(difference.x, difference_3, difference.z));
+    vec3 noise_direction_4 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, whole_3);
+    float dot_product_3 = dot(noise_direction_4, vec3(difference_2, difference_3, difference.z));
+    float mixed_2 = mix(mixed, mix(dot_product_2, dot_product_3, product.x), product.y);
     int sum_4 = whole_3 + 1;
+    vec3 noise_direction_5 = wrinkle_tangent_space_normal_noise_direction(whole, whole_2, sum_4);
     float difference_4 = difference.z - 1.0;
-    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
-    float dot_product_5 = dot(wrinkle_tangent_space_normal_noise_direction(whole, whole_2, sum_4),
-            vector_3);
-    vec3 noise_direction_2 = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
-    float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_3 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_4 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
-    float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
+    float dot_product_4 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_4));
+    vec3 noise_direction_6 = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, sum_4);
+    float dot_product_5 = dot(noise_direction_6, vec3(difference_2, difference.y, difference_4));
+    float mixed_3 = mix(dot_product_4, dot_product_5, product.x);
+    vec3 noise_direction_7 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, sum_4);
+    float dot_product_6 = dot(noise_direction_7, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_8 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
+    float mixed_4 = mix(mixed_3, mix(dot_product_6, dot_product_7, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
 
 float wrinkle_tangent_space_normal_billow(vec3 a, float b) {
-    return mix(0.22, abs(wrinkle_tangent_space_normal_gradient_noise(a)), 1.0 - smoothstep(0.25,
-            0.75, b));
+    float magnitude = abs(wrinkle_tangent_space_normal_gradient_noise(a));
+    return mix(0.22, magnitude, 1.0 - smoothstep(0.25, 0.75, b));
 }
 
 vec3 wrinkle_tangent_space_normal_gradient_noise_slope(vec3 a) {
@@ -117,9 +116,9 @@ vec3 wrinkle_tangent_space_normal_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_tangent_space_normal_billow_slope(vec3 a, float b) {
+    vec3 gradient_noise_slope = wrinkle_tangent_space_normal_gradient_noise_slope(a);
     float sign_2 = sign(wrinkle_tangent_space_normal_gradient_noise(a));
-    float product = sign_2 * (1.0 - smoothstep(0.25, 0.75, b));
-    return wrinkle_tangent_space_normal_gradient_noise_slope(a) * product;
+    return gradient_noise_slope * (sign_2 * (1.0 - smoothstep(0.25, 0.75, b)));
 }
 
 float wrinkle_tangent_space_normal_thread(vec2 a, float b, float c) {
@@ -136,11 +135,12 @@ float wrinkle_tangent_space_normal_thread_change(vec2 a, float b, float c, vec2 
     float product = d.x * 2.0 / c * quotient;
     float choice = difference < 0.0 ? 0.0 : -(product + product);
     float product_2 = mod(a.y - 0.5 + floored, 2.0) * 3.1415927;
-    float product_3 = -(d.y * 3.1415927 * sin(product_2)) * b * 0.325;
-    return choice * (0.675 + 0.325 * (b * cos(product_2))) + product_3 * max(difference, 0.0);
+    float product_3 = choice * (0.675 + 0.325 * (b * cos(product_2)));
+    float product_4 = -(d.y * 3.1415927 * sin(product_2)) * b * 0.325;
+    return product_3 + product_4 * max(difference, 0.0);
 }
 
-vec3 wrinkle_tangent_space_normal_color(WrinkleSurface_tangent_space_normal s) {
+WrinkleMaterial_tangent_space_normal wrinkle_tangent_space_normal(WrinkleSurface_tangent_space_normal s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
@@ -149,12 +149,11 @@ vec3 wrinkle_tangent_space_normal_color(WrinkleSurface_tangent_space_normal s) {
     float inverse_area = sign(screen_area) / max(abs(screen_area), 1e-36);
     vec3 dents_product = s.position * 3.0;  // dents: Dents
     float dents_greatest = max(length(dpdx * 3.0), length(dpdy * 3.0));
+    float dents_billow = wrinkle_tangent_space_normal_billow(dents_product, dents_greatest);
     vec3 dents_sum = dents_product * 2.0 + vec3(19.19, 7.43, 31.71);
     float dents_product_2 = dents_greatest * 2.0;
     float dents_product_3 = wrinkle_tangent_space_normal_billow(dents_sum, dents_product_2) * 0.5;
-    float dents_sum_2 = wrinkle_tangent_space_normal_billow(dents_product,
-            dents_greatest) + dents_product_3;
-    float dents_quotient = (dents_sum_2 / 1.5 - 0.15) / 0.85;
+    float dents_quotient = ((dents_billow + dents_product_3) / 1.5 - 0.15) / 0.85;
     float dents_clamped = clamp(dents_quotient, 0.0, 1.0);
     bool dents_test = dents_clamped > 0.0;
     bool dents_test_2 = 1.0 < max(dents_quotient, 0.0);
@@ -216,5 +215,7 @@ vec3 wrinkle_tangent_space_normal_color(WrinkleSurface_tangent_space_normal s) {
     bool map_test = dot(map_product, map_product) > 0.0;
     vec3 map_choice = map_test ? normalize(map_product) : vec3(0.0);
     vec3 map_normal = map_test ? map_choice : vec3(0.0, 0.0, 1.0);
-    return 0.5 + 0.5 * map_normal;
+    WrinkleMaterial_tangent_space_normal m;
+    m.color = 0.5 + 0.5 * map_normal;
+    return m;
 }

@@ -5,6 +5,10 @@ struct WrinkleSurface_turbulence {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_turbulence {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
 vec3 wrinkle_turbulence_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -78,45 +82,46 @@ float wrinkle_turbulence_gradient_noise(vec3 a) {
     float dot_product = dot(wrinkle_turbulence_noise_direction(whole, whole_2, whole_3),
             difference);
     int sum = whole + 1;
+    vec3 noise_direction = wrinkle_turbulence_noise_direction(sum, whole_2, whole_3);
     float difference_2 = difference.x - 1.0;
-    vec3 vector = vec3(difference_2, difference.y, difference.z);
-    float dot_product_2 = dot(wrinkle_turbulence_noise_direction(sum, whole_2, whole_3), vector);
+    float dot_product_2 = dot(noise_direction, vec3(difference_2, difference.y, difference.z));
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
     float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
+    vec3 noise_direction_2 = wrinkle_turbulence_noise_direction(whole, sum_3, whole_3);
     float difference_3 = difference.y - 1.0;
-    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
-    float dot_product_3 = dot(wrinkle_turbulence_noise_direction(whole, sum_3, whole_3), vector_2);
-    vec3 noise_direction = wrinkle_turbulence_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
+    float dot_product_3 = dot(noise_direction_2, vec3(difference.x, difference_3, difference.z));
+    vec3 noise_direction_3 = wrinkle_turbulence_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction_3, vec3(difference_2, difference_3, difference.z));
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
+    vec3 noise_direction_4 = wrinkle_turbulence_noise_direction(whole, whole_2, sum_4);
     float difference_4 = difference.z - 1.0;
-    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
-    float dot_product_5 = dot(wrinkle_turbulence_noise_direction(whole, whole_2, sum_4), vector_3);
-    vec3 noise_direction_2 = wrinkle_turbulence_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
+    float dot_product_5 = dot(noise_direction_4, vec3(difference.x, difference.y, difference_4));
+    vec3 noise_direction_5 = wrinkle_turbulence_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_5, vec3(difference_2, difference.y, difference_4));
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_3 = wrinkle_turbulence_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_4 = wrinkle_turbulence_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
+    vec3 noise_direction_6 = wrinkle_turbulence_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_6, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_7 = wrinkle_turbulence_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
 
 vec3 wrinkle_turbulence_billow_slope(vec3 a, float b) {
+    vec3 gradient_noise_slope = wrinkle_turbulence_gradient_noise_slope(a);
     float sign_2 = sign(wrinkle_turbulence_gradient_noise(a));
-    float product = sign_2 * (1.0 - smoothstep(0.25, 0.75, b));
-    return wrinkle_turbulence_gradient_noise_slope(a) * product;
+    return gradient_noise_slope * (sign_2 * (1.0 - smoothstep(0.25, 0.75, b)));
 }
 
 float wrinkle_turbulence_billow(vec3 a, float b) {
-    return mix(0.22, abs(wrinkle_turbulence_gradient_noise(a)), 1.0 - smoothstep(0.25, 0.75, b));
+    float magnitude = abs(wrinkle_turbulence_gradient_noise(a));
+    return mix(0.22, magnitude, 1.0 - smoothstep(0.25, 0.75, b));
 }
 
-vec3 wrinkle_turbulence_normal(WrinkleSurface_turbulence s) {
+WrinkleMaterial_turbulence wrinkle_turbulence(WrinkleSurface_turbulence s) {
     vec3 normal = normalize(s.normal);
     vec3 relief_product = s.position * 2.5;  // relief: Turbulence
     float relief_extent = length(dFdx(s.position_relative) * 2.5);
@@ -138,10 +143,10 @@ vec3 wrinkle_turbulence_normal(WrinkleSurface_turbulence s) {
     vec3 relief_billow_slope_4 = wrinkle_turbulence_billow_slope(relief_sum_5, relief_product_7);
     float relief_sum_6 = relief_sum_4 + relief_billow_slope_4.x * 20.0 * 0.125;
     vec3 relief_sum_7 = relief_product_6 * 2.0 + vec3(76.76, 29.72, 126.84);
-    vec3 relief_billow_slope_5 = wrinkle_turbulence_billow_slope(relief_sum_7,
-            relief_product_7 * 2.0);
+    float relief_product_8 = relief_product_7 * 2.0;
+    vec3 relief_billow_slope_5 = wrinkle_turbulence_billow_slope(relief_sum_7, relief_product_8);
     float relief_quotient = (relief_sum_6 + relief_billow_slope_5.x * 40.0 * 0.0625) / 1.9375;
-    float relief_product_8 = relief_quotient * 0.12;
+    float relief_product_9 = relief_quotient * 0.12;
     float relief_sum_8 = relief_billow_slope.y * 2.5 + relief_billow_slope_2.y * 5.0 * 0.5;
     float relief_sum_9 = relief_sum_8 + relief_billow_slope_3.y * 10.0 * 0.25;
     float relief_sum_10 = relief_sum_9 + relief_billow_slope_4.y * 20.0 * 0.125;
@@ -150,35 +155,19 @@ vec3 wrinkle_turbulence_normal(WrinkleSurface_turbulence s) {
     float relief_sum_12 = relief_sum_11 + relief_billow_slope_3.z * 10.0 * 0.25;
     float relief_sum_13 = relief_sum_12 + relief_billow_slope_4.z * 20.0 * 0.125;
     float relief_quotient_3 = (relief_sum_13 + relief_billow_slope_5.z * 40.0 * 0.0625) / 1.9375;
+    float relief_billow = wrinkle_turbulence_billow(relief_product, relief_greatest);
+    float relief_product_10 = wrinkle_turbulence_billow(relief_sum, relief_product_3) * 0.5;
+    float relief_product_11 = wrinkle_turbulence_billow(relief_sum_3, relief_product_5) * 0.25;
+    float relief_product_12 = wrinkle_turbulence_billow(relief_sum_5, relief_product_7) * 0.125;
+    float relief_sum_14 = relief_billow + relief_product_10 + relief_product_11 + relief_product_12;
+    float relief_product_13 = wrinkle_turbulence_billow(relief_sum_7, relief_product_8) * 0.0625;
+    float relief_value = (relief_sum_14 + relief_product_13) / 1.9375;
     // normal: Resolve
-    vec3 normal_gradient = vec3(relief_product_8, relief_quotient_2 * 0.12,
+    vec3 normal_gradient = vec3(relief_product_9, relief_quotient_2 * 0.12,
             relief_quotient_3 * 0.12);
-    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
-}
-
-float wrinkle_turbulence_height(WrinkleSurface_turbulence s) {
-    vec3 relief_product = s.position * 2.5;  // relief: Turbulence
-    float relief_extent = length(dFdx(s.position_relative) * 2.5);
-    float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 2.5));
-    vec3 relief_product_2 = relief_product * 2.0;
-    vec3 relief_sum = relief_product_2 + vec3(19.19, 7.43, 31.71);
-    float relief_product_3 = relief_greatest * 2.0;
-    float relief_product_4 = wrinkle_turbulence_billow(relief_sum, relief_product_3) * 0.5;
-    float relief_sum_2 = wrinkle_turbulence_billow(relief_product,
-            relief_greatest) + relief_product_4;
-    vec3 relief_product_5 = relief_product_2 * 2.0;
-    vec3 relief_sum_3 = relief_product_5 + vec3(38.38, 14.86, 63.42);
-    float relief_product_6 = relief_product_3 * 2.0;
-    float relief_sum_4 = relief_sum_2 + wrinkle_turbulence_billow(relief_sum_3,
-            relief_product_6) * 0.25;
-    vec3 relief_product_7 = relief_product_5 * 2.0;
-    vec3 relief_sum_5 = relief_product_7 + vec3(57.57, 22.29, 95.13);
-    float relief_product_8 = relief_product_6 * 2.0;
-    float relief_sum_6 = relief_sum_4 + wrinkle_turbulence_billow(relief_sum_5,
-            relief_product_8) * 0.125;
-    vec3 relief_sum_7 = relief_product_7 * 2.0 + vec3(76.76, 29.72, 126.84);
-    float relief_product_9 = wrinkle_turbulence_billow(relief_sum_7,
-            relief_product_8 * 2.0) * 0.0625;
-    float relief_value = (relief_sum_6 + relief_product_9) / 1.9375;
-    return relief_value * 0.12;
+    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    WrinkleMaterial_turbulence m;
+    m.normal = normalize(normal_difference);
+    m.height = relief_value * 0.12;  // relief: Turbulence (continued)
+    return m;
 }

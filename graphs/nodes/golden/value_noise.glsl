@@ -5,6 +5,10 @@ struct WrinkleSurface_value_noise {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_value_noise {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
 float wrinkle_value_noise_value_corner(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -69,32 +73,29 @@ float wrinkle_value_noise_value_noise(vec3 a) {
     int sum_4 = whole_3 + 1;
     float value_corner_5 = wrinkle_value_noise_value_corner(whole, whole_2, sum_4);
     float value_corner_6 = wrinkle_value_noise_value_corner(sum, whole_2, sum_4);
+    float mixed_3 = mix(value_corner_5, value_corner_6, product.x);
     float value_corner_7 = wrinkle_value_noise_value_corner(whole, sum_3, sum_4);
-    float mixed_3 = mix(value_corner_7, wrinkle_value_noise_value_corner(sum, sum_3, sum_4),
-            product.x);
-    float mixed_4 = mix(mix(value_corner_5, value_corner_6, product.x), mixed_3, product.y);
+    float value_corner_8 = wrinkle_value_noise_value_corner(sum, sum_3, sum_4);
+    float mixed_4 = mix(mixed_3, mix(value_corner_7, value_corner_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
 
-vec3 wrinkle_value_noise_normal(WrinkleSurface_value_noise s) {
+WrinkleMaterial_value_noise wrinkle_value_noise(WrinkleSurface_value_noise s) {
     vec3 normal = normalize(s.normal);
-    // relief: Value noise
-    vec3 relief_value_noise_slope = wrinkle_value_noise_value_noise_slope(s.position * 10.0);
+    vec3 relief_product = s.position * 10.0;  // relief: Value noise
+    vec3 relief_value_noise_slope = wrinkle_value_noise_value_noise_slope(relief_product);
     float relief_extent = length(dFdx(s.position_relative) * 10.0);
     float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 10.0));
     float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product = relief_value_noise_slope.x * 10.0 * relief_difference * 0.015;
-    float relief_product_2 = relief_value_noise_slope.y * 10.0 * relief_difference * 0.015;
-    float relief_product_3 = relief_value_noise_slope.z * 10.0 * relief_difference * 0.015;
+    float relief_product_2 = relief_value_noise_slope.x * 10.0 * relief_difference * 0.015;
+    float relief_product_3 = relief_value_noise_slope.y * 10.0 * relief_difference * 0.015;
+    float relief_product_4 = relief_value_noise_slope.z * 10.0 * relief_difference * 0.015;
+    float relief_value = wrinkle_value_noise_value_noise(relief_product) * relief_difference;
     // normal: Resolve
-    vec3 normal_gradient = vec3(relief_product, relief_product_2, relief_product_3);
-    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
-}
-
-float wrinkle_value_noise_height(WrinkleSurface_value_noise s) {
-    float relief_extent = length(dFdx(s.position_relative) * 10.0);  // relief: Value noise
-    float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 10.0));
-    float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_value = wrinkle_value_noise_value_noise(s.position * 10.0) * relief_difference;
-    return relief_value * 0.015;
+    vec3 normal_gradient = vec3(relief_product_2, relief_product_3, relief_product_4);
+    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    WrinkleMaterial_value_noise m;
+    m.normal = normalize(normal_difference);
+    m.height = relief_value * 0.015;  // relief: Value noise (continued)
+    return m;
 }

@@ -5,8 +5,12 @@ struct WrinkleSurface_waves {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_waves {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
-vec3 wrinkle_waves_normal(WrinkleSurface_waves s) {
+WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec2 duv0_dx = dFdx(s.uv0);
@@ -16,104 +20,83 @@ vec3 wrinkle_waves_normal(WrinkleSurface_waves s) {
     vec2 relief_product = duv0_dx * 3.0;  // relief: Waves
     float relief_product_2 = dot(relief_product, vec2(0.68911254, -0.7246543)) * 6.2831855;
     float relief_fraction = fract(dot(s.uv0 * 3.0, vec2(0.68911254, -0.7246543)) + 0.91080195);
-    float relief_cosine = cos(relief_fraction * 6.2831855);
-    vec2 relief_product_3 = duv0_dy * 3.0;
-    float relief_greatest = max(length(relief_product), length(relief_product_3));
+    float relief_product_3 = relief_fraction * 6.2831855;
+    float relief_cosine = cos(relief_product_3);
+    vec2 relief_product_4 = duv0_dy * 3.0;
+    float relief_greatest = max(length(relief_product), length(relief_product_4));
     float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product_4 = relief_product_2 * relief_cosine * relief_difference;
-    vec2 relief_product_5 = duv0_dx * 3.9;
-    float relief_product_6 = dot(relief_product_5, vec2(0.94149834, -0.3370176)) * 6.2831855;
+    float relief_product_5 = relief_product_2 * relief_cosine * relief_difference;
+    vec2 relief_product_6 = duv0_dx * 3.9;
+    float relief_product_7 = dot(relief_product_6, vec2(0.94149834, -0.3370176)) * 6.2831855;
     float relief_fraction_2 = fract(dot(s.uv0 * 3.9, vec2(0.94149834, -0.3370176)) + 0.6936357);
-    float relief_cosine_2 = cos(relief_fraction_2 * 6.2831855);
-    vec2 relief_product_7 = duv0_dy * 3.9;
-    float relief_greatest_2 = max(length(relief_product_5), length(relief_product_7));
-    float relief_product_8 = 0.8 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_2));
-    float relief_sum = relief_product_4 + relief_product_6 * relief_cosine_2 * relief_product_8;
-    vec2 relief_product_9 = duv0_dx * 5.07;
-    float relief_product_10 = dot(relief_product_9, vec2(0.76430833, -0.64485097)) * 6.2831855;
+    float relief_product_8 = relief_fraction_2 * 6.2831855;
+    float relief_cosine_2 = cos(relief_product_8);
+    vec2 relief_product_9 = duv0_dy * 3.9;
+    float relief_greatest_2 = max(length(relief_product_6), length(relief_product_9));
+    float relief_product_10 = 0.8 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_2));
+    float relief_sum = relief_product_5 + relief_product_7 * relief_cosine_2 * relief_product_10;
+    vec2 relief_product_11 = duv0_dx * 5.07;
+    float relief_product_12 = dot(relief_product_11, vec2(0.76430833, -0.64485097)) * 6.2831855;
     float relief_fraction_3 = fract(dot(s.uv0 * 5.07, vec2(0.76430833, -0.64485097)) + 0.87379307);
-    float relief_cosine_3 = cos(relief_fraction_3 * 6.2831855);
-    vec2 relief_product_11 = duv0_dy * 5.07;
-    float relief_greatest_3 = max(length(relief_product_9), length(relief_product_11));
-    float relief_product_12 = 0.64 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_3));
-    float relief_sum_2 = relief_sum + relief_product_10 * relief_cosine_3 * relief_product_12;
-    vec2 relief_product_13 = duv0_dx * 6.591;
-    float relief_product_14 = dot(relief_product_13, vec2(0.40782776, 0.9130589)) * 6.2831855;
+    float relief_product_13 = relief_fraction_3 * 6.2831855;
+    float relief_cosine_3 = cos(relief_product_13);
+    vec2 relief_product_14 = duv0_dy * 5.07;
+    float relief_greatest_3 = max(length(relief_product_11), length(relief_product_14));
+    float relief_product_15 = 0.64 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_3));
+    float relief_sum_2 = relief_sum + relief_product_12 * relief_cosine_3 * relief_product_15;
+    vec2 relief_product_16 = duv0_dx * 6.591;
+    float relief_product_17 = dot(relief_product_16, vec2(0.40782776, 0.9130589)) * 6.2831855;
     float relief_fraction_4 = fract(dot(s.uv0 * 6.591, vec2(0.40782776, 0.9130589)) + 0.51955295);
-    float relief_cosine_4 = cos(relief_fraction_4 * 6.2831855);
-    vec2 relief_product_15 = duv0_dy * 6.591;
-    float relief_greatest_4 = max(length(relief_product_13), length(relief_product_15));
-    float relief_product_16 = 0.512 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_4));
-    float relief_sum_3 = relief_sum_2 + relief_product_14 * relief_cosine_4 * relief_product_16;
-    vec2 relief_product_17 = duv0_dx * 8.5683;
-    float relief_product_18 = dot(relief_product_17, vec2(0.44290406, -0.896569)) * 6.2831855;
+    float relief_product_18 = relief_fraction_4 * 6.2831855;
+    float relief_cosine_4 = cos(relief_product_18);
+    vec2 relief_product_19 = duv0_dy * 6.591;
+    float relief_greatest_4 = max(length(relief_product_16), length(relief_product_19));
+    float relief_product_20 = 0.512 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_4));
+    float relief_sum_3 = relief_sum_2 + relief_product_17 * relief_cosine_4 * relief_product_20;
+    vec2 relief_product_21 = duv0_dx * 8.5683;
+    float relief_product_22 = dot(relief_product_21, vec2(0.44290406, -0.896569)) * 6.2831855;
     float relief_fraction_5 = fract(dot(s.uv0 * 8.5683, vec2(0.44290406, -0.896569)) + 0.82153374);
-    float relief_cosine_5 = cos(relief_fraction_5 * 6.2831855);
-    vec2 relief_product_19 = duv0_dy * 8.5683;
-    float relief_greatest_5 = max(length(relief_product_17), length(relief_product_19));
-    float relief_product_20 = 0.4096 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_5));
-    float relief_sum_4 = relief_sum_3 + relief_product_18 * relief_cosine_5 * relief_product_20;
-    vec2 relief_product_21 = duv0_dx * 11.13879;
-    float relief_product_22 = dot(relief_product_21, vec2(0.5233983, 0.85208815)) * 6.2831855;
+    float relief_product_23 = relief_fraction_5 * 6.2831855;
+    float relief_cosine_5 = cos(relief_product_23);
+    vec2 relief_product_24 = duv0_dy * 8.5683;
+    float relief_greatest_5 = max(length(relief_product_21), length(relief_product_24));
+    float relief_product_25 = 0.4096 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_5));
+    float relief_sum_4 = relief_sum_3 + relief_product_22 * relief_cosine_5 * relief_product_25;
+    vec2 relief_product_26 = duv0_dx * 11.13879;
+    float relief_product_27 = dot(relief_product_26, vec2(0.5233983, 0.85208815)) * 6.2831855;
     float relief_fraction_6 = fract(dot(s.uv0 * 11.13879, vec2(0.5233983,
             0.85208815)) + 0.11226624);
-    float relief_cosine_6 = cos(relief_fraction_6 * 6.2831855);
-    vec2 relief_product_23 = duv0_dy * 11.13879;
-    float relief_greatest_6 = max(length(relief_product_21), length(relief_product_23));
-    float relief_product_24 = 0.32768 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_6));
-    float relief_sum_5 = relief_sum_4 + relief_product_22 * relief_cosine_6 * relief_product_24;
-    float relief_product_25 = dot(relief_product_3, vec2(0.68911254, -0.7246543)) * 6.2831855;
-    float relief_product_26 = relief_product_25 * relief_cosine * relief_difference;
-    float relief_product_27 = dot(relief_product_7, vec2(0.94149834, -0.3370176)) * 6.2831855;
-    float relief_sum_6 = relief_product_26 + relief_product_27 * relief_cosine_2 * relief_product_8;
-    float relief_product_28 = dot(relief_product_11, vec2(0.76430833, -0.64485097)) * 6.2831855;
-    float relief_sum_7 = relief_sum_6 + relief_product_28 * relief_cosine_3 * relief_product_12;
-    float relief_product_29 = dot(relief_product_15, vec2(0.40782776, 0.9130589)) * 6.2831855;
-    float relief_sum_8 = relief_sum_7 + relief_product_29 * relief_cosine_4 * relief_product_16;
-    float relief_product_30 = dot(relief_product_19, vec2(0.44290406, -0.896569)) * 6.2831855;
-    float relief_sum_9 = relief_sum_8 + relief_product_30 * relief_cosine_5 * relief_product_20;
-    float relief_product_31 = dot(relief_product_23, vec2(0.5233983, 0.85208815)) * 6.2831855;
-    float relief_sum_10 = relief_sum_9 + relief_product_31 * relief_cosine_6 * relief_product_24;
+    float relief_product_28 = relief_fraction_6 * 6.2831855;
+    float relief_cosine_6 = cos(relief_product_28);
+    vec2 relief_product_29 = duv0_dy * 11.13879;
+    float relief_greatest_6 = max(length(relief_product_26), length(relief_product_29));
+    float relief_product_30 = 0.32768 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_6));
+    float relief_sum_5 = relief_sum_4 + relief_product_27 * relief_cosine_6 * relief_product_30;
+    float relief_product_31 = dot(relief_product_4, vec2(0.68911254, -0.7246543)) * 6.2831855;
+    float relief_product_32 = relief_product_31 * relief_cosine * relief_difference;
+    float relief_product_33 = dot(relief_product_9, vec2(0.94149834, -0.3370176)) * 6.2831855;
+    float relief_sum_6 = relief_product_32 + relief_product_33 * relief_cosine_2 *
+            relief_product_10;
+    float relief_product_34 = dot(relief_product_14, vec2(0.76430833, -0.64485097)) * 6.2831855;
+    float relief_sum_7 = relief_sum_6 + relief_product_34 * relief_cosine_3 * relief_product_15;
+    float relief_product_35 = dot(relief_product_19, vec2(0.40782776, 0.9130589)) * 6.2831855;
+    float relief_sum_8 = relief_sum_7 + relief_product_35 * relief_cosine_4 * relief_product_20;
+    float relief_product_36 = dot(relief_product_24, vec2(0.44290406, -0.896569)) * 6.2831855;
+    float relief_sum_9 = relief_sum_8 + relief_product_36 * relief_cosine_5 * relief_product_25;
+    float relief_product_37 = dot(relief_product_29, vec2(0.5233983, 0.85208815)) * 6.2831855;
+    float relief_sum_10 = relief_sum_9 + relief_product_37 * relief_cosine_6 * relief_product_30;
+    float relief_product_38 = sin(relief_product_3) * relief_difference;
+    float relief_sum_11 = relief_product_38 + sin(relief_product_8) * relief_product_10;
+    float relief_sum_12 = relief_sum_11 + sin(relief_product_13) * relief_product_15;
+    float relief_sum_13 = relief_sum_12 + sin(relief_product_18) * relief_product_20;
+    float relief_sum_14 = relief_sum_13 + sin(relief_product_23) * relief_product_25;
+    float relief_value = (relief_sum_14 + sin(relief_product_28) * relief_product_30) / 3.68928;
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
     vec2 normal_product_2 = vec2(relief_sum_5 / 3.68928, relief_sum_10 / 3.68928) * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_waves_height(WrinkleSurface_waves s) {
-    vec2 duv0_dx = dFdx(s.uv0);  // the surface point
-    vec2 duv0_dy = dFdy(s.uv0);
-    // relief: Waves
-    float relief_fraction = fract(dot(s.uv0 * 3.0, vec2(0.68911254, -0.7246543)) + 0.91080195);
-    float relief_sine = sin(relief_fraction * 6.2831855);
-    float relief_greatest = max(length(duv0_dx * 3.0), length(duv0_dy * 3.0));
-    float relief_product = relief_sine * (1.0 - smoothstep(0.25, 0.75, relief_greatest));
-    float relief_fraction_2 = fract(dot(s.uv0 * 3.9, vec2(0.94149834, -0.3370176)) + 0.6936357);
-    float relief_sine_2 = sin(relief_fraction_2 * 6.2831855);
-    float relief_greatest_2 = max(length(duv0_dx * 3.9), length(duv0_dy * 3.9));
-    float relief_product_2 = 0.8 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_2));
-    float relief_sum = relief_product + relief_sine_2 * relief_product_2;
-    float relief_fraction_3 = fract(dot(s.uv0 * 5.07, vec2(0.76430833, -0.64485097)) + 0.87379307);
-    float relief_sine_3 = sin(relief_fraction_3 * 6.2831855);
-    float relief_greatest_3 = max(length(duv0_dx * 5.07), length(duv0_dy * 5.07));
-    float relief_product_3 = 0.64 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_3));
-    float relief_sum_2 = relief_sum + relief_sine_3 * relief_product_3;
-    float relief_fraction_4 = fract(dot(s.uv0 * 6.591, vec2(0.40782776, 0.9130589)) + 0.51955295);
-    float relief_sine_4 = sin(relief_fraction_4 * 6.2831855);
-    float relief_greatest_4 = max(length(duv0_dx * 6.591), length(duv0_dy * 6.591));
-    float relief_product_4 = 0.512 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_4));
-    float relief_sum_3 = relief_sum_2 + relief_sine_4 * relief_product_4;
-    float relief_fraction_5 = fract(dot(s.uv0 * 8.5683, vec2(0.44290406, -0.896569)) + 0.82153374);
-    float relief_sine_5 = sin(relief_fraction_5 * 6.2831855);
-    float relief_greatest_5 = max(length(duv0_dx * 8.5683), length(duv0_dy * 8.5683));
-    float relief_product_5 = 0.4096 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_5));
-    float relief_sum_4 = relief_sum_3 + relief_sine_5 * relief_product_5;
-    float relief_fraction_6 = fract(dot(s.uv0 * 11.13879, vec2(0.5233983,
-            0.85208815)) + 0.11226624);
-    float relief_sine_6 = sin(relief_fraction_6 * 6.2831855);
-    float relief_greatest_6 = max(length(duv0_dx * 11.13879), length(duv0_dy * 11.13879));
-    float relief_product_6 = 0.32768 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_6));
-    float relief_value = (relief_sum_4 + relief_sine_6 * relief_product_6) / 3.68928;
-    return relief_value * 0.02;
+    WrinkleMaterial_waves m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.height = relief_value * 0.02;  // relief: Waves (continued)
+    return m;
 }

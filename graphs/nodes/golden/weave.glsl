@@ -5,6 +5,10 @@ struct WrinkleSurface_weave {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_weave {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
 float wrinkle_weave_thread(vec2 a, float b, float c) {
     float floored = floor(a.x);
@@ -20,18 +24,20 @@ float wrinkle_weave_thread_change(vec2 a, float b, float c, vec2 d) {
     float product = d.x * 2.0 / c * quotient;
     float choice = difference < 0.0 ? 0.0 : -(product + product);
     float product_2 = mod(a.y - 0.5 + floored, 2.0) * 3.1415927;
-    float product_3 = -(d.y * 3.1415927 * sin(product_2)) * b * 0.325;
-    return choice * (0.675 + 0.325 * (b * cos(product_2))) + product_3 * max(difference, 0.0);
+    float product_3 = choice * (0.675 + 0.325 * (b * cos(product_2)));
+    float product_4 = -(d.y * 3.1415927 * sin(product_2)) * b * 0.325;
+    return product_3 + product_4 * max(difference, 0.0);
 }
 
-vec3 wrinkle_weave_normal(WrinkleSurface_weave s) {
+WrinkleMaterial_weave wrinkle_weave(WrinkleSurface_weave s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = s.uv0 * 8.0;  // relief: Weave
-    float relief_thread = wrinkle_weave_thread(relief_product.yx, -1.0, 0.9);
-    bool relief_test = wrinkle_weave_thread(relief_product, 1.0, 0.9) < relief_thread;
+    float relief_thread = wrinkle_weave_thread(relief_product, 1.0, 0.9);
+    float relief_thread_2 = wrinkle_weave_thread(relief_product.yx, -1.0, 0.9);
+    bool relief_test = relief_thread < relief_thread_2;
     vec2 relief_product_2 = dFdx(s.uv0) * 8.0;
     float relief_thread_change = wrinkle_weave_thread_change(relief_product.yx, -1.0, 0.9,
             relief_product_2.yx);
@@ -47,21 +53,14 @@ vec3 wrinkle_weave_normal(WrinkleSurface_weave s) {
     float relief_thread_change_4 = wrinkle_weave_thread_change(relief_product, 1.0, 0.9,
             relief_product_3);
     float relief_choice_2 = relief_test ? relief_thread_change_3 : relief_thread_change_4;
+    float relief_value = mix(0.60579, max(relief_thread, relief_thread_2), relief_difference);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
     vec2 normal_product_2 = vec2(relief_product_4,
             relief_choice_2 * relief_difference) * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_weave_height(WrinkleSurface_weave s) {
-    vec2 relief_product = s.uv0 * 8.0;  // relief: Weave
-    float relief_thread = wrinkle_weave_thread(relief_product.yx, -1.0, 0.9);
-    float relief_greatest = max(wrinkle_weave_thread(relief_product, 1.0, 0.9), relief_thread);
-    float relief_extent = length(dFdx(s.uv0) * 8.0);
-    float relief_greatest_2 = max(relief_extent, length(dFdy(s.uv0) * 8.0));
-    float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest_2);
-    float relief_value = mix(0.60579, relief_greatest, relief_difference);
-    return relief_value * 0.05;
+    WrinkleMaterial_weave m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.height = relief_value * 0.05;  // relief: Weave (continued)
+    return m;
 }

@@ -5,6 +5,10 @@ struct WrinkleSurface_worley_noise {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_worley_noise {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
 vec3 wrinkle_worley_noise_feature_point(vec3 a, float b) {
     uint sum = uint(int(a.z)) * 747796405u + 2891336453u;
@@ -55,7 +59,7 @@ vec3 wrinkle_worley_noise_nearest_cells(vec3 a, vec3 b, float c, out vec3 result
     return state;
 }
 
-vec3 wrinkle_worley_noise_normal(WrinkleSurface_worley_noise s) {
+WrinkleMaterial_worley_noise wrinkle_worley_noise(WrinkleSurface_worley_noise s) {
     vec3 normal = normalize(s.normal);
     vec3 relief_product = s.position * 5.0;  // relief: Worley noise
     vec3 relief_floored = floor(relief_product);
@@ -85,28 +89,12 @@ vec3 wrinkle_worley_noise_normal(WrinkleSurface_worley_noise s) {
     float relief_choice_5 = relief_test ? relief_difference_2.z * -5.0 / relief_extent : 0.0;
     float relief_choice_6 = relief_test_2 ? relief_difference_3.z * -5.0 / relief_extent_2 : 0.0;
     float relief_product_4 = (relief_choice_5 - relief_choice_6) * relief_difference_4 * 0.05;
+    float relief_value = mix(0.198, relief_extent - relief_extent_2, relief_difference_4);
     // normal: Resolve
     vec3 normal_gradient = vec3(relief_product_2, relief_product_3, relief_product_4);
-    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
-}
-
-float wrinkle_worley_noise_height(WrinkleSurface_worley_noise s) {
-    vec3 relief_product = s.position * 5.0;  // relief: Worley noise
-    vec3 relief_floored = floor(relief_product);
-    vec3 relief_difference = relief_product - relief_floored - 0.5;
-    vec3 relief_nearest_cells_2;
-    vec3 relief_nearest_cells = wrinkle_worley_noise_nearest_cells(relief_floored,
-            relief_difference, 1.0, relief_nearest_cells_2);
-    vec3 relief_feature_point = wrinkle_worley_noise_feature_point(relief_floored +
-            relief_nearest_cells_2, 1.0);
-    float relief_extent = length(relief_nearest_cells_2 + relief_feature_point - relief_difference);
-    vec3 relief_feature_point_2 = wrinkle_worley_noise_feature_point(relief_floored +
-            relief_nearest_cells, 1.0);
-    float relief_extent_2 = length(relief_nearest_cells + relief_feature_point_2 -
-            relief_difference);
-    float relief_extent_3 = length(dFdx(s.position_relative) * 5.0);
-    float relief_greatest = max(relief_extent_3, length(dFdy(s.position_relative) * 5.0));
-    float relief_difference_2 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_value = mix(0.198, relief_extent - relief_extent_2, relief_difference_2);
-    return relief_value * 0.05;
+    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    WrinkleMaterial_worley_noise m;
+    m.normal = normalize(normal_difference);
+    m.height = relief_value * 0.05;  // relief: Worley noise (continued)
+    return m;
 }
