@@ -13,8 +13,7 @@ EmitOptions emit_options(const CompileOptions& wanted, const std::string& file,
     if (!options.target) {
         const std::vector<std::string> names = targets();
         diagnostics.error("there is no target '" + wanted.target + "'",
-                          did_you_mean(wanted.target, names,
-                                       joined(names, ", ", [](auto& name) { return name; })));
+                          did_you_mean(wanted.target, names, joined(names, ", ")));
         return options;
     }
     if (wanted.form == CompileOptions::Form::of_target)

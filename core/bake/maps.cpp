@@ -85,9 +85,8 @@ private:
         for (const ModuleOutput& output : source_.outputs)
             outputs.push_back(output.name);
         const std::vector<std::string> names = map_names(std::move(outputs));
-        diagnostics_.error(
-            "the graph makes no map '" + name + "'",
-            did_you_mean(name, names, "it makes " + joined(names, ", ", std::identity())));
+        diagnostics_.error("the graph makes no map '" + name + "'",
+                           did_you_mean(name, names, "it makes " + joined(names, ", ")));
     }
 
     void add_normal(BakedMap& map, Value normal) {

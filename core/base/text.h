@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,8 +45,8 @@ std::optional<Enum> enumerator_named(std::span<const std::string_view> names, st
 std::vector<std::string_view> split(std::string_view text, char separator);
 
 // Joins the texts of the elements of a list.
-template <class List, class Text>
-std::string joined(const List& list, std::string_view separator, Text text_of) {
+template <class List, class Text = std::identity>
+std::string joined(const List& list, std::string_view separator, Text text_of = {}) {
     std::string text;
     bool is_first = true;
     for (const auto& each : list) {

@@ -54,7 +54,8 @@ enum Column : size_t { value, derived, bump, columns };
 // values constant, as in bumps.
 Module with_derivatives(const Subject& subject, const CertifyContext& context) {
     Diagnostics diagnostics;
-    Module lowered = lower(subject.project, context.registry, {}, diagnostics).module;
+    const Types types(subject.project, context.registry);
+    Module lowered = lower(subject.project, types, {}, diagnostics).module;
     const std::vector<ModuleOutput> outputs = std::exchange(lowered.outputs, {});
     for (const ModuleOutput& output : outputs) {
         if (!is_number(output)) continue;

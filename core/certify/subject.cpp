@@ -50,10 +50,9 @@ const MipChain& test_image(const std::string& file) {
 
 Compiled compile(const Project& project, const CertifyContext& context, Options options,
                  Diagnostics& diagnostics) {
-    MaterialOptions material;
-    material.uniform_parameters = options.uniform;
-    material.given_differentials = options.given;
-    return compile_material(project, context.registry, material, diagnostics);
+    return compile_material(
+        project, context.registry,
+        {.uniform_parameters = options.uniform, .given_differentials = options.given}, diagnostics);
 }
 
 Project project_of(const std::string& text, const CertifyContext& context,

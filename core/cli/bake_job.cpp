@@ -88,8 +88,9 @@ void plan_runs(BakeJob& job, const Overrides& overrides, Diagnostics& diagnostic
         if (plan) job.plans.push_back(std::move(*plan));
         if (job.inputs.empty()) job.inputs = input_paths(run.project, nodes.registry);
     };
-    MaterialOptions options = run_options("bake");
-    options.covariances = covariances_for(requests);
+    const MaterialOptions options{.given_differentials = true,
+                                  .covariances = covariances_for(requests),
+                                  .runs_calls = "bake"};
     compile_runs(job.options.file, job.options.common, nodes.registry, overrides, options, use,
                  diagnostics);
 }

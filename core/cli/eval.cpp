@@ -58,8 +58,8 @@ struct EvalCommand {
             else
                 json = text;
         };
-        compile_runs(file, common, nodes.registry, overrides, run_options("eval"), use,
-                     diagnostics);
+        compile_runs(file, common, nodes.registry, overrides,
+                     {.given_differentials = true, .runs_calls = "eval"}, use, diagnostics);
         if (form == "json")  // one text for all runs
             results = {{output, overrides.is_sweep() ? "{\"runs\": [\n" + json + "\n]}\n"
                                                      : "{" + json + "}\n"}};

@@ -2,13 +2,6 @@
 
 namespace wrinkle::cli {
 
-MaterialOptions run_options(const char* program, bool given) {
-    MaterialOptions options;
-    options.given_differentials = given;
-    options.runs_calls = program;
-    return options;
-}
-
 void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
                   const Overrides& overrides, MaterialOptions options, const UseRun& use,
                   Diagnostics& diagnostics, const std::string& double_sided) {

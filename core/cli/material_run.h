@@ -18,9 +18,6 @@ struct MaterialRun {
 // Callback for a compiled run and its index from 0. The run is destroyed after the call.
 using UseRun = std::function<void(size_t, const MaterialRun&, Diagnostics&)>;
 
-// Options of a program that runs a material, such as "eval"; `given`: differentials are given.
-MaterialOptions run_options(const char* program, bool given = true);
-
 // Reads the file once, then compiles each run and passes it to `use` before the next is compiled,
 // so that a sweep needs the memory of one run. Stops at the first run with an error. `options` get
 // vertex_tangents from `common`. If `double_sided` names a mesh with visible back faces, a graph

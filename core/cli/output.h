@@ -28,12 +28,6 @@ int write_result(const std::string& path, std::string text);
 // Prints nothing; returns false and the reason in `why` on failure.
 bool write_results(const std::vector<Result>& results, std::string& why);
 
-// Returns "a, b" for {"a", "b"} and ", ".
-std::string joined(const auto& words, std::string_view separator) {
-    return wrinkle::joined(words, separator, [](const auto& word) { return word; });
-}
-using wrinkle::joined;
-
 // Prints the problems to standard error, as text or as JSON. Returns exit_input if there are
 // errors, otherwise exit_success.
 int report(const Diagnostics& diagnostics, const std::string& format);

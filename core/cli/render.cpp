@@ -50,7 +50,7 @@ struct RenderCommand {
             read_textures(textures, run.compiled, run.project, problems);
             shaders.push_back(emit_function(run, material_name(file), problems));
         };
-        compile_runs(file, common, nodes.registry, overrides, run_options("render", false), use,
+        compile_runs(file, common, nodes.registry, overrides, {.runs_calls = "render"}, use,
                      diagnostics, double_sided ? render.mesh : "");
         if (render.displace && !diagnostics.has_errors())
             meshes = displaced(*drawn_on, nodes, overrides, textures, diagnostics);
@@ -80,8 +80,8 @@ struct RenderCommand {
             auto mesh = displaced_mesh(still, run, textures, problems);
             if (mesh) meshes.push_back(std::move(*mesh));
         };
-        compile_runs(file, common, nodes.registry, overrides, run_options("eval"), use,
-                     diagnostics);
+        compile_runs(file, common, nodes.registry, overrides,
+                     {.given_differentials = true, .runs_calls = "eval"}, use, diagnostics);
         return meshes;
     }
 

@@ -80,8 +80,9 @@ void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
             compile_runs(graph, common, registry_, overrides, options, keep, diagnostics);
     };
     const bool displaced = test.render && test.render->options.displace;
-    if (test.points.count() > 0 || displaced) compile(run_options("eval"), given);
-    if (test.glsl || test.render) compile(run_options("render", false), screen);
+    if (test.points.count() > 0 || displaced)
+        compile({.given_differentials = true, .runs_calls = "eval"}, given);
+    if (test.glsl || test.render) compile({.runs_calls = "render"}, screen);
     if (diagnostics.has_errors()) return;
     Shader shader;
     if (screen) shader = emit_function(*screen, material_name(graph), diagnostics);

@@ -81,7 +81,7 @@ void follow_double_sided(Document& document, const std::string& mesh, Diagnostic
 Compiled compile_or_check(const Project& project, const Registry& registry,
                           const MaterialOptions& options, Diagnostics& diagnostics) {
     if (!diagnostics.has_errors()) return compile_material(project, registry, options, diagnostics);
-    check(project, registry, diagnostics);
+    check(project, registry, Types(project, registry), diagnostics);
     return {};
 }
 

@@ -107,15 +107,6 @@ bool is_possible(const Link& link) {
     return node && !link.port.empty() && link.port.find('.') == link.port.npos;
 }
 
-template <class T>
-Document with_member(const Document& document, T Document::*member, T value) {
-    if (document.*member == value) return document;
-    Document changed = document;
-    changed.*member = std::move(value);
-    mark_edited(changed);
-    return changed;
-}
-
 // Returns `value`; numbers equal to `old`, or to its element at the same index, retain its
 // spelling.
 Value with_old_spelling(const Value& value, const Value& old) {
@@ -216,16 +207,12 @@ Document set_graph_input(const Document& document, GraphInput input) {
     return with_table(document, &Document::inputs, document.inputs.with(std::move(input)));
 }
 
-Document remove_graph_input(const Document& document, std::string_view name) {
-    return with_table(document, &Document::inputs, document.inputs.without(name));
-}
-
-Document set_name(const Document& document, std::string_view name) {
-    return with_member(document, &Document::name, std::string(name));
-}
-
 Document set_back_faces(const Document& document, std::optional<BackFaces> choice) {
-    return with_member(document, &Document::back_faces, choice);
+    if (document.back_faces == choice) return document;
+    Document changed = document;
+    changed.back_faces = choice;
+    mark_edited(changed);
+    return changed;
 }
 
 Document set_frame(const Document& document, Box frame) {

@@ -53,14 +53,11 @@ Document connect(const Document&, const Link& from, std::string_view id, std::st
 Document disconnect(const Document&, std::string_view id, std::string_view port);  // links only
 Document set_value(const Document&, std::string_view id, std::string_view port, json::Value value);
 Document reset_value(const Document&, std::string_view id, std::string_view port);  // value or link
-Document set_muted(const Document&, std::string_view id, bool muted);
 Document set_type(const Document&, std::string_view id, std::string_view type, int version);
 
 Document set_output(const Document&, std::string_view name, const Link& from);
 Document remove_output(const Document&, std::string_view name);
-Document set_graph_input(const Document&, GraphInput input);          // adds or replaces by name
-Document remove_graph_input(const Document&, std::string_view name);  // links to it remain
-Document set_name(const Document&, std::string_view name);
+Document set_graph_input(const Document&, GraphInput input);  // adds or replaces by name
 Document set_back_faces(const Document&, std::optional<BackFaces> choice);
 
 // Layout only.

@@ -203,10 +203,6 @@ Document move_nodes(const Document& document, const std::vector<NodePosition>& p
     return changed;
 }
 
-Document set_muted(const Document& document, std::string_view id, bool muted) {
-    return mute_nodes(document, {std::string(id)}, muted);
-}
-
 Document mute_nodes(const Document& document, const std::set<std::string>& ids, bool muted) {
     Document changed = document;
     const auto mute = [&](Node& node) {

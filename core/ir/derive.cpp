@@ -233,12 +233,9 @@ const ForwardDiff::DerivedFunction& ForwardDiff::derived(uint32_t index,
 }
 
 Id ForwardDiff::loop_member(const Inst& result) {
-    const auto found = loops_.find(result.arg[0]);
-    if (found != loops_.end()) return found->second[result.extra];
-    std::vector<Id> members = dual_loop(result.arg[0]);
-    const Id member = members[result.extra];
-    loops_[result.arg[0]] = std::move(members);
-    return member;
+    std::vector<Id>& members = loops_[result.arg[0]];
+    if (members.empty()) members = dual_loop(result.arg[0]);
+    return members[result.extra];
 }
 
 void ForwardDiff::forget(size_t first) {

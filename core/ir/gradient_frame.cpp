@@ -95,9 +95,13 @@ TangentBasis vertex_basis(Module& target, bool raw) {
     return {t, b, scale, sign * scale};
 }
 
-// GenBasisTB of the reference, sign(0) = +1. `call` names its intermediate values.
-template <class Call>
-TangentBasis derived_basis(Module& target, Id uv, ScreenDerivatives& screen, Call call) {
+// GenBasisTB of the reference, sign(0) = +1. With a prefix, the names of its intermediate values are
+// those of the surface point.
+TangentBasis derived_basis(Module& target, Id uv, ScreenDerivatives& screen,
+                           const std::string& prefix) {
+    const auto call = [&](const char* name, Value v) {
+        return prefix.empty() ? named(name, v) : surface_named(prefix + name, v);
+    };
     const Value uv_x = screen.along(DiffAxis::surface_x, uv);
     const Value uv_y = screen.along(DiffAxis::surface_y, uv);
     const Value p_x = screen.position(Variant::dx);
@@ -190,13 +194,10 @@ TangentBasis tangent_basis(Module& target, const FrameKey& key, ScreenDerivative
         case Basis::derived_set: {
             const auto set = static_cast<SurfaceInput>(key.source);
             const std::string prefix = std::string(info(set).name) + "_";
-            return derived_basis(target, target.input(set), screen, [&](const char* name, Value v) {
-                return surface_named(prefix + name, v);
-            });
+            return derived_basis(target, target.input(set), screen, prefix);
         }
         case Basis::derived_uv:
-            return derived_basis(target, key.source, screen,
-                                 [](const char* name, Value v) { return named(name, v); });
+            return derived_basis(target, key.source, screen, "");
         case Basis::guess:
             return guessed_basis(target, key.source);
         case Basis::exact:

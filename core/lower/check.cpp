@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string join(std::span<const std::string> names) {
-    return joined(names, ", ", std::identity());
+    return joined(names, ", ");
 }
 
 std::string in_quotes(std::string_view name) {
@@ -285,11 +285,6 @@ void check(const Project& project, const Registry& registry, const Types& types,
                                   "connect a node under \"outputs\"");
     nothing.severity = Severity::warning;
     diagnostics.add(std::move(nothing));
-}
-
-void check(const Project& project, const Registry& registry, Diagnostics& diagnostics,
-           const CheckOptions& options) {
-    check(project, registry, Types(project, registry), diagnostics, options);
 }
 
 }  // namespace wrinkle

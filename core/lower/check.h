@@ -20,8 +20,6 @@ struct CheckOptions {
     NamedFiles* files = nullptr;  // known files of the project; null: none yet
 };
 
-void check(const Project& project, const Registry& registry, Diagnostics& diagnostics,
-           const CheckOptions& options = {});
 void check(const Project& project, const Registry& registry, const Types& types,
            Diagnostics& diagnostics, const CheckOptions& options = {});
 

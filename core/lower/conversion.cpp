@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "lower/literal.h"
+
 namespace wrinkle {
 namespace {
 
@@ -77,12 +79,10 @@ std::vector<PortType> accepted_by(PortType to) {
 }
 
 std::string alternative(PortType from, PortType to, const Registry& registry) {
-    std::string text = "it takes ";
-    const std::vector<PortType> types = accepted_by(to);
-    for (size_t i = 0; i < types.size(); ++i) {
-        if (i > 0) text += i + 1 == types.size() ? " or " : ", ";
-        text += name_of(types[i]);
-    }
+    std::vector<std::string> names;
+    for (const PortType type : accepted_by(to))
+        names.emplace_back(name_of(type));
+    const std::string text = "it takes " + one_of(names);
     for (const NodeType& type : registry.list())
         if (type.family != "comparison" && makes(type, from, to))
             return text + "; node '" + type.id + "' makes " + std::string(name_of(to)) + " from " +

@@ -24,17 +24,8 @@ std::string found(const json::Value& value) {
     return std::string("holds ") + json::kind_name(value.kind());
 }
 
-std::string list(std::span<const std::string> names) {
-    std::string text;
-    for (size_t i = 0; i < names.size(); ++i) {
-        if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
-        text += names[i];
-    }
-    return text;
-}
-
 std::string remedy(std::string_view word, std::span<const std::string> names) {
-    return did_you_mean(word, names, "expected " + list(names));
+    return did_you_mean(word, names, "expected " + one_of(names));
 }
 
 void number_problems(const json::Value& value, double number, const Port& port,
@@ -73,7 +64,7 @@ void option_problems(const json::Value& value, const Port& port, Problems& probl
         return problems.push_back({value, found(value), "expected true or false"});
     if (port.kind == Port::Kind::choice) {
         if (!value.is(Kind::string))
-            return problems.push_back({value, found(value), "expected " + list(port.choices)});
+            return problems.push_back({value, found(value), "expected " + one_of(port.choices)});
         return problems.push_back({value, "has no choice " + json_quoted(value.as_string()),
                                    remedy(value.as_string(), port.choices)});
     }
@@ -95,7 +86,7 @@ void word_problems(const json::Member& member, std::span<const std::string_view>
         problems.push_back(
             {member.value,
              "has " + std::string(json::kind_name(member.value.kind())) + " as its " + key,
-             "expected " + list(names)});
+             "expected " + one_of(names)});
     else if (!named(member.value.as_string()))
         problems.push_back({member.value,
                             "has the unknown " + key + " " + json_quoted(member.value.as_string()),
@@ -130,6 +121,15 @@ void image_problems(const json::Value& value, Problems& problems) {
 }
 
 }  // namespace
+
+std::string one_of(std::span<const std::string> names) {
+    std::string text;
+    for (size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+        text += names[i];
+    }
+    return text;
+}
 
 bool literal_numbers(const json::Value& value, PortType type, std::array<double, 4>& numbers) {
     const auto lanes = static_cast<size_t>(lanes_of(type));

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "registry/registry.h"
 
 namespace wrinkle {
+
+std::string one_of(std::span<const std::string> names);  // "a, b or c"
 
 // Stores the numbers of a float, vector, color, height or normal; returns false if `value` is not a
 // valid one.

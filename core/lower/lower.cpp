@@ -231,11 +231,6 @@ Lowered lower(const Project& project, const Types& types, const LowerOptions& op
     return Lowerer(project, types, options, diagnostics).run();
 }
 
-Lowered lower(const Project& project, const Registry& registry, const LowerOptions& options,
-              Diagnostics& diagnostics) {
-    return lower(project, Types(project, registry), options, diagnostics);
-}
-
 Diagnostic over_limit(const OverLimit& over, const Project& project,
                       const std::vector<NodePlace>& places) {
     return diagnose(project, places[over.node], over.path, over.message, over.expected);

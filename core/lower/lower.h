@@ -54,8 +54,6 @@ struct Lowered {
     bool over_limit = false;        // reported as an error: the module is not complete
 };
 
-Lowered lower(const Project& project, const Registry& registry, const LowerOptions& options,
-              Diagnostics& diagnostics);
 Lowered lower(const Project& project, const Types& types, const LowerOptions& options,
               Diagnostics& diagnostics);
 

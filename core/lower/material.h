@@ -17,7 +17,7 @@ struct MaterialOptions {
     // "render"): too many calls are an error (lower/reachable.h). "": none, as for generated
     // source.
     std::string runs_calls = {};
-    LowerOptions lower;
+    LowerOptions lower = {};
 };
 
 struct Compiled {

@@ -85,10 +85,10 @@ std::string array_to_type(const Override& change, const Port& port) {
     return "; type " + change.text.substr(0, equals) + "=" + array + "]";
 }
 
-class Applier {
-public:
-    Applier(Project project, const Registry& registry, Diagnostics& diagnostics)
-        : project_(std::move(project)), registry_(registry), diagnostics_(diagnostics) {}
+struct Applier {
+    Project project;
+    const Registry& registry;
+    Diagnostics& diagnostics;
 
     void apply(const Override& change, size_t run) {
         const json::Value& value = change.values[change.is_sweep() ? run : 0];
@@ -98,13 +98,10 @@ public:
             port(change, value);
     }
 
-    Project take() { return std::move(project_); }
-
-private:
-    Document& document() { return project_.files[0].document; }
+    Document& document() { return project.files[0].document; }
 
     void refuse(const Override& change, const std::string& message, std::string expected) {
-        diagnostics_.error("--set " + change.text + ": " + message, std::move(expected));
+        diagnostics.error("--set " + change.text + ": " + message, std::move(expected));
     }
 
     bool fits(const Override& change, const json::Value& value, const Port& port) {
@@ -137,7 +134,7 @@ private:
         if (index == Table<NodePtr>::npos)
             return refuse(change, "there is no node '" + target.node + "'",
                           did_you_mean(target.node, keys_of(document().nodes)));
-        const NodeType* type = Types(project_, registry_).of(0, index);
+        const NodeType* type = Types(project, registry).of(0, index);
         if (!type) return;  // check() names the unknown type
         const uint32_t found = type->find_input(target.port);
         if (found == NodeType::none)
@@ -146,10 +143,6 @@ private:
         if (fits(change, value, type->ports[found]))
             document() = set_value(document(), target.node, target.port, value);
     }
-
-    Project project_;
-    const Registry& registry_;
-    Diagnostics& diagnostics_;
 };
 
 }  // namespace
@@ -180,10 +173,10 @@ std::optional<Override> parse_override(std::string_view text, Diagnostics& diagn
 
 Project with_overrides(const Project& project, const Registry& registry,
                        std::span<const Override> overrides, size_t run, Diagnostics& diagnostics) {
-    Applier applier(project, registry, diagnostics);
+    Applier applier{project, registry, diagnostics};
     for (const Override& change : overrides)
         applier.apply(change, run);
-    return applier.take();
+    return std::move(applier.project);
 }
 
 }  // namespace wrinkle

@@ -59,7 +59,7 @@ std::string default_json(const Port& port) {
 std::string details_text(const Port& port) {
     std::string text;
     append(text, port.unit);
-    append(text, joined(port.choices, " | ", [](const std::string& choice) { return choice; }));
+    append(text, joined(port.choices, " | "));
     if (port.kind == Port::Kind::output) return text;
     if (port.default_kind == Port::Default::surface)
         append(text, "default " + surface_link(port));

@@ -17,7 +17,8 @@ size_t errors_of(const std::string& text) {
     Diagnostics problems;
     const Document document = read_document(text, "clipboard", problems);
     const Model model = make_model(document, ".", built_in_registry());
-    check(project_with(model, document), built_in_registry(), problems);
+    const Project project = project_with(model, document);
+    check(project, built_in_registry(), Types(project, built_in_registry()), problems);
     return problems.error_count();
 }
 

@@ -141,7 +141,9 @@ TEST(Document, AnEmptyTypeIsKept) {
     Diagnostics problems;
     const Document document = read_document(text, "graph.json", problems);
     EXPECT_EQ(problems.error_count(), 1U) << to_text(problems);
-    EXPECT_EQ(expect_unknown_nodes_kept(document, write_document(set_name(document, "b"))), 1U);
+    EXPECT_EQ(expect_unknown_nodes_kept(document,
+                                        write_document(set_back_faces(document, BackFaces::none))),
+              1U);
 }
 
 TEST_F(Headless, AGraphThatHoldsItselfIsOpened) {
@@ -168,7 +170,7 @@ TEST_F(Headless, DamagedGraphsAreOpenedKeptAndNotOverwritten) {
         frame();
         // After an edit the text is generated again.
         if (i % 2 && !document.nodes.empty())
-            state.commit("Name", set_name(document, "edited " + std::to_string(i)));
+            state.commit("Faces", set_back_faces(document, BackFaces::none));
         frame();
         const bool lossy = !state.save_refused.empty();
         (lossy ? refused : whole) += 1;

@@ -149,7 +149,8 @@ private:
                 refresh(state_);
                 return state_.commit("Tidy", tidied(state_).document);
             case 1:
-                return state_.commit("Name", set_name(now, "Name " + std::to_string(pick(50))));
+                return state_.commit("Output",
+                                     set_output(now, "out" + std::to_string(pick(50)), {"a", "y"}));
             case 2:
                 return state_.commit(
                     "Faces", set_back_faces(now, pick(2) ? BackFaces::mirror : BackFaces::flip));
@@ -158,7 +159,7 @@ private:
                     "Input",
                     set_graph_input(now, {"size", "float", json::Value::number(0.5), "", {}, {}}));
             case 4:
-                return state_.commit("No input", remove_graph_input(now, "size"));
+                return state_.commit("No output", remove_output(now, "height"));
             default:
                 if (port)
                     state_.commit("Output", with_wire(now, {some.id, port->name}, "", "height"));
@@ -243,7 +244,7 @@ TEST(HistoryFigures, TenThousandStepsOfTwoThousandNodes) {
                 next = disconnect(next, id, "a");
                 break;
             default:
-                next = set_muted(next, id, !next.find(id)->muted);
+                next = mute_nodes(next, {id}, !next.find(id)->muted);
         }
         history.commit("edit", std::move(next));
     }

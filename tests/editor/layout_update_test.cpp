@@ -79,7 +79,7 @@ public:
             case 9:
                 return rename_node(document, id, free_id(document, "renamed"));
             case 10:
-                return set_muted(document, id, random_() % 2);
+                return mute_nodes(document, {id}, random_() % 2);
             case 11:
                 return set_output(document, random_() % 2 ? "normal" : "mine",
                                   {other, port_out(document, other)});

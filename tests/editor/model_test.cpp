@@ -24,7 +24,7 @@ TEST(Change, TellsLayoutValuesAndStructureApart) {
     EXPECT_EQ(value.values[0].port, "amount");
     EXPECT_EQ(change(a, reset_value(a, "softer", "amount")).kind, Change::Kind::values);
     EXPECT_EQ(change(a, disconnect(a, "softer", "gradient")).kind, Change::Kind::structure);
-    EXPECT_EQ(change(a, set_muted(a, "softer", true)).kind, Change::Kind::structure);
+    EXPECT_EQ(change(a, mute_nodes(a, {"softer"}, true)).kind, Change::Kind::structure);
     const Document renamed = rename_node(a, "softer", "weaker");
     EXPECT_EQ(change(a, renamed).kind, Change::Kind::names);
     EXPECT_EQ(change(renamed, a).kind, Change::Kind::names);

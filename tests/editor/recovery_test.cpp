@@ -29,7 +29,7 @@ Left leave_file(const TemporaryFolder& home, int edits) {
     {
         RecoveryFile recovery;
         for (int i = 0; i < edits; ++i) {
-            const Document document = set_name({}, std::to_string(i));
+            const Document document = set_output({}, "o" + std::to_string(i), {"a", "y"});
             left.texts.push_back(write_document(document));
             EXPECT_FALSE(recovery.write(home.path(), "/nowhere/graph.json", "", document));
         }
@@ -89,7 +89,8 @@ TEST(RecoveryFile, AnUnfinishedOneIsRemovedAndTheLastEditStays) {
 
 TEST(RecoveryFile, WhatIsSavedIsNotRecoverable) {
     const TemporaryFolder home;
-    const Document other = set_name({}, "other"), saved = set_name({}, "saved");
+    const Document other = set_output({}, "other", {"a", "y"});
+    const Document saved = set_output({}, "saved", {"a", "y"});
     const fs::path graph = home.write("graph.json", write_document(saved));
     {
         RecoveryFile recovery;

@@ -13,7 +13,7 @@ namespace {
 
 std::string reports(const Project& project, const CheckOptions& options = {}) {
     Diagnostics diagnostics;
-    check(project, test::registry(), diagnostics, options);
+    check(project, test::registry(), Types(project, test::registry()), diagnostics, options);
     return to_text(diagnostics);
 }
 

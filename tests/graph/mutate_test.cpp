@@ -102,7 +102,7 @@ Document edit_somehow(const Document& d, Random& random) {
         case 4:
             return set_value(d, id, port, json::Value::number(static_cast<double>(random())));
         case 5:
-            return set_muted(d, id, below(random, 2) == 0);
+            return mute_nodes(d, {id}, below(random, 2) == 0);
         case 6:
             return move_node(d, id, static_cast<double>(below(random, 100)), 0.5);
         case 7:

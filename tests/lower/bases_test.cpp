@@ -13,9 +13,9 @@ using test::graph;
 Module lowered_module(const std::string& text, std::string& problems) {
     Diagnostics diagnostics;
     const Project project = test::project(text, diagnostics);
-    check(project, test::registry(), diagnostics);
+    check(project, test::registry(), Types(project, test::registry()), diagnostics);
     EXPECT_EQ(to_text(diagnostics), "");
-    Lowered result = lower(project, test::registry(), {}, diagnostics);
+    Lowered result = lower(project, Types(project, test::registry()), {}, diagnostics);
     problems = to_text(diagnostics);
     return std::move(result.module);
 }

@@ -17,11 +17,11 @@ using test::graph;
 
 Lowered lowered(const Project& project, const LowerOptions& options = {}) {
     Diagnostics diagnostics;
-    check(project, test::registry(), diagnostics);
+    check(project, test::registry(), Types(project, test::registry()), diagnostics);
     EXPECT_FALSE(diagnostics.has_errors()) << to_text(diagnostics);
     if (diagnostics.has_errors()) return {};
     Diagnostics own;
-    Lowered result = lower(project, test::registry(), options, own);
+    Lowered result = lower(project, Types(project, test::registry()), options, own);
     EXPECT_EQ(to_text(own), "");
     EXPECT_EQ(verify(result.module), "");
     EXPECT_EQ(result.module.nodes.size(), result.places.size());
@@ -138,7 +138,7 @@ TEST(Lower, OutputsCanBeChosen) {
     EXPECT_EQ(m.outputs[0].name, "bee");
     EXPECT_EQ(m.nodes.size(), 2u);
     options.outputs = {"be"};
-    lower(project, test::registry(), options, diagnostics);
+    lower(project, Types(project, test::registry()), options, diagnostics);
     EXPECT_EQ(to_text(diagnostics),
               "g.json: error: the graph has no output 'be' (did you mean 'bee'?)\n");
 }
@@ -389,7 +389,7 @@ TEST(Lower, ManyNodesAreRefusedByALimit) {
     LowerOptions options;
     options.max_nodes = 1000;
     options.inline_up_to = 1'000'000;
-    lower(project, test::registry(), options, diagnostics);
+    lower(project, Types(project, test::registry()), options, diagnostics);
     EXPECT_EQ(to_text(diagnostics),
               (written.folder / "g0.json").string() +
                   ": error: the graph needs more than 1000 nodes (each use of a sub-graph that "

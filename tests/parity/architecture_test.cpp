@@ -70,7 +70,7 @@ TEST(Architecture, PrintsOfThePageAreThoseOfItsGraph) {
     Diagnostics diagnostics;
     const Project project =
         load_project(read_document(blocks[0], "softer.json", diagnostics), ".", {}, diagnostics);
-    const Module lowered = lower(project, all_nodes(), {}, diagnostics).module;
+    const Module lowered = lower(project, Types(project, all_nodes()), {}, diagnostics).module;
     EXPECT_EQ(print(lowered), blocks[1]);
     const Module expanded = expand(lowered, {.parameters = Parameters::baked});
     EXPECT_EQ(without_ids(print(expanded)), without_ids(blocks[2]));

@@ -99,7 +99,8 @@ Build build(const CompileJob& job) {
     report_unread(document, result.problems);
     if (!document.edited) result.problems.append(links);  // check() reports those of edited ones
     result.problems.append(model.project_problems);
-    if (!holds_nothing(document)) check(project, registry, result.problems);
+    if (!holds_nothing(document))
+        check(project, registry, Types(project, registry), result.problems);
     Document drawn = document;
     if (!double_sided.empty() && !holds_nothing(document))
         follow_double_sided(drawn, double_sided, result.problems);
