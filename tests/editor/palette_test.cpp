@@ -44,13 +44,14 @@ TEST_F(Headless, ThreeLettersPutEveryNodeOnTop) {
         const std::string query = lower_case(type.title).substr(0, 3);
         size_t before = 0;
         bool found = false;
-        for (const NodeType* each : search_nodes(state, query)) {
-            found = each == &type;
+        state.palette.query = query;
+        for (const PaletteRow& row : palette_rows(state)) {
+            found = row.type == &type;
             if (found) break;
             ++before;
             // Only a title that begins with the same letters may be ranked before it.
-            EXPECT_TRUE(lower_case(each->title).starts_with(query))
-                << "'" << query << "' finds " << each->title << " before " << type.title;
+            EXPECT_TRUE(lower_case(row.title).starts_with(query))
+                << "'" << query << "' finds " << row.title << " before " << type.title;
         }
         EXPECT_TRUE(found) << type.title;
         if (before > 0) tied += "  " + query + ": " + type.title + "\n";
@@ -63,8 +64,10 @@ TEST_F(Headless, ThreeLettersPutEveryNodeOnTop) {
 
 TEST_F(Headless, TheWholeTitlePutsANodeFirst) {
     open(small_graph);
-    for (const NodeType& type : built_in_registry().list())
-        EXPECT_EQ(search_nodes(state, type.title).front()->title, type.title);
+    for (const NodeType& type : built_in_registry().list()) {
+        state.palette.query = type.title;
+        EXPECT_EQ(palette_rows(state).front().title, type.title);
+    }
 }
 
 // Searches 500 types; the time is printed, not checked.
@@ -85,9 +88,10 @@ TEST(Search, OfManyTypesIsQuick) {
 
 TEST_F(Headless, WhatWasUsedLatelyComesFirst) {
     open(small_graph);
-    EXPECT_NE(search_nodes(state, "").front()->id, "weave");
+    EXPECT_NE(palette_rows(state).front().type->id, "weave");
     play("key Space\ntype weave\nkey Enter\nassert node weave");
-    EXPECT_EQ(search_nodes(state, "").front()->id, "weave");
+    state.palette = {};
+    EXPECT_EQ(palette_rows(state).front().type->id, "weave");
     play("key Ctrl+P\ntype tidy\nkey Enter");
     state.palette.commands = true;
     EXPECT_EQ(palette_rows(state).front().title, "Tidy");

@@ -122,24 +122,28 @@ bool runs_behind(const Wire& wire, const Card& card) {
     return false;
 }
 
+// Number of wires that run behind a card that is not at one of their ends.
+size_t hidden_wires(const Layout& layout) {
+    size_t hidden = 0;
+    for (const Wire& wire : layout.wires)
+        for (size_t i = 0; i < layout.cards.size(); ++i) {
+            if (i == wire.from_card || i == wire.to_card) continue;
+            if (!runs_behind(wire, layout.cards[i])) continue;
+            ++hidden;
+            std::printf("%s behind %s\n", wire.from.text().c_str(), layout.cards[i].id.c_str());
+        }
+    return hidden;
+}
+
 TEST_F(Tidying, NoWireRunsBehindACard) {
-    size_t wires = 0, hidden = 0;
+    size_t wires = 0;
     for (const fs::path& graph : all_graphs()) {
         open_sample(graph);
         tidy();
-        for (const Wire& wire : state.layout.wires) {
-            ++wires;
-            for (size_t i = 0; i < state.layout.cards.size(); ++i) {
-                if (i == wire.from_card || i == wire.to_card) continue;
-                if (!runs_behind(wire, state.layout.cards[i])) continue;
-                ++hidden;
-                std::printf("%s: %s behind %s\n", graph.filename().c_str(),
-                            wire.from.text().c_str(), state.layout.cards[i].id.c_str());
-            }
-        }
+        wires += state.layout.wires.size();
+        EXPECT_EQ(hidden_wires(state.layout), 0U) << graph;
     }
     EXPECT_GT(wires, 500U);
-    EXPECT_EQ(hidden, 0U);
 }
 
 TEST_F(Tidying, FramesGoWithTheirNodesAndUndoBringsAllBack) {

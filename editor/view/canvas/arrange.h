@@ -30,9 +30,6 @@ Tidied tidied(const State& state);
 // Arranges only the selected nodes, with the same upper left corner.
 Document tidied_selection(const State& state);
 
-// Number of wires that run behind a card that is not at one of their ends.
-size_t hidden_wires(const Layout& layout);
-
 // Returns the document with the cards that `card` overlaps moved aside: those on its right move
 // right with everything downstream, the others move left with everything upstream. If the outputs
 // card has to move too, `outputs_at` receives its new position.

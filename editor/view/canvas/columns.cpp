@@ -10,6 +10,26 @@
 namespace wrinkle::editor {
 namespace {
 
+// Range of y of a wire's curve between x = left and x = right; low.y > high.y if they do not
+// overlap.
+Extent heights_between(ImVec2 start, ImVec2 end, float left, float right) {
+    constexpr int pieces = 32;
+    constexpr float none = std::numeric_limits<float>::infinity();
+    Extent range{{left, none}, {right, -none}};
+    if (std::min(start.x, end.x) > right || std::max(start.x, end.x) < left) return range;
+    const Curve curve = wire_curve(start, end, 1);
+    ImVec2 last = curve.a;
+    for (int i = 1; i <= pieces; ++i) {
+        const ImVec2 next = curve.at(static_cast<float>(i) / pieces);
+        if (std::max(last.x, next.x) >= left && std::min(last.x, next.x) <= right) {
+            range.low.y = std::min({range.low.y, last.y, next.y});
+            range.high.y = std::max({range.high.y, last.y, next.y});
+        }
+        last = next;
+    }
+    return range;
+}
+
 constexpr float lane = 12;  // clearance above and below a wire
 constexpr int sweeps = 24, enough_sweeps = 6, repairs = 6;
 
@@ -252,24 +272,6 @@ private:
 };
 
 }  // namespace
-
-Extent heights_between(ImVec2 start, ImVec2 end, float left, float right) {
-    constexpr int pieces = 32;
-    constexpr float none = std::numeric_limits<float>::infinity();
-    Extent range{{left, none}, {right, -none}};
-    if (std::min(start.x, end.x) > right || std::max(start.x, end.x) < left) return range;
-    const Curve curve = wire_curve(start, end, 1);
-    ImVec2 last = curve.a;
-    for (int i = 1; i <= pieces; ++i) {
-        const ImVec2 next = curve.at(static_cast<float>(i) / pieces);
-        if (std::max(last.x, next.x) >= left && std::min(last.x, next.x) <= right) {
-            range.low.y = std::min({range.low.y, last.y, next.y});
-            range.high.y = std::max({range.high.y, last.y, next.y});
-        }
-        last = next;
-    }
-    return range;
-}
 
 void place_in_columns(std::vector<ColumnBox>& boxes, const std::vector<ColumnLine>& lines) {
     if (boxes.empty()) return;

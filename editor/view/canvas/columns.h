@@ -33,8 +33,4 @@ struct ColumnLine {
 // Sets `at` of all boxes, in columns from (0, 0) to the right and down.
 void place_in_columns(std::vector<ColumnBox>& boxes, const std::vector<ColumnLine>& lines);
 
-// Range of y of a wire's curve between x = left and x = right; low.y > high.y if they do not
-// overlap.
-Extent heights_between(ImVec2 start, ImVec2 end, float left, float right);
-
 }  // namespace wrinkle::editor

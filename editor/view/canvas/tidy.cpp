@@ -198,18 +198,4 @@ Document tidied_selection(const State& state) {
     return move_nodes(state.document(), places);
 }
 
-size_t hidden_wires(const Layout& layout) {
-    const auto is_hidden = [&](const Wire& wire) {
-        for (size_t i = 0; i < layout.cards.size(); ++i) {
-            const Extent card = layout.cards[i].extent();
-            const Extent range = heights_between(wire.start, wire.end, card.low.x, card.high.x);
-            if (i != wire.from_card && i != wire.to_card && range.low.y < card.high.y &&
-                range.high.y > card.low.y)
-                return true;
-        }
-        return false;
-    };
-    return static_cast<size_t>(std::count_if(layout.wires.begin(), layout.wires.end(), is_hidden));
-}
-
 }  // namespace wrinkle::editor

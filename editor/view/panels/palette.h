@@ -7,11 +7,6 @@
 
 namespace wrinkle::editor {
 
-// Returns the node types that match a query, best first. Sort keys: the rank of search.h, no
-// conversion on the wire before a conversion, most recently used first, shorter title first. For an
-// empty query, the last key is the family instead: images, gradients, noises, then the rest.
-std::vector<const NodeType*> search_nodes(const State& state, std::string_view query);
-
 // One row of the list.
 struct PaletteRow {
     std::string title, doc, key = {};
@@ -22,6 +17,9 @@ struct PaletteRow {
     const struct Command* command = nullptr;
     std::string node = {};  // id of a node of the graph to show
 };
+// Returns the rows that match the query, best first. Sort keys of node types: the rank of search.h,
+// no conversion on the wire before a conversion, most recently used first, shorter title first. For
+// an empty query, the last key is the family instead: images, gradients, noises, then the rest.
 std::vector<PaletteRow> palette_rows(const State& state);
 
 // Moves the id to the front of the recently used ids; stores at most 8.

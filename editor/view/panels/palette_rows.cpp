@@ -24,8 +24,8 @@ size_t order_of_use(const std::vector<std::string>& recent, std::string_view id)
 }
 
 // Matching node types, best first (palette.h).
-std::vector<PaletteRow> node_rows(const State& state, std::string_view query) {
-    const std::string wanted = lower_case(query);
+std::vector<PaletteRow> node_rows(const State& state) {
+    const std::string wanted = lower_case(state.palette.query);
     const Gesture wire = state.palette.all_types ? Gesture() : state.palette.wire;
     using Key = std::tuple<int, bool, size_t, size_t>;
     std::vector<std::pair<Key, PaletteRow>> found;
@@ -86,16 +86,9 @@ std::vector<PaletteRow> graph_rows(const State& state) {
 
 }  // namespace
 
-std::vector<const NodeType*> search_nodes(const State& state, std::string_view query) {
-    std::vector<const NodeType*> types;
-    for (const PaletteRow& row : node_rows(state, query))
-        types.push_back(row.type);
-    return types;
-}
-
 std::vector<PaletteRow> palette_rows(const State& state) {
     if (state.palette.find) return graph_rows(state);
-    return state.palette.commands ? command_rows(state) : node_rows(state, state.palette.query);
+    return state.palette.commands ? command_rows(state) : node_rows(state);
 }
 
 void note_use(std::vector<std::string>& recent, std::string_view id) {
