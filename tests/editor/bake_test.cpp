@@ -241,7 +241,7 @@ TEST_F(EditorBake, TheLastChoicesComeBack) {
     EXPECT_EQ(read_settings(state.keeping.folders, trouble).bake, state.keeping.settings.bake);
     BakeSettings odd;
     odd.maps = "gone,,";
-    odd.size = 77;
+    odd.width = 77;
     odd.stored = "gif";
     state.keeping.settings.bake = odd;
     EXPECT_EQ(usual_bake(state, state.view.preview_view.mesh).maps, Names{"normal"});

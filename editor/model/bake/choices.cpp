@@ -49,8 +49,7 @@ const StoredAs& kind_where(Matches&& matches) {
     return found == kinds.end() ? kinds[0] : *found;
 }
 
-uint32_t listed_size(int texels, uint32_t otherwise) {
-    const auto size = static_cast<uint32_t>(texels);
+uint32_t listed_size(uint32_t size, uint32_t otherwise) {
     const auto* found = std::find(std::begin(bake_sizes), std::end(bake_sizes), size);
     return found == std::end(bake_sizes) ? otherwise : size;
 }
@@ -165,15 +164,13 @@ std::vector<AskedMap> asked_maps(const BakeChoices& choices, std::string& why) {
 
 BakeChoices choices_of(const BakeSettings& settings) {
     BakeChoices choices;
+    static_cast<BakeLayout&>(choices) = settings;
     for (const std::string_view map : split(settings.maps, ','))
         if (!map.empty()) choices.maps.emplace_back(map);
-    choices.width = listed_size(settings.size, choices.width);
-    choices.square_or_height = listed_size(settings.height, 0);
+    choices.width = listed_size(settings.width, BakeLayout().width);
+    choices.square_or_height = listed_size(settings.square_or_height, 0);
     choices.object_space = settings.space == "object";
     choices.green_down = settings.green == "dx";
-    choices.udim = settings.udim != 0;
-    choices.packs = settings.packs;
-    choices.tuning = settings.tuning;
     const auto& counts = bake_sample_counts;
     if (std::find(counts.begin(), counts.end(), choices.tuning.samples) == counts.end())
         choices.tuning.samples = BakeTuning().samples;
@@ -183,18 +180,11 @@ BakeChoices choices_of(const BakeSettings& settings) {
 }
 
 BakeSettings settings_of(const BakeChoices& choices) {
-    BakeSettings settings;
-    settings.maps.clear();
-    for (const std::string& map : choices.maps)
-        settings.maps += (settings.maps.empty() ? "" : ",") + map;
-    settings.size = static_cast<int>(choices.width);
-    settings.height = static_cast<int>(choices.square_or_height);
+    BakeSettings settings{choices};
+    settings.maps = joined(choices.maps, ",", [](const std::string& map) { return map; });
     settings.space = choices.object_space ? "object" : "tangent";
     settings.green = choices.green_down ? "dx" : "gl";
     settings.stored = choices.stored->key;
-    settings.udim = choices.udim;
-    settings.packs = choices.packs;
-    settings.tuning = choices.tuning;
     return settings;
 }
 

@@ -35,15 +35,11 @@ inline constexpr uint32_t bake_tiles[] = {0, 64, 128, 256, 512};  // 0: rows
 inline constexpr uint32_t bake_sizes[] = {16,   32,   64,   128,   256,   512,           1024,
                                           2048, 4096, 8192, 16384, 32768, max_baked_side};
 
-struct BakeChoices {
+struct BakeChoices : BakeLayout {
     std::string mesh;               // a shape's name, or the path of an OBJ or glTF file
     std::vector<std::string> maps;  // names, in the order of the graph's maps
-    std::string packs;              // as for `--pack`, separated by ;
-    uint32_t width = 1024;          // texels
-    uint32_t square_or_height = 0;  // texels; 0: same as width
-    bool object_space = false, green_down = false, udim = false;
+    bool object_space = false, green_down = false;
     const StoredAs* stored = stored_kinds().data();
-    BakeTuning tuning;
     // A folder; or the file of a single map, if it has the extension of that format.
     std::filesystem::path into;
 

@@ -32,12 +32,12 @@ void each_setting(S& settings, Visitor&& visit) {
     visit("recent", settings.recent, Settings::max_recent);
     visit("dismissed", settings.dismissed, Settings::max_dismissed);
     visit("bake_maps", settings.bake.maps, 0, 4096);
-    visit("bake_size", settings.bake.size, 1, 65536);
-    visit("bake_height", settings.bake.height, 0, 65536);
+    visit("bake_size", settings.bake.width, uint32_t{1}, max_baked_side);
+    visit("bake_height", settings.bake.square_or_height, uint32_t{0}, max_baked_side);
     visit("bake_space", settings.bake.space, 0, 32);
     visit("bake_green", settings.bake.green, 0, 32);
     visit("bake_stored", settings.bake.stored, 0, 32);
-    visit("bake_udim", settings.bake.udim, 0, 1);
+    visit("bake_udim", settings.bake.udim, false, true);
     visit("bake_packs", settings.bake.packs, 0, 4096);
     auto& tuning = settings.bake.tuning;
     visit("bake_scale", tuning.scale, 1e-30, 1e30);

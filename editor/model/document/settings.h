@@ -11,16 +11,22 @@
 
 namespace wrinkle::editor {
 
+// Options of a bake that the dialog and the settings store in the same form.
+struct BakeLayout {
+    uint32_t width = 1024;          // texels
+    uint32_t square_or_height = 0;  // texels; 0: same as width
+    bool udim = false;
+    std::string packs;  // as for `--pack`, separated by ;
+    BakeTuning tuning;
+
+    bool operator==(const BakeLayout&) const = default;
+};
+
 // Options of the last bake, as strings of `wrinkle bake`.
-struct BakeSettings {
+struct BakeSettings : BakeLayout {
     std::string maps = "normal";  // "normal,height"
-    int size = 1024;              // texels
-    int height = 0;               // texels; 0: same as width
     std::string space = "tangent", green = "gl";
     std::string stored = "png u8";
-    int udim = 0;
-    std::string packs;  // "orm: r=occlusion g=roughness; ..."
-    BakeTuning tuning;
 
     bool operator==(const BakeSettings&) const = default;
 };
