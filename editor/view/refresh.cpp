@@ -37,8 +37,8 @@ void request_build(State& state) {
     CompileState& follow = state.follow;
     follow.requested_snapshot = state.document();
     follow.requested = wanted_request(state);
-    CompileJob job{++follow.requested_version, state.registry,  state.model, state.document(),
-                   material_name(state.path),  follow.requested};
+    CompileJob job{++follow.requested_version, state.model, state.document(),
+                   material_name(state.path), follow.requested};
     if (follow.compiler)
         follow.compiler->post(std::move(job));
     else

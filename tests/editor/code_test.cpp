@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "editor/model/code/export.h"
 #include "editor/model/code/tokens.h"
 #include "editor/model/document/files.h"
 #include "graph/edit.h"

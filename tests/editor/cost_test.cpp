@@ -85,8 +85,7 @@ TEST_F(Headless, EstimatesAreThoseOfTheText) {
         Diagnostics problems;
         const Model model = make_model(read_document(text, name, problems),
                                        entry.path().parent_path(), built_in_registry());
-        const Build built =
-            build({0, &built_in_registry(), model, model.project->top(), "material"});
+        const Build built = build({0, model, model.project->top(), "material"});
         if (!built.uniform) continue;
         ASSERT_TRUE(built.costs) << name;
         Cost sum;

@@ -82,7 +82,7 @@ TEST(Model, WiresGoWhereTheTypesSay) {
     const Registry& registry = built_in_registry();
     const Model model = make_model(document, ".", registry);
     const auto why = [&](const Link& from, const char* node, const char* port) {
-        return wire_problem(model, document, registry, from, node, port);
+        return wire_problem(model, document, from, node, port);
     };
     EXPECT_EQ(why({"noise", "height"}, "normal", "gradient"), "");
     EXPECT_EQ(why({"noise", "value"}, "number", "a"), "");

@@ -16,7 +16,6 @@ NodePreviews pictures_of(const std::string& nodes, const std::filesystem::path& 
     Diagnostics problems;
     NodePreviewJob job;
     job.version = 7;
-    job.registry = &built_in_registry();
     job.document = read_document(R"({ "wrinkle": 1, "nodes": {)" + nodes + R"(}, "outputs": {} })",
                                  "graph.json", problems);
     for (const NodePtr& node : job.document.nodes)

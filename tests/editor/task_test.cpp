@@ -6,7 +6,6 @@
 
 #include <csignal>
 
-#include "editor/model/code/export.h"
 #include "editor/model/document/folders.h"
 #include "editor/view/panels/regions.h"
 #include "headless.h"

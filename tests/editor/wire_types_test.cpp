@@ -67,8 +67,7 @@ protected:
         ASSERT_TRUE(through) << pair;
         EXPECT_EQ(state.document().find(through->node)->type, between) << pair;
         each_wire(state.document(), [&](const Connection& wire) {
-            EXPECT_EQ(wire_problem(state.model, state.document(), built_in_registry(), wire.from,
-                                   wire.node, wire.port),
+            EXPECT_EQ(wire_problem(state.model, state.document(), wire.from, wire.node, wire.port),
                       "")
                 << pair;
         });

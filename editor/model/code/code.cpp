@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <set>
 
+#include "base/file.h"
 #include "base/text.h"
+#include "compile/inputs.h"
 #include "editor/model/document/wiring.h"
 #include "editor/model/session.h"
 #include "editor/model/words.h"
@@ -11,6 +13,7 @@
 #include "spirv/spirv.h"
 
 namespace wrinkle::editor {
+namespace fs = std::filesystem;
 namespace {
 
 void cut_lines(CodeText& text) {
@@ -37,7 +40,7 @@ Shader shader_of(const CodeJob& job, Diagnostics& problems) {
     if (problems.has_errors()) return {};
     MaterialOptions options;
     options.uniform_parameters = job.options.uniforms;
-    const Compiled compiled = compile_material(project, *job.registry, options, problems);
+    const Compiled compiled = compile_material(project, *job.model.registry, options, problems);
     if (!compiled.ok) return {};
     EmitOptions emit_options;
     emit_options.name = job.name;
@@ -46,6 +49,42 @@ Shader shader_of(const CodeJob& job, Diagnostics& problems) {
     Shader shader = write_shader(compiled.module, emit_options);
     report_problems(shader.problems, compiled.module, project, compiled.places, problems);
     return shader;
+}
+
+bool has_stages(const CodeOptions& options) {
+    return form_of(options) == Form::shader;
+}
+
+// Returns the suffix of a stage's file: ".frag", ".frag.spv".
+std::string end_of(const char* stage, const CodeOptions& options) {
+    const Target* target = find_target(options.target);
+    return stage + std::string(target ? target->suffix : "");
+}
+
+TaskOutcome export_code(const CodeJob& job, const fs::path& file) {
+    const CodeText text = make_code(job);
+    const std::string name = file.filename().string();
+    if (!text.problem.empty())
+        return {false,
+                name + " was not written, because the graph has errors. " + sentence(text.problem)};
+    std::vector<FileBytes> files{{file, text.source}};
+    const std::string vertex = end_of(".vert", job.options);
+    const std::string fragment = end_of(".frag", job.options);
+    if (has_stages(job.options))
+        files = {{file.string() + vertex, text.vertex}, {file.string() + fragment, text.fragment}};
+    std::vector<std::string> read, made;
+    Diagnostics ignored;
+    const Project project = project_to_compile(job.model, job.document, ignored);
+    for (const InputFile& input : inputs_of(project, Types(project, *job.model.registry)))
+        read.push_back(input.path);
+    for (const FileBytes& each : files)
+        made.push_back(each.path.string());
+    std::string why = overwrite_fault(made, read);
+    if (!why.empty()) return {false, name + " was not written: " + why + "."};
+    if (!write_files(files, why))
+        return {false, name + " was not written: " + disk_words(why) + "."};
+    const std::string stages = vertex + " and " + fragment;
+    return {true, "Wrote " + name + (has_stages(job.options) ? stages : "") + "."};
 }
 
 }  // namespace
@@ -92,8 +131,8 @@ CodeText lines_of(std::string text) {
 }
 
 CodeJob job_of(const Session& session) {
-    return {session.registry, session.model, session.document(),
-            identifier(session.path.stem().string()), session.code.options};
+    return {session.model, session.document(), identifier(session.path.stem().string()),
+            session.code.options};
 }
 
 CodeText make_code(const CodeJob& job) {
@@ -119,6 +158,19 @@ CodeText make_code(const CodeJob& job) {
                                  ? top_of(shader.reflection.node_paths[index])
                                  : "");
     return text;
+}
+
+void start_code_export(Session& session, const fs::path& file) {
+    const auto work = [job = job_of(session), file](TaskProgress&) {
+        return export_code(job, file);
+    };
+    start_task(session, {"Exporting " + file.filename().string(), work,
+                         [&session, file] { start_code_export(session, file); }});
+}
+
+fs::path usual_export(const Session& session) {
+    const std::string stem = session.path.stem().string();
+    return session.folder() / (has_stages(session.code.options) ? stem : stem + ".glsl");
 }
 
 }  // namespace wrinkle::editor

@@ -3,6 +3,7 @@
 // a worker thread.
 #pragma once
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <string_view>
@@ -38,7 +39,6 @@ struct CodeText {
 };
 
 struct CodeJob {
-    const Registry* registry = nullptr;
     Model model;
     Document document;
     std::string name;  // name of the material
@@ -54,6 +54,14 @@ Form form_of(const CodeOptions& options);
 // Returns one sentence why the text has no line of the selected node; "" if it has one, or if not
 // exactly one node is selected.
 std::string why_no_line(const Session& session, const std::set<std::string>& selected);
+
+// Exports the current document as a background task, in the form of the code panel: one file, or
+// for the shader form FILE.vert and FILE.frag (FILE.frag.spv, FILE.frag.hlsl, ...). Writes all
+// files or none.
+void start_code_export(Session& session, const std::filesystem::path& file);
+
+// Default path: next to the graph, "graph.glsl", or "graph" for the shader form.
+std::filesystem::path usual_export(const Session& session);
 
 // Splits any text into lines, without nodes.
 CodeText lines_of(std::string text);

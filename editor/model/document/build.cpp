@@ -46,8 +46,8 @@ void append_new(Diagnostics& problems, const Diagnostics& more) {
         if (known.insert(to_text(problem)).second) problems.add(problem);
 }
 
-void build_shown(const Model& model, const Document& document, const Registry& registry,
-                 const std::string& name, Build& result) {
+void build_shown(const Model& model, const Document& document, const std::string& name,
+                 Build& result) {
     const PreviewRequest& request = result.request;
     if (request.node.empty() && request.against == Against::nothing) return;
     Requested requested = requested_document(document, model, request);
@@ -55,7 +55,7 @@ void build_shown(const Model& model, const Document& document, const Registry& r
     if (!requested.why_not.empty()) return;
     Diagnostics problems;
     const Project project = project_to_compile(model, requested.document, problems);
-    result.shown = emit_text(project, registry, name, problems);
+    result.shown = emit_text(project, *model.registry, name, problems);
     if (!result.shown) result.why_not_shown = first_error(problems);
     result.copied = std::move(requested.copied);
     result.replaced = requested.replaced;
@@ -86,7 +86,7 @@ Build build(const CompileJob& job) {
     const auto start = std::chrono::steady_clock::now();
     const Model& model = job.model;
     const Document& document = job.document;
-    const Registry& registry = *job.registry;
+    const Registry& registry = *model.registry;
     const std::string& double_sided = job.request.double_sided;
     Build result;
     result.version = job.version;
@@ -113,7 +113,7 @@ Build build(const CompileJob& job) {
         append_new(result.problems, result.live);
         build_displacement(needed, registry, result);
     }
-    build_shown(model, drawn, registry, job.name, result);
+    build_shown(model, drawn, job.name, result);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     result.milliseconds = time.count();
     return result;

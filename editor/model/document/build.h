@@ -16,7 +16,6 @@ namespace wrinkle::editor {
 
 struct CompileJob {
     uint64_t version = 0;  // increases with every job
-    const Registry* registry = nullptr;
     Model model;
     Document document;
     std::string name;  // material name

@@ -42,6 +42,7 @@ const Port* output_port(const NodeType* type, std::string_view name) {
 Model make_model(const Document& document, const std::filesystem::path& folder,
                  const Registry& registry, const std::filesystem::path& root) {
     Model model;
+    model.registry = &registry;
     model.project = std::make_shared<const Project>(
         load_project(document, folder, {root, {}}, model.project_problems));
     model.types = std::make_shared<const Types>(*model.project, registry);

@@ -14,6 +14,7 @@ namespace wrinkle::editor {
 // Types of the document. Valid while only literals and layout change. Copies share immutable data,
 // so another thread may read one.
 struct Model {
+    const Registry* registry = nullptr;
     std::shared_ptr<const Project> project;
     std::shared_ptr<const Types> types;
     Diagnostics project_problems;  // from reading its sub-graphs

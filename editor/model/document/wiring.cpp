@@ -223,8 +223,8 @@ bool wire_is_legal(const Model& model, const Document& document, PortType given,
     return takes_wire(model, document, node, port) && !misfit(model, document, given, node, port);
 }
 
-std::string wire_problem(const Model& model, const Document& document, const Registry& registry,
-                         const Link& from, const std::string& node, const std::string& port) {
+std::string wire_problem(const Model& model, const Document& document, const Link& from,
+                         const std::string& node, const std::string& port) {
     const auto given = model.type_of(from);
     if (!given && node.empty()) return "the type of " + from.text() + " is not known";
     if (!given || (!node.empty() && !model.type_of(node)))
@@ -235,7 +235,7 @@ std::string wire_problem(const Model& model, const Document& document, const Reg
     const PortType wanted = *wanted_at(model, end->node, end->port);
     return from.text() + " cannot feed " + (end->node.empty() ? "" : end->node + ".") + end->port +
            ": a " + std::string(name_of(*given)) + " is not a " + std::string(name_of(wanted)) +
-           ". " + sentence(alternative(*given, wanted, registry));
+           ". " + sentence(alternative(*given, wanted, *model.registry));
 }
 
 std::optional<Passage> passage(const NodeType& type, PortType given,

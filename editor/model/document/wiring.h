@@ -36,8 +36,8 @@ std::optional<PortType> wanted_at(const Model& model, const std::string& node,
 bool wire_is_legal(const Model& model, const Document& document, PortType given,
                    const std::string& node, const std::string& port);
 // Returns the reason why a wire from `from` may not end there; "" if it may.
-std::string wire_problem(const Model& model, const Document& document, const Registry& registry,
-                         const Link& from, const std::string& node, const std::string& port);
+std::string wire_problem(const Model& model, const Document& document, const Link& from,
+                         const std::string& node, const std::string& port);
 bool converts(PortType from, std::optional<PortType> to);
 
 // Ports by which a node of that type can be inserted in a wire: `given` fits `in`, and `out` fits

@@ -1,5 +1,4 @@
 #include "editor/model/bake/bake.h"
-#include "editor/model/code/export.h"
 #include "editor/model/document/files.h"
 #include "editor/view/commands/groups.h"
 #include "editor/view/panels/bake_dialog.h"

@@ -80,7 +80,7 @@ std::string why_not(const State& state, const Gesture& wire, const Card& card, c
     const std::string& loose = wire.from_output ? to : from.node;
     if (!to.empty() && wire.loops.contains(loose))
         return from.text() + " depends on " + to + ": that would be a loop";
-    return wire_problem(state.model, state.document(), *state.registry, from, to, port);
+    return wire_problem(state.model, state.document(), from, to, port);
 }
 
 void find_loops(const Document& document, Gesture& wire) {

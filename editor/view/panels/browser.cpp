@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <utility>
 
-#include "editor/model/code/export.h"
 #include "editor/model/document/files.h"
 #include "editor/model/document/intent.h"
 #include "editor/view/drop/drop.h"

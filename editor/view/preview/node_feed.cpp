@@ -12,7 +12,7 @@ namespace {
 bool has_same_inputs(const State& state) {
     const NodeFeed& feed = state.node_feed;
     return feed.has_asked() && feed.images == feed.requested.images &&
-           state.registry == feed.requested.registry;
+           state.model.registry == feed.requested.model.registry;
 }
 
 // Returns true if the current state is already requested. Runs each frame, so it counts the nodes
@@ -60,7 +60,7 @@ void feed_node_previews(State& state) {
         return;
     }
     const uint64_t version = feed.requested.version + (wanted.empty() ? 0 : 1);
-    feed.requested = {version, state.registry, state.model, now, std::move(wanted), feed.images};
+    feed.requested = {version, state.model, now, std::move(wanted), feed.images};
     if (!feed.requested.nodes.empty()) feed.maker->post(feed.requested);
 }
 

@@ -157,7 +157,7 @@ bool NodePainter::draw_group(const NodePreviewJob& job, const std::vector<std::s
     options.runs_calls = "the pictures";
     Diagnostics problems;
     const Project project = project_to_compile(job.model, document, problems);
-    const Compiled compiled = compile_material(project, *job.registry, options, problems);
+    const Compiled compiled = compile_material(project, *job.model.registry, options, problems);
     if (!compiled.ok) return false;
     std::string why;
     const Program program = compile_program(compiled.module, why);

@@ -22,7 +22,6 @@ namespace wrinkle::editor {
 
 struct NodePreviewJob {
     uint64_t version = 0;  // increases with every job
-    const Registry* registry = nullptr;
     Model model;
     Document document;
     std::set<std::string> nodes;  // nodes to draw
