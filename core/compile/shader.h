@@ -44,7 +44,7 @@ void check_limits(const Reflection& reflection, const std::string& file, bool st
 struct ShaderOptions {
     MaterialOptions material;  // given_differentials is set from `emit`
     EmitOptions emit;          // without a form_conflict(); bare_result is set from `outputs`
-    std::vector<std::string> outputs;  // of the function; empty: all; one: it returns a bare value
+    std::vector<std::string> outputs;  // empty: all; one: the function returns a bare value
     bool strict = false;               // exceeding a guaranteed limit is an error
 };
 

@@ -95,7 +95,7 @@ TangentBasis vertex_basis(Module& target, bool raw) {
     return {t, b, scale, sign * scale};
 }
 
-// GenBasisTB of the reference, sign(0) = +1. With a prefix, the names of its intermediate values are
+// GenBasisTB of the reference, sign(0) = +1. With a prefix, its intermediate values are named as
 // those of the surface point.
 TangentBasis derived_basis(Module& target, Id uv, ScreenDerivatives& screen,
                            const std::string& prefix) {

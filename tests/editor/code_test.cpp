@@ -122,10 +122,19 @@ size_t indent_of(std::string_view line) {
     return std::min(line.find_first_not_of(' '), line.size());
 }
 
+// Returns the longest node id that a name begins with: "tile_uv" rather than "tile".
+std::string id_before(const State& state, std::string_view name) {
+    std::string found;
+    for (const NodePtr& node : state.document().nodes)
+        if (name.starts_with(identifier(node->id) + "_") && node->id.size() > found.size())
+            found = node->id;
+    return found;
+}
+
 // Returns the id of the node that a line belongs to, found from the source only; "" if there is
-// none. The target of an assignment has a name that begins with the node's id. The end of a loop
-// belongs to the node of its beginning. For any other line, the line itself or the last one that
-// has a comment names the node: "id: Title".
+// none. The target of an assignment has a name that begins with the node's id; so has the value of
+// an output without a comment. The end of a loop belongs to the node of its beginning. For any
+// other line, the line itself or the last one that has a comment names the node: "id: Title".
 std::string node_by_text(const State& state, size_t line) {
     const CodeText& code = state.code.text;
     const std::string_view own = code.line(line);
@@ -136,13 +145,15 @@ std::string node_by_text(const State& state, size_t line) {
                 return node_by_text(state, i);
     constexpr std::string_view image = "uniform sampler2D ";
     if (words.starts_with(image)) {
-        std::string found;  // the longest id that matches: "tile_uv" rather than "tile"
-        for (const NodePtr& node : state.document().nodes)
-            if (words.substr(image.size()).starts_with(identifier(node->id) + "_") &&
-                node->id.size() > found.size())
-                found = node->id;
-        return found;
+        constexpr std::string_view material = "struct WrinkleMaterial_";
+        const size_t from = code.source.find(material) + material.size();
+        const size_t prefix = code.source.find(" {", from) - from + 1;  // "NAME_"
+        return id_before(state, words.substr(image.size() + prefix));
     }
+    if (words.starts_with("m.") && words.find("// ") == words.npos)
+        if (const std::string id = id_before(state, words.substr(words.find(" = ") + 3));
+            !id.empty())
+            return id;
     if (const size_t name = words.find(" = "); name != words.npos && words.find(' ') == name)
         for (const NodePtr& node : state.document().nodes)
             if (words.starts_with(identifier(node->id) + "_")) return node->id;
@@ -213,7 +224,7 @@ TEST_F(Headless, ALineOfAUniformLeadsToItsNode) {
                                 (block && line.starts_with("    "));
             if (!image && !number) continue;
             const std::string node = text.node(i);
-            EXPECT_NE(line.find(" " + node + "_"), line.npos) << node << ": " << line;
+            EXPECT_NE(line.find(" everything_" + node + "_"), line.npos) << node << ": " << line;
             EXPECT_TRUE(state.document().find(node)) << line;
             image ? ++images : ++uniforms;
         }
@@ -262,7 +273,7 @@ TEST_F(Headless, TheFormIsChosenAndTheTextCopied) {
     play(
         "click code:form\nclick code:form:Function\nclick code:parameters\n"
         "click code:parameters:Uniforms\nclick code:copy");
-    EXPECT_NE(state.code.text.source.find("uniform float softer_amount"), std::string::npos);
+    EXPECT_NE(state.code.text.source.find("uniform float graph_softer_amount"), std::string::npos);
     const char* copied = ImGui::GetClipboardText();
     EXPECT_EQ(std::string(copied ? copied : ""), state.code.text.source);
 }

@@ -160,12 +160,12 @@ inline size_t covered(const std::vector<Pixel>& pixels) {
     return count;
 }
 
-// A bump with a gradient of length 0.3 everywhere, with outputs `flat` and `height`.
+// A bump with a gradient of length 0.3 everywhere, with outputs `unbumped` and `height`.
 inline Shader tilted(const std::string& height = "7.0 * s.normal.y") {
     return material_of({{"normal",
                          "normalize(normalize(s.normal) - 0.3 * normalize(cross(s.normal, "
                          "vec3(0.0, 1.0, 0.0))))"},
-                        {"flat", "normalize(s.normal)"},
+                        {"unbumped", "normalize(s.normal)"},
                         {"height", height, Type::float_}},
                        {{"normal", Type::vec3_, SurfaceInput::normal_}});
 }

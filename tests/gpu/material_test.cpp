@@ -1,6 +1,7 @@
 // Tests of materials: uniforms, images, and the errors of invalid ones.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/ext/matrix_transform.hpp>
 
 #include "fixture.h"
@@ -83,9 +84,10 @@ TEST_F(MaterialTest, ReadsImageFilesOnceUntilToldToForgetThem) {
 TEST_F(MaterialTest, KeepsTheFormerMaterialWhenOneIsRefused) {
     EXPECT_EQ(middle(draw(with_uniform(), View::normal)), glm::vec3(2, 4, 6));
     Shader broken = with_uniform();
+    const auto line = std::count(broken.source.begin(), broken.source.end(), '\n') + 1;
     broken.source += "float nonsense() { return oops; }\n";
     EXPECT_FALSE(renderer->set_material(broken, diagnostics));
-    EXPECT_TRUE(mentions(errors(), ":4(")) << errors();
+    EXPECT_TRUE(mentions(errors(), ":" + std::to_string(line) + "(")) << errors();
     EXPECT_FALSE(renderer->set_material(with_image("/nowhere/at_all.png"), diagnostics));
     EXPECT_NE(errors().find("/nowhere/at_all.png"), std::string::npos) << errors();
     EXPECT_EQ(middle(draw(View::normal)), glm::vec3(2, 4, 6));

@@ -48,7 +48,7 @@ TEST_F(ViewTest, MeasuresTheDifferenceInDegrees) {
     EXPECT_NEAR(bump->mean_degrees, expected, 1e-3);
     EXPECT_NEAR(bump->max_degrees, expected, 1e-2);
     EXPECT_EQ(bump->pixels, covered(draw(View::normal)));
-    const auto other = renderer->measure(scene, "flat", 64, 64, diagnostics);
+    const auto other = renderer->measure(scene, "unbumped", 64, 64, diagnostics);
     ASSERT_TRUE(other) << errors();
     EXPECT_NEAR(other->mean_degrees, expected, 1e-3);
     const auto self = renderer->measure(scene, "normal", 64, 64, diagnostics);
@@ -166,7 +166,7 @@ TEST_F(ViewTest, AnotherOutputReplacesTheNormal) {
     const auto flat = draw(tilted(), View::difference);
     ViewOptions options;
     options.view = View::difference;
-    options.normal = "flat";
+    options.normal = "unbumped";
     options.raw = true;
     const auto numbers = Target::make({size, size, PixelFormat::rgba32f}, diagnostics);
     ASSERT_TRUE(renderer->set_material(two, diagnostics)) << errors();

@@ -5,22 +5,26 @@ struct WrinkleSurface_corrugated {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_corrugated {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
-vec3 wrinkle_corrugated_normal(WrinkleSurface_corrugated s) {
+WrinkleMaterial_corrugated wrinkle_corrugated(WrinkleSurface_corrugated s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    float iron_sine = sin(s.uv0.x * 16.0 * 6.2831855);  // iron: Corrugated
+    float iron_product = s.uv0.x * 16.0 * 6.2831855;  // iron: Corrugated
+    float iron_sine = sin(iron_product);
     float iron_negated = -(dFdx(s.uv0).x * 16.0 * 6.2831855 * iron_sine);
     float iron_negated_2 = -(dFdy(s.uv0).x * 16.0 * 6.2831855 * iron_sine);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
     vec2 normal_product_2 = vec2(iron_negated, iron_negated_2) * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_corrugated_height(WrinkleSurface_corrugated s) {
-    return 0.02 * cos(s.uv0.x * 16.0 * 6.2831855);  // iron: Corrugated
+    WrinkleMaterial_corrugated m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.height = 0.02 * cos(iron_product);  // iron: Corrugated (continued)
+    return m;
 }

@@ -6,6 +6,10 @@ struct WrinkleSurface_height_blend {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_height_blend {
+    vec3 normal;  // unit normal, object space
+    vec3 color;   // base color, linear
+};
 
 vec3 wrinkle_height_blend_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -71,7 +75,8 @@ vec3 wrinkle_height_blend_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_height_blend_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_height_blend_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    vec3 gradient_noise_slope = wrinkle_height_blend_gradient_noise_slope(a);
+    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
 float wrinkle_height_blend_gradient_noise(vec3 a) {
@@ -83,41 +88,40 @@ float wrinkle_height_blend_gradient_noise(vec3 a) {
     float dot_product = dot(wrinkle_height_blend_noise_direction(whole, whole_2, whole_3),
             difference);
     int sum = whole + 1;
+    vec3 noise_direction = wrinkle_height_blend_noise_direction(sum, whole_2, whole_3);
     float difference_2 = difference.x - 1.0;
-    vec3 vector = vec3(difference_2, difference.y, difference.z);
-    float dot_product_2 = dot(wrinkle_height_blend_noise_direction(sum, whole_2, whole_3), vector);
+    float dot_product_2 = dot(noise_direction, vec3(difference_2, difference.y, difference.z));
     vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
     vec3 product = difference * difference * difference * sum_2;
     float mixed = mix(dot_product, dot_product_2, product.x);
     int sum_3 = whole_2 + 1;
+    vec3 noise_direction_2 = wrinkle_height_blend_noise_direction(whole, sum_3, whole_3);
     float difference_3 = difference.y - 1.0;
-    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
-    float dot_product_3 = dot(wrinkle_height_blend_noise_direction(whole, sum_3, whole_3),
-            vector_2);
-    vec3 noise_direction = wrinkle_height_blend_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
+    float dot_product_3 = dot(noise_direction_2, vec3(difference.x, difference_3, difference.z));
+    vec3 noise_direction_3 = wrinkle_height_blend_noise_direction(sum, sum_3, whole_3);
+    float dot_product_4 = dot(noise_direction_3, vec3(difference_2, difference_3, difference.z));
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
+    vec3 noise_direction_4 = wrinkle_height_blend_noise_direction(whole, whole_2, sum_4);
     float difference_4 = difference.z - 1.0;
-    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
-    float dot_product_5 = dot(wrinkle_height_blend_noise_direction(whole, whole_2, sum_4),
-            vector_3);
-    vec3 noise_direction_2 = wrinkle_height_blend_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
+    float dot_product_5 = dot(noise_direction_4, vec3(difference.x, difference.y, difference_4));
+    vec3 noise_direction_5 = wrinkle_height_blend_noise_direction(sum, whole_2, sum_4);
+    float dot_product_6 = dot(noise_direction_5, vec3(difference_2, difference.y, difference_4));
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_3 = wrinkle_height_blend_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_4 = wrinkle_height_blend_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
+    vec3 noise_direction_6 = wrinkle_height_blend_noise_direction(whole, sum_3, sum_4);
+    float dot_product_7 = dot(noise_direction_6, vec3(difference.x, difference_3, difference_4));
+    vec3 noise_direction_7 = wrinkle_height_blend_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
 
 float wrinkle_height_blend_noise_octave(vec3 a, float b) {
-    return wrinkle_height_blend_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    float gradient_noise = wrinkle_height_blend_gradient_noise(a);
+    return gradient_noise * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
-vec3 wrinkle_height_blend_normal(WrinkleSurface_height_blend s) {
+WrinkleMaterial_height_blend wrinkle_height_blend(WrinkleSurface_height_blend s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -207,49 +211,8 @@ vec3 wrinkle_height_blend_normal(WrinkleSurface_height_blend s) {
     vec3 normal_product = normal * (s.facing + dot(normal, both_gradient));  // normal: Resolve
     vec2 normal_product_2 = both_vector * (1.0 - both_weight) * inverse_area;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal_product - (normal_gradient + both_gradient));
-}
-
-vec3 wrinkle_height_blend_color(WrinkleSurface_height_blend s) {
-    vec3 dpdx = dFdx(s.position_relative);  // the surface point
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 dunes_product = s.position * 2.5;  // dunes: Fractal noise
-    float dunes_greatest = max(length(dpdx * 2.5), length(dpdy * 2.5));
-    float dunes_noise_octave = wrinkle_height_blend_noise_octave(dunes_product, dunes_greatest);
-    vec3 dunes_product_2 = dunes_product * 2.0;
-    vec3 dunes_sum = dunes_product_2 + vec3(19.19, 7.43, 31.71);
-    float dunes_product_3 = dunes_greatest * 2.0;
-    float dunes_product_4 = wrinkle_height_blend_noise_octave(dunes_sum, dunes_product_3) * 0.5;
-    vec3 dunes_sum_2 = dunes_product_2 * 2.0 + vec3(38.38, 14.86, 63.42);
-    float dunes_product_5 = wrinkle_height_blend_noise_octave(dunes_sum_2,
-            dunes_product_3 * 2.0) * 0.25;
-    float dunes_value = (dunes_noise_octave + dunes_product_4 + dunes_product_5) / 1.75;
-    float dunes_height = dunes_value * 0.03;
-    float grain_greatest = max(length(dpdx * 60.0), length(dpdy * 60.0));  // grain: Gradient noise
-    float grain_value = wrinkle_height_blend_noise_octave(s.position * 60.0, grain_greatest);
-    float grain_height = grain_value * 0.0015;
-    float sand_height = dunes_height + grain_height;  // sand: Add heights
-    float stones_extent = length(dFdx(s.uv0) * 7.0);  // stones: Hexagons
-    float stones_greatest = max(stones_extent, length(dFdy(s.uv0) * 7.0));
-    float stones_greatest_2 = max(0.25, stones_greatest);
-    vec2 stones_product = s.uv0 * 7.0;
-    vec2 stones_quotient = stones_product / vec2(1.0, 1.7320508);
-    vec2 stones_floored = floor(stones_quotient + 0.5);
-    vec2 stones_vector = vec2(stones_floored.x, 1.7320508 * stones_floored.y);
-    vec2 stones_difference = stones_product - stones_vector;
-    float stones_dot_product = dot(stones_difference, stones_difference);
-    vec2 stones_sum = floor(stones_quotient) + 0.5;
-    vec2 stones_difference_2 = stones_product - vec2(stones_sum.x, 1.7320508 * stones_sum.y);
-    bool stones_test = stones_dot_product < dot(stones_difference_2, stones_difference_2);
-    vec2 stones_magnitude = abs(stones_test ? stones_difference : stones_difference_2);
-    float stones_greatest_3 = max(stones_magnitude.x, dot(stones_magnitude, vec2(0.5, 0.8660254)));
-    float stones_difference_3 = 0.5 * (stones_greatest_2 + 0.31) - (0.5 - stones_greatest_3);
-    float stones_quotient_2 = stones_difference_3 / stones_greatest_2;
-    float stones_clamped = clamp(stones_quotient_2, 0.0, min(1.0, 0.31 / stones_greatest_2));
-    float stones_difference_4 = 1.0 - smoothstep(0.25, 0.75, stones_greatest);
-    float stones_value = mix(0.4761, 1.0 - stones_clamped, stones_difference_4);
-    float stones_height = stones_value * 0.05;
-    // both: Height blend
-    float both_weight = clamp(0.5 + (sand_height + 0.025 - stones_height) / 0.008, 0.0, 1.0);
-    return mix(vec3(0.3, 0.32, 0.36), vec3(0.75, 0.6, 0.38), both_weight);  // colour: Mix vec3
+    WrinkleMaterial_height_blend m;
+    m.normal = normalize(normal_product - (normal_gradient + both_gradient));
+    m.color = mix(vec3(0.3, 0.32, 0.36), vec3(0.75, 0.6, 0.38), both_weight);  // colour: Mix vec3
+    return m;
 }

@@ -4,26 +4,29 @@ struct WrinkleSurface_ripples {
     vec3 normal;    // interpolated normal, object space, of any length but zero
     float facing;   // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_ripples {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
-vec3 wrinkle_ripples_normal(WrinkleSurface_ripples s) {
+WrinkleMaterial_ripples wrinkle_ripples(WrinkleSurface_ripples s) {
     vec3 normal = normalize(s.normal);
     float rings_difference = s.position.y - 1.0;  // rings: Ripples
     float rings_extent = length(vec3(s.position.x, rings_difference, s.position.z));
     bool rings_test = rings_extent > 0.0;
     float rings_product = (rings_test ? s.position.x / rings_extent : 0.0) * 31.415926;
-    float rings_sine = sin(31.415926 * rings_extent);
-    float rings_product_2 = -(rings_product * rings_sine) * 0.01;
-    float rings_product_3 = (rings_test ? rings_difference / rings_extent : 0.0) * 31.415926;
-    float rings_product_4 = -(rings_product_3 * rings_sine) * 0.01;
-    float rings_product_5 = (rings_test ? s.position.z / rings_extent : 0.0) * 31.415926;
-    float rings_product_6 = -(rings_product_5 * rings_sine) * 0.01;
+    float rings_product_2 = 31.415926 * rings_extent;
+    float rings_sine = sin(rings_product_2);
+    float rings_product_3 = -(rings_product * rings_sine) * 0.01;
+    float rings_product_4 = (rings_test ? rings_difference / rings_extent : 0.0) * 31.415926;
+    float rings_product_5 = -(rings_product_4 * rings_sine) * 0.01;
+    float rings_product_6 = (rings_test ? s.position.z / rings_extent : 0.0) * 31.415926;
+    float rings_product_7 = -(rings_product_6 * rings_sine) * 0.01;
     // normal: Resolve
-    vec3 normal_gradient = vec3(rings_product_2, rings_product_4, rings_product_6);
-    return normalize(normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient);
-}
-
-float wrinkle_ripples_height(WrinkleSurface_ripples s) {
-    // rings: Ripples
-    float rings_product = 31.415926 * length(vec3(s.position.x, s.position.y - 1.0, s.position.z));
-    return 0.01 * cos(rings_product);
+    vec3 normal_gradient = vec3(rings_product_3, rings_product_5, rings_product_7);
+    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    WrinkleMaterial_ripples m;
+    m.normal = normalize(normal_difference);
+    m.height = 0.01 * cos(rings_product_2);  // rings: Ripples (continued)
+    return m;
 }

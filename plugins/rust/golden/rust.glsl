@@ -5,6 +5,10 @@ struct WrinkleSurface_rust {
     vec3 normal;             // interpolated normal, object space, of any length but zero
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_rust {
+    vec3 normal;  // unit normal, object space
+    vec3 color;   // base color, linear
+};
 
 vec3 wrinkle_rust_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -91,20 +95,19 @@ float wrinkle_rust_gradient_noise(vec3 a) {
     float difference_3 = difference.y - 1.0;
     vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
     float dot_product_3 = dot(wrinkle_rust_noise_direction(whole, sum_3, whole_3), vector_2);
-    vec3 noise_direction = wrinkle_rust_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
+    vec3 vector_3 = vec3(difference_2, difference_3, difference.z);
+    float dot_product_4 = dot(wrinkle_rust_noise_direction(sum, sum_3, whole_3), vector_3);
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
     float difference_4 = difference.z - 1.0;
-    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
-    float dot_product_5 = dot(wrinkle_rust_noise_direction(whole, whole_2, sum_4), vector_3);
-    vec3 noise_direction_2 = wrinkle_rust_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
+    vec3 vector_4 = vec3(difference.x, difference.y, difference_4);
+    float dot_product_5 = dot(wrinkle_rust_noise_direction(whole, whole_2, sum_4), vector_4);
+    vec3 vector_5 = vec3(difference_2, difference.y, difference_4);
+    float dot_product_6 = dot(wrinkle_rust_noise_direction(sum, whole_2, sum_4), vector_5);
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_3 = wrinkle_rust_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_4 = wrinkle_rust_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
+    vec3 vector_6 = vec3(difference.x, difference_3, difference_4);
+    float dot_product_7 = dot(wrinkle_rust_noise_direction(whole, sum_3, sum_4), vector_6);
+    float dot_product_8 = dot(wrinkle_rust_noise_direction(sum, sum_3, sum_4), difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
@@ -119,7 +122,7 @@ vec3 wrinkle_rust_billow_slope(vec3 a, float b) {
     return wrinkle_rust_gradient_noise_slope(a) * product;
 }
 
-vec3 wrinkle_rust_normal(WrinkleSurface_rust s) {
+WrinkleMaterial_rust wrinkle_rust(WrinkleSurface_rust s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -163,21 +166,9 @@ vec3 wrinkle_rust_normal(WrinkleSurface_rust s) {
     float old_mask = clamp((0.5 - hammered_height / 0.06 + 0.45 - 1.0) * 8.0 + 0.45, 0.0, 1.0);
     vec3 old_gradient = vec3(flakes_product_4, flakes_product_5, flakes_product_6) * old_mask;
     vec3 old_gradient_2 = old_vector * (1.0 - old_mask) + old_gradient;
+    WrinkleMaterial_rust m;
     // normal: Resolve
-    return normalize(normal * (s.facing + dot(normal, old_gradient_2)) - old_gradient_2);
-}
-
-vec3 wrinkle_rust_color(WrinkleSurface_rust s) {
-    vec3 hammered_product = s.position * 5.0;  // hammered: Gradient noise
-    float hammered_extent = length(dFdx(s.position_relative) * 5.0);
-    float hammered_greatest = max(hammered_extent, length(dFdy(s.position_relative) * 5.0));
-    float hammered_noise_octave = wrinkle_rust_noise_octave(hammered_product, hammered_greatest);
-    vec3 hammered_sum = hammered_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float hammered_product_2 = wrinkle_rust_noise_octave(hammered_sum,
-            hammered_greatest * 2.0) * 0.5;
-    float hammered_value = (hammered_noise_octave + hammered_product_2) / 1.5;
-    float hammered_height = hammered_value * 0.04;
-    // old: Rust
-    float old_mask = clamp((0.5 - hammered_height / 0.06 + 0.45 - 1.0) * 8.0 + 0.45, 0.0, 1.0);
-    return mix(vec3(0.55, 0.56, 0.58), vec3(0.33, 0.11, 0.03), old_mask);  // colour: Mix vec3
+    m.normal = normalize(normal * (s.facing + dot(normal, old_gradient_2)) - old_gradient_2);
+    m.color = mix(vec3(0.55, 0.56, 0.58), vec3(0.33, 0.11, 0.03), old_mask);  // colour: Mix vec3
+    return m;
 }

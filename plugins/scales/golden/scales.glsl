@@ -5,8 +5,12 @@ struct WrinkleSurface_scales {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_scales {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
-vec3 wrinkle_scales_normal(WrinkleSurface_scales s) {
+WrinkleMaterial_scales wrinkle_scales(WrinkleSurface_scales s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
@@ -84,36 +88,37 @@ vec3 wrinkle_scales_normal(WrinkleSurface_scales s) {
         skin_state_5 = max(skin_state_5, skin_product_19);
         skin_state_6 = skin_state_6_next;
     }
+    int skin_state_7 = 0;
+    float skin_state_8 = 0.0;
+    for (int i_3 = 0; i_3 < 8; ++i_3) {
+        if (!(skin_state_7 < 8)) break;
+        float skin_difference_9 = skin_row + float(skin_state_7 >> 1) - 1.0;
+        float skin_product_22 = 0.5 * mod(skin_difference_9, 2.0);
+        float skin_sum_9 = floor(skin_product.x - skin_product_22) + float(skin_state_7 & 1);
+        uint skin_sum_10 = uint(int(skin_difference_9)) * 747796405u + 2891336453u;
+        uint skin_product_23 = (skin_sum_10 >> (skin_sum_10 >> 28u) + 4u ^ skin_sum_10) *
+                277803737u;
+        uint skin_sum_11 = uint(int(skin_sum_9)) + (skin_product_23 >> 22u ^ skin_product_23);
+        uint skin_sum_12 = skin_sum_11 * 747796405u + 2891336453u;
+        uint skin_product_24 = (skin_sum_12 >> (skin_sum_12 >> 28u) + 4u ^ skin_sum_12) *
+                277803737u;
+        float skin_product_25 = float((skin_product_24 >> 22u ^ skin_product_24) >> 8u) *
+                5.9604645e-08;
+        float skin_product_26 = 0.3 * skin_product_25;
+        vec2 skin_way_3 = skin_product - vec2(skin_sum_9 + skin_product_22,
+                0.5 * skin_difference_9);
+        float skin_rim = clamp(1.5 - 1.5 * dot(skin_way_3, skin_way_3) / 0.5625, 0.0, 1.0);
+        float skin_product_27 = (1.0 - skin_product_26) * skin_rim * (0.5 - 0.4 * skin_way_3.y /
+                0.75);
+        skin_state_7 = skin_state_7 + 1;
+        skin_state_8 = max(skin_state_8, skin_product_27);
+    }
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
     vec2 normal_product_2 = vec2(skin_state_3, skin_state_6) * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_scales_height(WrinkleSurface_scales s) {
-    vec2 skin_product = s.uv0 * 8.0;  // skin: Scales
-    float skin_row = floor(2.0 * skin_product.y);
-    int skin_state = 0;
-    float skin_state_2 = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        if (!(skin_state < 8)) break;
-        float skin_difference = skin_row + float(skin_state >> 1) - 1.0;
-        float skin_product_2 = 0.5 * mod(skin_difference, 2.0);
-        float skin_sum = floor(skin_product.x - skin_product_2) + float(skin_state & 1);
-        uint skin_sum_2 = uint(int(skin_difference)) * 747796405u + 2891336453u;
-        uint skin_product_3 = (skin_sum_2 >> (skin_sum_2 >> 28u) + 4u ^ skin_sum_2) * 277803737u;
-        uint skin_sum_3 = uint(int(skin_sum)) + (skin_product_3 >> 22u ^ skin_product_3);
-        uint skin_sum_4 = skin_sum_3 * 747796405u + 2891336453u;
-        uint skin_product_4 = (skin_sum_4 >> (skin_sum_4 >> 28u) + 4u ^ skin_sum_4) * 277803737u;
-        float skin_product_5 = float((skin_product_4 >> 22u ^ skin_product_4) >> 8u) *
-                5.9604645e-08;
-        float skin_product_6 = 0.3 * skin_product_5;
-        vec2 skin_way = skin_product - vec2(skin_sum + skin_product_2, 0.5 * skin_difference);
-        float skin_rim = clamp(1.5 - 1.5 * dot(skin_way, skin_way) / 0.5625, 0.0, 1.0);
-        skin_state = skin_state + 1;
-        skin_state_2 = max(skin_state_2,
-                (1.0 - skin_product_6) * skin_rim * (0.5 - 0.4 * skin_way.y / 0.75));
-    }
-    return 0.05 * skin_state_2;
+    WrinkleMaterial_scales m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.height = 0.05 * skin_state_8;  // skin: Scales (continued)
+    return m;
 }

@@ -5,6 +5,10 @@ struct WrinkleSurface_twill {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_twill {
+    vec3 normal;   // unit normal, object space
+    float height;  // outwards, in length units
+};
 
 vec3 wrinkle_twill_noise_direction(int a, int b, int c) {
     uint sum = uint(c) * 747796405u + 2891336453u;
@@ -38,20 +42,20 @@ float wrinkle_twill_gradient_noise(vec3 a) {
     float difference_3 = difference.y - 1.0;
     vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
     float dot_product_3 = dot(wrinkle_twill_noise_direction(whole, sum_3, whole_3), vector_2);
-    vec3 noise_direction = wrinkle_twill_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
+    vec3 vector_3 = vec3(difference_2, difference_3, difference.z);
+    float dot_product_4 = dot(wrinkle_twill_noise_direction(sum, sum_3, whole_3), vector_3);
     float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
     int sum_4 = whole_3 + 1;
     float difference_4 = difference.z - 1.0;
-    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
-    float dot_product_5 = dot(wrinkle_twill_noise_direction(whole, whole_2, sum_4), vector_3);
-    vec3 noise_direction_2 = wrinkle_twill_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
+    vec3 vector_4 = vec3(difference.x, difference.y, difference_4);
+    float dot_product_5 = dot(wrinkle_twill_noise_direction(whole, whole_2, sum_4), vector_4);
+    vec3 vector_5 = vec3(difference_2, difference.y, difference_4);
+    float dot_product_6 = dot(wrinkle_twill_noise_direction(sum, whole_2, sum_4), vector_5);
     float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_3 = wrinkle_twill_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_4 = wrinkle_twill_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
+    vec3 vector_6 = vec3(difference.x, difference_3, difference_4);
+    float dot_product_7 = dot(wrinkle_twill_noise_direction(whole, sum_3, sum_4), vector_6);
+    vec3 noise_direction = wrinkle_twill_noise_direction(sum, sum_3, sum_4);
+    float dot_product_8 = dot(noise_direction, difference - 1.0);
     float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
     return mix(mixed_2, mixed_4, product.z);
 }
@@ -110,17 +114,17 @@ vec3 wrinkle_twill_gradient_noise_slope(vec3 a) {
 }
 
 vec3 wrinkle_twill_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_twill_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+    vec3 gradient_noise_slope = wrinkle_twill_gradient_noise_slope(a);
+    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
 }
 
-vec3 wrinkle_twill_normal(WrinkleSurface_twill s) {
+WrinkleMaterial_twill wrinkle_twill(WrinkleSurface_twill s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec2 duv0_dx = dFdx(s.uv0);
     vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    float inverse_area = sign(screen_area) / max(abs(screen_area), 1e-36);
     float along_result = s.uv0.y * 0.2;  // along: Multiply
     float fibres_product = s.uv0.x * 220.0;  // fibres: Fractal noise
     float fibres_product_2 = along_result * 220.0;
@@ -193,23 +197,24 @@ vec3 wrinkle_twill_normal(WrinkleSurface_twill s) {
     float cloth_greatest = max(cloth_difference, 0.0);
     float cloth_product_2 = (cloth_product.y - cloth_floored) * 1.5707964;
     float cloth_sum = 0.65 + 0.35 * cos(cloth_product_2);
+    float cloth_sum_2 = 0.012 * (cloth_greatest * cloth_sum) + fibres_height;
     float cloth_floored_2 = floor(cloth_product.y);
     float cloth_quotient_2 = (2.0 * (cloth_product.y - cloth_floored_2) - 1.0) / 0.9;
     float cloth_difference_2 = 1.0 - cloth_quotient_2 * cloth_quotient_2;
     float cloth_greatest_2 = max(cloth_difference_2, 0.0);
     float cloth_product_3 = (cloth_product.x - cloth_floored_2 + 1.0) * 1.5707964;
-    float cloth_sum_2 = 0.65 + 0.35 * cos(cloth_product_3);
-    float cloth_sum_3 = 0.012 * (cloth_greatest_2 * cloth_sum_2) + fibres_product_17;
-    bool cloth_test = 0.012 * (cloth_greatest * cloth_sum) + fibres_height < cloth_sum_3;
+    float cloth_sum_3 = 0.65 + 0.35 * cos(cloth_product_3);
+    float cloth_sum_4 = 0.012 * (cloth_greatest_2 * cloth_sum_3) + fibres_product_17;
+    bool cloth_test = cloth_sum_2 < cloth_sum_4;
     bool cloth_test_2 = cloth_difference_2 < 0.0;
     vec2 cloth_product_4 = duv0_dx * 32.0;
     float cloth_product_5 = cloth_product_4.y * 2.0 / 0.9 * cloth_quotient_2;
     float cloth_product_6 = (cloth_test_2 ? 0.0 : -(cloth_product_5 + cloth_product_5)) *
-            cloth_sum_2;
+            cloth_sum_3;
     float cloth_sine = sin(cloth_product_3);
     float cloth_product_7 = -(cloth_product_4.x * 1.5707964 * cloth_sine) * 0.35;
     float cloth_product_8 = (cloth_product_6 + cloth_product_7 * cloth_greatest_2) * 0.012;
-    float cloth_sum_4 = cloth_product_8 + fibres_product_20;
+    float cloth_sum_5 = cloth_product_8 + fibres_product_20;
     bool cloth_test_3 = cloth_difference < 0.0;
     float cloth_product_9 = cloth_product_4.x * 2.0 / 0.9 * cloth_quotient;
     float cloth_product_10 = (cloth_test_3 ? 0.0 : -(cloth_product_9 + cloth_product_9)) *
@@ -217,69 +222,28 @@ vec3 wrinkle_twill_normal(WrinkleSurface_twill s) {
     float cloth_sine_2 = sin(cloth_product_2);
     float cloth_product_11 = -(cloth_product_4.y * 1.5707964 * cloth_sine_2) * 0.35;
     float cloth_product_12 = (cloth_product_10 + cloth_product_11 * cloth_greatest) * 0.012;
-    float cloth_choice = cloth_test ? cloth_sum_4 : cloth_product_12 + fibres_product_23;
+    float cloth_choice = cloth_test ? cloth_sum_5 : cloth_product_12 + fibres_product_23;
     vec2 cloth_product_13 = duv0_dy * 32.0;
     float cloth_product_14 = cloth_product_13.y * 2.0 / 0.9 * cloth_quotient_2;
     float cloth_product_15 = (cloth_test_2 ? 0.0 : -(cloth_product_14 + cloth_product_14)) *
-            cloth_sum_2;
+            cloth_sum_3;
     float cloth_product_16 = -(cloth_product_13.x * 1.5707964 * cloth_sine) * 0.35;
     float cloth_product_17 = (cloth_product_15 + cloth_product_16 * cloth_greatest_2) * 0.012;
-    float cloth_sum_5 = cloth_product_17 + fibres_product_26;
+    float cloth_sum_6 = cloth_product_17 + fibres_product_26;
     float cloth_product_18 = cloth_product_13.x * 2.0 / 0.9 * cloth_quotient;
     float cloth_product_19 = (cloth_test_3 ? 0.0 : -(cloth_product_18 + cloth_product_18)) *
             cloth_sum;
     float cloth_product_20 = -(cloth_product_13.y * 1.5707964 * cloth_sine_2) * 0.35;
     float cloth_product_21 = (cloth_product_19 + cloth_product_20 * cloth_greatest) * 0.012;
-    float cloth_choice_2 = cloth_test ? cloth_sum_5 : cloth_product_21 + fibres_product_29;
-    float cloth_pixel = max(length(cloth_product_4), length(cloth_product_13));
+    float cloth_choice_2 = cloth_test ? cloth_sum_6 : cloth_product_21 + fibres_product_29;
+    float cloth_ramp = smoothstep(0.25, 0.75, max(length(cloth_product_4),
+            length(cloth_product_13)));
     // normal: Resolve
-    float normal_product = inverse_area * (1.0 - smoothstep(0.25, 0.75, cloth_pixel));
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * (1.0 - cloth_ramp);
     vec2 normal_product_2 = vec2(cloth_choice, cloth_choice_2) * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
-    return normalize(normal * s.facing - normal_gradient);
-}
-
-float wrinkle_twill_height(WrinkleSurface_twill s) {
-    float along_result = s.uv0.y * 0.2;  // along: Multiply
-    vec2 duv0_dx = dFdx(s.uv0);  // the surface point
-    vec2 duv0_dy = dFdy(s.uv0);
-    float fibres_product = s.uv0.x * 220.0;  // fibres: Fractal noise
-    float fibres_product_2 = along_result * 220.0;
-    vec3 fibres_vector = vec3(fibres_product, fibres_product_2, 0.0);
-    float fibres_extent = length(vec3(duv0_dx.x * 220.0, duv0_dx.y * 0.2 * 220.0, 0.0));
-    float fibres_extent_2 = length(vec3(duv0_dy.x * 220.0, duv0_dy.y * 0.2 * 220.0, 0.0));
-    float fibres_greatest = max(fibres_extent, fibres_extent_2);
-    float fibres_noise_octave = wrinkle_twill_noise_octave(fibres_vector, fibres_greatest);
-    vec3 fibres_vector_2 = vec3(fibres_product * 2.0 + 19.19, fibres_product_2 * 2.0 + 7.43, 31.71);
-    float fibres_product_3 = wrinkle_twill_noise_octave(fibres_vector_2,
-            fibres_greatest * 2.0) * 0.5;
-    float fibres_sum = fibres_noise_octave + fibres_product_3;
-    float fibres_value = fibres_sum / 1.5;
-    float fibres_height = fibres_value * 8e-04;
-    float fibres_product_4 = s.uv0.y * 220.0;
-    float fibres_product_5 = s.uv0.x * 0.2 * 220.0;
-    vec3 fibres_vector_3 = vec3(fibres_product_4, fibres_product_5, 0.0);
-    float fibres_extent_3 = length(vec3(duv0_dx.y * 220.0, duv0_dx.x * 0.2 * 220.0, 0.0));
-    float fibres_extent_4 = length(vec3(duv0_dy.y * 220.0, duv0_dy.x * 0.2 * 220.0, 0.0));
-    float fibres_greatest_2 = max(fibres_extent_3, fibres_extent_4);
-    float fibres_noise_octave_2 = wrinkle_twill_noise_octave(fibres_vector_3, fibres_greatest_2);
-    vec3 fibres_vector_4 = vec3(fibres_product_4 * 2.0 + 19.19, fibres_product_5 * 2.0 + 7.43,
-            31.71);
-    float fibres_product_6 = wrinkle_twill_noise_octave(fibres_vector_4,
-            fibres_greatest_2 * 2.0) * 0.5;
-    float fibres_sum_2 = fibres_noise_octave_2 + fibres_product_6;
-    vec2 cloth_product = s.uv0 * 32.0;  // cloth: Twill
-    float cloth_floored = floor(cloth_product.x);
-    float cloth_quotient = (2.0 * (cloth_product.x - cloth_floored) - 1.0) / 0.9;
-    float cloth_sum = 0.65 + 0.35 * cos((cloth_product.y - cloth_floored) * 1.5707964);
-    float cloth_product_2 = max(1.0 - cloth_quotient * cloth_quotient, 0.0) * cloth_sum;
-    float cloth_floored_2 = floor(cloth_product.y);
-    float cloth_quotient_2 = (2.0 * (cloth_product.y - cloth_floored_2) - 1.0) / 0.9;
-    float cloth_product_3 = 0.35 * cos((cloth_product.x - cloth_floored_2 + 1.0) * 1.5707964);
-    float cloth_product_4 = max(1.0 - cloth_quotient_2 * cloth_quotient_2,
-            0.0) * (0.65 + cloth_product_3);
-    float cloth_sum_2 = 0.012 * cloth_product_4 + fibres_sum_2 / 1.5 * 8e-04;
-    float cloth_greatest = max(0.012 * cloth_product_2 + fibres_height, cloth_sum_2);
-    float cloth_pixel = max(length(duv0_dx * 32.0), length(duv0_dy * 32.0));
-    return mix(cloth_greatest, 0.0066, smoothstep(0.25, 0.75, cloth_pixel));
+    WrinkleMaterial_twill m;
+    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.height = mix(max(cloth_sum_2, cloth_sum_4), 0.0066, cloth_ramp);  // cloth: Twill (continued)
+    return m;
 }

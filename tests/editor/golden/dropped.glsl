@@ -5,18 +5,21 @@ struct WrinkleSurface_graph {
     vec2 uv0;      // first uv set, origin at the bottom left
     float facing;  // +1 on front faces, -1 on back faces
 };
-uniform sampler2D rivets_normal_image;  // textures/rivets_normal.png (normal_gl, repeat)
-uniform sampler2D weave_normal_image;   // textures/weave_normal.png (normal_gl, repeat)
+struct WrinkleMaterial_graph {
+    vec3 normal;  // unit normal, object space
+};
+uniform sampler2D graph_rivets_normal_image;  // textures/rivets_normal.png (normal_gl, repeat)
+uniform sampler2D graph_weave_normal_image;   // textures/weave_normal.png (normal_gl, repeat)
 
-vec3 wrinkle_graph_normal(WrinkleSurface_graph s) {
+WrinkleMaterial_graph wrinkle_graph(WrinkleSurface_graph s) {
     // rivets_normal: Tangent normal map
-    vec3 rivets_normal_texel = texture(rivets_normal_image, s.uv0).xyz - 0.5;
+    vec3 rivets_normal_texel = texture(graph_rivets_normal_image, s.uv0).xyz - 0.5;
     float rivets_normal_greatest = max(abs(rivets_normal_texel.x), abs(rivets_normal_texel.y));
     float rivets_normal_greatest_2 = max(abs(rivets_normal_texel.z),
             rivets_normal_greatest * 0.0078125);
     float rivets_normal_depth = max(rivets_normal_greatest_2, 5e-07);
     // weave_normal: Tangent normal map
-    vec3 weave_normal_texel = texture(weave_normal_image, s.uv0).xyz - 0.5;
+    vec3 weave_normal_texel = texture(graph_weave_normal_image, s.uv0).xyz - 0.5;
     float weave_normal_greatest = max(abs(weave_normal_texel.x), abs(weave_normal_texel.y));
     float weave_normal_greatest_2 = max(abs(weave_normal_texel.z),
             weave_normal_greatest * 0.0078125);
@@ -28,5 +31,7 @@ vec3 wrinkle_graph_normal(WrinkleSurface_graph s) {
     float resolve_slope_v = resolve_slope_2.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec3 resolve_along_v = cross(s.normal, s.tangent.xyz) * resolve_slope_v;
     vec3 resolve_bumped = resolve_product + (s.tangent.xyz * resolve_slope_2.x + resolve_along_v);
-    return normalize(vec3(resolve_bumped.xy, resolve_bumped.z + 1e-18));
+    WrinkleMaterial_graph m;
+    m.normal = normalize(vec3(resolve_bumped.xy, resolve_bumped.z + 1e-18));
+    return m;
 }
