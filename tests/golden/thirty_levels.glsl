@@ -5,6 +5,10 @@ struct WrinkleSurface_tower {
     vec2 uv0;                // first uv set, origin at the bottom left
     float facing;            // +1 on front faces, -1 on back faces
 };
+struct WrinkleMaterial_tower {
+    float height;  // outwards, in length units
+    vec3 normal;   // unit normal, object space
+};
 
 // 30 gives relief
 float wrinkle_tower_30(float relief) {
@@ -449,102 +453,71 @@ float wrinkle_tower_9_change(float relief, float relief_change) {
 float wrinkle_tower_8_change(float relief, float relief_change) {
     float height = relief * 0.5;
     float height_2 = relief * 0.75;
-    return wrinkle_tower_9_change(height, relief_change * 0.5) + wrinkle_tower_9_change(height_2,
-            relief_change * 0.75);
+    float n9_change = wrinkle_tower_9_change(height_2, relief_change * 0.75);
+    return wrinkle_tower_9_change(height, relief_change * 0.5) + n9_change;
 }
 
 // 7_change gives relief_change
 float wrinkle_tower_7_change(float relief, float relief_change) {
     float height = relief * 0.5;
     float height_2 = relief * 0.75;
-    return wrinkle_tower_8_change(height, relief_change * 0.5) + wrinkle_tower_8_change(height_2,
-            relief_change * 0.75);
+    float n8_change = wrinkle_tower_8_change(height_2, relief_change * 0.75);
+    return wrinkle_tower_8_change(height, relief_change * 0.5) + n8_change;
 }
 
 // 6_change gives relief_change
 float wrinkle_tower_6_change(float relief, float relief_change) {
     float height = relief * 0.5;
     float height_2 = relief * 0.75;
-    return wrinkle_tower_7_change(height, relief_change * 0.5) + wrinkle_tower_7_change(height_2,
-            relief_change * 0.75);
+    float n7_change = wrinkle_tower_7_change(height_2, relief_change * 0.75);
+    return wrinkle_tower_7_change(height, relief_change * 0.5) + n7_change;
 }
 
 // 5_change gives relief_change
 float wrinkle_tower_5_change(float relief, float relief_change) {
     float height = relief * 0.5;
     float height_2 = relief * 0.75;
-    return wrinkle_tower_6_change(height, relief_change * 0.5) + wrinkle_tower_6_change(height_2,
-            relief_change * 0.75);
+    float n6_change = wrinkle_tower_6_change(height_2, relief_change * 0.75);
+    return wrinkle_tower_6_change(height, relief_change * 0.5) + n6_change;
 }
 
 // 4_change gives relief_change
 float wrinkle_tower_4_change(float relief, float relief_change) {
     float height = relief * 0.5;
     float height_2 = relief * 0.75;
-    return wrinkle_tower_5_change(height, relief_change * 0.5) + wrinkle_tower_5_change(height_2,
-            relief_change * 0.75);
+    float n5_change = wrinkle_tower_5_change(height_2, relief_change * 0.75);
+    return wrinkle_tower_5_change(height, relief_change * 0.5) + n5_change;
 }
 
 // 3_change gives relief_change
 float wrinkle_tower_3_change(float relief, float relief_change) {
     float height = relief * 0.5;
     float height_2 = relief * 0.75;
-    return wrinkle_tower_4_change(height, relief_change * 0.5) + wrinkle_tower_4_change(height_2,
-            relief_change * 0.75);
+    float n4_change = wrinkle_tower_4_change(height_2, relief_change * 0.75);
+    return wrinkle_tower_4_change(height, relief_change * 0.5) + n4_change;
 }
 
 // 2_change gives relief_change
 float wrinkle_tower_2_change(float relief, float relief_change) {
     float height = relief * 0.5;
     float height_2 = relief * 0.75;
-    return wrinkle_tower_3_change(height, relief_change * 0.5) + wrinkle_tower_3_change(height_2,
-            relief_change * 0.75);
+    float n3_change = wrinkle_tower_3_change(height_2, relief_change * 0.75);
+    return wrinkle_tower_3_change(height, relief_change * 0.5) + n3_change;
 }
 
 // 1_change gives relief_change
 float wrinkle_tower_1_change(float relief, float relief_change) {
     float height = relief * 0.5;
     float height_2 = relief * 0.75;
-    return wrinkle_tower_2_change(height, relief_change * 0.5) + wrinkle_tower_2_change(height_2,
-            relief_change * 0.75);
+    float n2_change = wrinkle_tower_2_change(height_2, relief_change * 0.75);
+    return wrinkle_tower_2_change(height, relief_change * 0.5) + n2_change;
 }
 
-float wrinkle_tower_height(WrinkleSurface_tower s) {
+WrinkleMaterial_tower wrinkle_tower(WrinkleSurface_tower s) {
     vec2 duv0_dx = dFdx(s.uv0);  // the surface point
     vec2 duv0_dy = dFdy(s.uv0);
-    // waves: Waves
-    float waves_fraction = fract(dot(s.uv0 * 4.0, vec2(0.79703534, -0.6039327)) + 0.91080195);
-    float waves_sine = sin(waves_fraction * 6.2831855);
-    float waves_greatest = max(length(duv0_dx * 4.0), length(duv0_dy * 4.0));
-    float waves_product = waves_sine * (1.0 - smoothstep(0.25, 0.75, waves_greatest));
-    float waves_fraction_2 = fract(dot(s.uv0 * 5.2, vec2(0.96242577, -0.2715449)) + 0.6936357);
-    float waves_sine_2 = sin(waves_fraction_2 * 6.2831855);
-    float waves_greatest_2 = max(length(duv0_dx * 5.2), length(duv0_dy * 5.2));
-    float waves_product_2 = 0.8 * (1.0 - smoothstep(0.25, 0.75, waves_greatest_2));
-    float waves_sum = waves_product + waves_sine_2 * waves_product_2;
-    float waves_fraction_3 = fract(dot(s.uv0 * 6.76, vec2(0.84690297, -0.53174746)) + 0.87379307);
-    float waves_sine_3 = sin(waves_fraction_3 * 6.2831855);
-    float waves_greatest_3 = max(length(duv0_dx * 6.76), length(duv0_dy * 6.76));
-    float waves_product_3 = 0.64 * (1.0 - smoothstep(0.25, 0.75, waves_greatest_3));
-    float waves_fraction_4 = fract(dot(s.uv0 * 8.788, vec2(0.6053601, 0.7959517)) + 0.51955295);
-    float waves_sine_4 = sin(waves_fraction_4 * 6.2831855);
-    float waves_greatest_4 = max(length(duv0_dx * 8.788), length(duv0_dy * 8.788));
-    float waves_product_4 = 0.512 * (1.0 - smoothstep(0.25, 0.75, waves_greatest_4));
-    float waves_sum_2 = waves_sum + waves_sine_3 * waves_product_3 + waves_sine_4 * waves_product_4;
-    float waves_value = waves_sum_2 / 2.952;
-    float waves_height = waves_value * 0.01;
-    float low_height = waves_height * 0.5;  // low: Scale height
-    float left_relief = wrinkle_tower_1(low_height);  // left: 1
-    float high_height = waves_height * 0.75;  // high: Scale height
-    float right_relief = wrinkle_tower_1(high_height);  // right: 1
-    return left_relief + right_relief;  // both: Add heights
-}
-
-vec3 wrinkle_tower_normal(WrinkleSurface_tower s) {
-    vec3 normal = normalize(s.normal);  // the surface point
+    vec3 normal = normalize(s.normal);
     vec3 dpdx = dFdx(s.position_relative);
-    vec2 duv0_dx = dFdx(s.uv0);
-    vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     // waves: Waves
@@ -602,8 +575,9 @@ vec3 wrinkle_tower_normal(WrinkleSurface_tower s) {
             2.952;
     float waves_product_28 = waves_quotient_2 * 0.01;
     float low_height = waves_height * 0.5;  // low: Scale height
+    float left_relief = wrinkle_tower_1(low_height);  // left: 1
     float high_height = waves_height * 0.75;  // high: Scale height
-    // right: 1
+    float right_relief = wrinkle_tower_1(high_height);  // right: 1
     float right_1_change = wrinkle_tower_1_change(high_height, waves_product_22 * 0.75);
     float right_1_change_2 = wrinkle_tower_1_change(high_height, waves_product_28 * 0.75);
     // both: Add heights
@@ -612,5 +586,8 @@ vec3 wrinkle_tower_normal(WrinkleSurface_tower s) {
             waves_product_28 * 0.5) + right_1_change_2;
     vec2 product = vec2(both_sum, both_sum_2) * (sign(screen_area) / max(abs(screen_area), 1e-36));
     vec3 gradient = cross(normal, dpdx * product.y - dpdy * product.x);
-    return normalize(normal * s.facing - gradient);
+    WrinkleMaterial_tower m;
+    m.height = left_relief + right_relief;  // both: Add heights (continued)
+    m.normal = normalize(normal * s.facing - gradient);
+    return m;
 }
