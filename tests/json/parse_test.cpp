@@ -261,10 +261,10 @@ TEST(Parse, DepthIsLimitedWithAPlace) {
     EXPECT_EQ(problems(std::string(100000, '[')),
               "g.json:1:65: error: nested more than 64 deep (arrays and objects nest at most 64 "
               "deep)\n");
-    EXPECT_EQ(problems("[[[1]]]", {2}),
+    EXPECT_EQ(problems("[[[1]]]", 2),
               "g.json:1:3: error: nested more than 2 deep (arrays and objects nest at most 2 "
               "deep)\n");
-    EXPECT_EQ(problems("[[[1]]]", {3}), "");
+    EXPECT_EQ(problems("[[[1]]]", 3), "");
 }
 
 TEST(Parse, DeepTextsAreReadWithoutRecursion) {

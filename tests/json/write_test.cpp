@@ -9,7 +9,7 @@ namespace {
 
 Value value_of(const std::string& text) {
     Diagnostics diagnostics;
-    return parse(text, "g.json", diagnostics, {1000}).root;
+    return parse(text, "g.json", diagnostics, 1000).root;
 }
 
 TEST(Write, OneLineKeepsNumbersAndOrder) {
