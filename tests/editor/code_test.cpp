@@ -132,8 +132,8 @@ std::string id_before(const State& state, std::string_view name) {
 }
 
 // Returns the id of the node that a line belongs to, found from the source only; "" if there is
-// none. The target of an assignment has a name that begins with the node's id; so has the value of
-// an output without a comment. The end of a loop belongs to the node of its beginning. For any
+// none. The target of an assignment has a name that begins with the node's id; so has a
+// temporary that is an output. The end of a loop belongs to the node of its beginning. For any
 // other line, the line itself or the last one that has a comment names the node: "id: Title".
 std::string node_by_text(const State& state, size_t line) {
     const CodeText& code = state.code.text;
@@ -150,10 +150,9 @@ std::string node_by_text(const State& state, size_t line) {
         const size_t prefix = code.source.find(" {", from) - from + 1;  // "NAME_"
         return id_before(state, words.substr(image.size() + prefix));
     }
-    if (words.starts_with("m.") && words.find("// ") == words.npos)
-        if (const std::string id = id_before(state, words.substr(words.find(" = ") + 3));
-            !id.empty())
-            return id;
+    const std::string_view value = words.substr(std::min(words.find(" = ") + 3, words.size()));
+    if (words.starts_with("m.") && value.find(' ') == value.npos)
+        if (const std::string id = id_before(state, value); !id.empty()) return id;
     if (const size_t name = words.find(" = "); name != words.npos && words.find(' ') == name)
         for (const NodePtr& node : state.document().nodes)
             if (words.starts_with(identifier(node->id) + "_")) return node->id;
