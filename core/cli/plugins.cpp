@@ -78,7 +78,7 @@ std::optional<gpu::Context> current_context(std::string& missing) {
     return {};
 }
 
-// `missing`: why there is no GPU.
+// `missing`: reason for the absent GPU.
 int summary(size_t nodes, size_t failed, const std::string& missing, bool gpu_wanted) {
     if (missing.empty())
         std::printf("GPU: %s\n", gpu::Context::renderer_name().c_str());

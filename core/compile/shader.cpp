@@ -36,17 +36,16 @@ Diagnostic at_reader(const Diagnostic& problem, const Resource& resource, const 
 bool select_outputs(Module& module, const std::vector<std::string>& names, const Project& project,
                     Diagnostics& diagnostics) {
     if (names.empty()) return true;
+    const auto name_of = [](const ModuleOutput& each) { return each.name; };
     std::vector<ModuleOutput> selected;
     for (const std::string& name : names) {
         const auto output =
             std::find_if(module.outputs.begin(), module.outputs.end(),
                          [&](const ModuleOutput& each) { return each.name == name; });
         if (output == module.outputs.end()) {
-            std::string expected;
-            for (const ModuleOutput& each : module.outputs)
-                expected += (expected.empty() ? "" : ", ") + each.name;
             diagnostics.add(file_problem(Severity::error, project.top().file,
-                                         "the graph has no output '" + name + "'", expected));
+                                         "the graph has no output '" + name + "'",
+                                         joined(module.outputs, ", ", name_of)));
             return false;
         }
         selected.push_back(*output);

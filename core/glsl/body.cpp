@@ -51,11 +51,11 @@ void Body::material_function(const Reflection& reflection) {
     const std::vector<Id> ids = schedule(analysis_, values_, scope, scope.order);
     locals_.reserve(ids.size());
     const Id first = without_views(roots[0]);
-    const bool is_first_folded = reflection.result_name.empty() && is_folded(first);
+    const bool returns_expression = reflection.result_name.empty() && is_folded(first);
     statements(ids, 1,
-               is_first_folded ? group_of(analysis_, values_, first)
-               : ids.empty()   ? no_node
-                               : group_of(analysis_, values_, ids.back()));
+               returns_expression ? group_of(analysis_, values_, first)
+               : ids.empty()      ? no_node
+                                  : group_of(analysis_, values_, ids.back()));
     if (reflection.result_name.empty()) {
         result("return ", roots[0]);
     } else {

@@ -5,7 +5,7 @@
 //
 // function   WrinkleMaterial_NAME wrinkle_NAME(WrinkleSurface_NAME s), to include in an engine's
 //            shader. The result has a member per output. Unused members, uniforms and helper
-//            functions are not emitted; if no output depends on the surface, there is no argument.
+//            functions are not emitted; the argument is omitted if no output depends on it.
 //            Every global name contains NAME, so materials of several names share one shader.
 //            Inputs and results are in object space.
 // shader     Attributes position, normal, tangent, uv0 ... color0 (locations in glsl/attributes.h).

@@ -41,7 +41,7 @@ public:
         const std::lock_guard lock(mutex_);
         return std::exchange(result_, std::nullopt);
     }
-    bool idle() const {  // no job is pending or running, and there is no result to take
+    bool idle() const {  // no job is pending or running, and no result is ready
         const std::lock_guard lock(mutex_);
         return !working_ && !job_ && !result_;
     }
