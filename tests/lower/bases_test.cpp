@@ -84,34 +84,30 @@ TEST(Bases, TwoInOneSumAreAnErrorWithBothNames) {
               "surface, one on the normal of node 'first' (resolve them one after the other)\n");
 }
 
-TEST(Bases, AGradientCannotStandOnANormalMadeFromIt) {
-    const std::string text =
-        problems(graph(R"("weak": {"type": "scale", "in": {"gradient": {"from": "surface.facing"}}},
+// Problems of a sum of 'weak' and a layer on a normal that is made from 'weak'.
+std::string problems_of_cycle(const std::string& a, const std::string& b) {
+    return problems(
+        graph(R"("weak": {"type": "scale", "in": {"gradient": {"from": "surface.facing"}}},
 "first": {"type": "resolve", "in": {"gradient": {"from": "weak.gradient"}}},
 "on": {"type": "layer", "in": {"base": {"from": "first.normal"}, "height": {"from": "surface.facing"}}},
-"sum": {"type": "sum", "in": {"a": {"from": "on.gradient"}, "b": {"from": "weak.gradient"}}})",
-                       R"("normal": {"from": "sum.gradient"})"));
-    EXPECT_NE(
-        text.find("g.json:1:26: error: node 'weak': its gradient would stand on the normal of "
-                  "node 'first', which is made from it; node 'on' says that base (use a node "
-                  "of its own for each of the two bases)\n"),
-        text.npos)
-        << text;
+"sum": {"type": "sum", "in": {"a": {"from": ")" +
+                  a + R"("}, "b": {"from": ")" + b + R"("}}})",
+              R"("normal": {"from": "sum.gradient"})"));
+}
+
+constexpr std::string_view cycle =
+    "g.json:1:26: error: node 'weak': its gradient would stand on the normal of node 'first', "
+    "which "
+    "is made from it; node 'on' says that base (use a node of its own for each of the two bases)\n";
+
+TEST(Bases, AGradientCannotStandOnANormalMadeFromIt) {
+    const std::string text = problems_of_cycle("on.gradient", "weak.gradient");
+    EXPECT_NE(text.find(cycle), text.npos) << text;
 }
 
 TEST(Bases, ThatIsAnErrorFromBothEndsOfTheCycle) {
-    const std::string text =
-        problems(graph(R"("weak": {"type": "scale", "in": {"gradient": {"from": "surface.facing"}}},
-"first": {"type": "resolve", "in": {"gradient": {"from": "weak.gradient"}}},
-"on": {"type": "layer", "in": {"base": {"from": "first.normal"}, "height": {"from": "surface.facing"}}},
-"sum": {"type": "sum", "in": {"a": {"from": "weak.gradient"}, "b": {"from": "on.gradient"}}})",
-                       R"("normal": {"from": "sum.gradient"})"));
-    EXPECT_NE(
-        text.find("g.json:1:26: error: node 'weak': its gradient would stand on the normal of "
-                  "node 'first', which is made from it; node 'on' says that base (use a node "
-                  "of its own for each of the two bases)\n"),
-        text.npos)
-        << text;
+    const std::string text = problems_of_cycle("weak.gradient", "on.gradient");
+    EXPECT_NE(text.find(cycle), text.npos) << text;
 }
 
 TEST(Bases, AnInputOfTheGraphIsNotIgnored) {
