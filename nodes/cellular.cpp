@@ -14,27 +14,31 @@ static vec3 random3(Uint bits) {
     return {unit_float(bits), unit_float(second), unit_float(hash(second))};
 }
 
-// Returns one component (by `stride`) of offset `index` among the 27 or 9 offsets -1, 0, 1 by axis.
-// The half guards against inexact division.
-static Float offset(Float index, double stride) {
-    const Float k = floor((index + 0.5) * (1 / stride));
-    return k - 3 * floor((k + 0.5) * (1.0 / 3)) - 1;
+// Returns component k of offset `index` among the 27 or 9 offsets -1, 0, 1 by axis. The half guards
+// against inexact division.
+static Float offset(Float index, int k) {
+    const double stride[] = {1, 3, 9};
+    const Float rest = floor((index + 0.5) * (1 / stride[k]));
+    return rest - 3 * floor((rest + 0.5) * (1.0 / 3)) - 1;
 }
 
 // Returns the distances in cells to the nearest and the second nearest feature point (S. Worley
-// 1996). Each cell has one point, at most jitter / 2 cells from its centre per axis. Points two
-// cells away are ignored; at full jitter this changes the second distance at a few of 10,000
-// positions. The search returns cells, which do not depend on the position, so only the two
-// resulting distances are differentiated.
-static std::pair<Float, Float> worley(vec3 p, Float jitter) {
-    const auto feature = function("feature_point", [](vec3 cell, Float jitter) {
+// 1996), or their difference. Each cell has one point, at most jitter / 2 cells from its centre per
+// axis. Points two cells away are ignored; at full jitter this changes the second distance at a few
+// of 10,000 positions. The search returns cells, which do not depend on the position, so only the
+// distances to their points are differentiated.
+// A pixel that covers cells reads the mean.
+enum class Distance { first, second, difference };
+static Float worley(vec3 point, Float scale, Float jitter, Distance which) {
+    const auto feature = function("feature_point(cell, jitter)", [](vec3 cell, Float jitter) {
         const Uint bits = hash(Int(cell.x()), Int(cell.y()), Int(cell.z()));
         return (random3(bits) - 0.5) * jitter;
     });
-    const auto search = function("nearest_cells", [feature](vec3 cell, vec3 from, Float jitter) {
-        using State = std::tuple<Float, Float, Float, vec3, vec3>;
-        const auto each = [&](Float k, Float first, Float second, vec3 nearest, vec3 next) {
-            const vec3 step(offset(k, 1), offset(k, 3), offset(k, 9));
+    const auto search = [feature](vec3 cell, vec3 from, Float jitter) {
+        using State = std::tuple<Int, Float, Float, vec3, vec3>;
+        const auto each = [&](Int k, Float first, Float second, vec3 nearest, vec3 next) {
+            const Float index(k);
+            const vec3 step(offset(index, 0), offset(index, 1), offset(index, 2));
             const vec3 way = step + feature(cell + step, jitter) - from;
             const Float square = dot(way, way);
             const Bool closer = square < first, close = square < second;
@@ -45,15 +49,26 @@ static std::pair<Float, Float> worley(vec3 p, Float jitter) {
                               select(closer, step, nearest),
                               select(closer, nearest, select(close, step, next))};
         };
-        const auto [k, first, second, nearest, next] =
-            loop(27, State{0, 9, 9, vec3(0), vec3(0)}, each);
+        const auto [k, first, second, nearest, next] = loop(
+            "cells(k, first, second, nearest, next)", 27, State{0, 9, 9, vec3(0), vec3(0)}, each);
         return std::tuple{nearest, next};
-    });
-    const vec3 cell = floor(p), from = p - cell - 0.5;
-    const auto [nearest, next] = search(cell, detach(from), detach(jitter));
-    return {length(nearest + feature(cell + nearest, jitter) - from),
-            length(next + feature(cell + next, jitter) - from)};
+    };
+    const auto distance =
+        function("worley(p, width, jitter)", [&](vec3 p, Float width, Float jitter) {
+            const vec3 cell = floor(p), from = p - cell - 0.5;
+            const auto [nearest, next] = search(cell, detach(from), detach(jitter));
+            const Float first = length(nearest + feature(cell + nearest, jitter) - from);
+            const Float second = length(next + feature(cell + next, jitter) - from);
+            const Float found[] = {first, second, second - first};
+            const Float mean[] = {0.48 + 0.04 * jitter, 0.703 + 0.015 * jitter,
+                                  0.223 - 0.025 * jitter};  // measured
+            const auto index = static_cast<size_t>(which);
+            return mix(mean[index], found[index], fade(width));
+        });
+    return distance(point * scale, footprint(point, scale), jitter);
 }
+
+static constexpr int most_layers = 4;
 
 struct Scratches {
     vec2 uv;
@@ -62,39 +77,48 @@ struct Scratches {
     Float amplitude;
 };
 
-// Returns the depth of a layer's strokes at p. As with points, the search returns the cell with the
-// deepest stroke, and only that stroke is differentiated.
-static Float strokes(const Scratches& in, vec2 p, Int layer) {
-    const Float direction = radians(in.direction), spread = radians(in.spread);
-    // `from` is the offset from the cell's lower left corner.
-    const auto stroke = function("scratch", [=](vec2 cell, vec2 from, Int layer) {
-        const Uint bits = hash(Int(cell.x()), Int(cell.y()), layer);
-        const vec3 random = random3(bits);
-        const Uint more = hash(bits ^ 0x9e3779b9u);
-        const Float angle = direction + (random.z() - 0.5) * spread;
-        const vec2 along(cos(angle), sin(angle));
-        const vec2 way = from - random.xy();
-        const Float half = in.length * (0.25 + 0.25 * unit_float(more));
-        const Float t = clamp(dot(way, along), -half, half);
-        const Float near = saturate(1 - length(way - along * t) / in.width);
-        const Float end = divide(t, half);
-        const Float depth = near * near * (3 - 2 * near) * (1 - end * end);
-        return select(unit_float(hash(more)) < in.density, depth, 0.0);
-    });
-    const auto search = function("deepest_scratch", [stroke](vec2 cell, vec2 from, Int layer) {
-        const auto each = [&](Float k, Float deepest, vec2 found) {
-            const vec2 step(offset(k, 1), offset(k, 3));
-            const Float depth = stroke(cell + step, from - step, layer);
-            return std::tuple{Bool(true), k + 1, max(deepest, depth),
-                              select(deepest < depth, step, found)};
-        };
-        const auto [k, deepest, found] =
-            loop(9, std::tuple<Float, Float, vec2>{0, 0, vec2(0)}, each);
-        return found;
-    });
-    const vec2 cell = floor(p), from = p - cell;
-    const vec2 found = search(cell, detach(from), layer);
-    return stroke(cell + found, from - found, layer);
+// Returns the depth of a stroke at a position. A stroke may begin in each of 9 cells of a layer;
+// the index counts those of all layers. `size` is (length, width), `angles` (direction, spread).
+static Float stroke_at(vec2 p, Int index, Float density, vec2 size, vec2 angles) {
+    const Float number(index), layer = floor((number + 0.5) * (1.0 / 9));
+    const Float k = number - 9 * layer;
+    const vec2 moved = p + vec2(0.37, 0.61) * layer, home = floor(moved);
+    const vec2 cell = home + vec2(offset(k, 0), offset(k, 1));
+    const Uint bits = hash(Int(cell.x()), Int(cell.y()), Int(layer));
+    const Uint more = hash(bits ^ 0x9e3779b9u);
+    const vec3 random = random3(bits);
+    const Float angle = angles.x() + (random.z() - 0.5) * angles.y();
+    const vec2 along(cos(angle), sin(angle)), way = moved - cell - random.xy();
+    const Float half = size.x() * (0.25 + 0.25 * unit_float(more));
+    const Float across = dot(way, vec2(along.y(), -along.x()));
+    const Float end = divide(dot(way, along), half);
+    const Float depth = smoothstep(0, 1, 1 - abs(across) / size.y()) * max(1 - end * end, 0);
+    return select(unit_float(hash(more)) < density, depth, 0.0);
+}
+
+// Returns the depth of the deepest stroke. As with points, the search returns the stroke's index,
+// and only that stroke is differentiated.
+static Float strokes(const Scratches& in) {
+    const auto stroke = function("scratch(p, index, density, size, angles)", stroke_at);
+    const auto deepest = function(
+        "scratches(p, width, layers, density, size, angles)",
+        [&](vec2 p, Float width, Int layers, Float density, vec2 size, vec2 angles) {
+            const vec2 here = detach(p);
+            const Int count = layers * 9;
+            const auto each = [&](Int k, Float deepest, Int found) {
+                const Float depth = stroke(here, k, density, size, angles);
+                return std::tuple{k < count, k + 1, max(deepest, depth),
+                                  select(deepest < depth, k, found)};
+            };
+            const auto [k, depth, found] = loop("strokes(k, deepest, found)", 9 * most_layers,
+                                                std::tuple<Int, Float, Int>{0, 0, 0}, each);
+            // The volume of a stroke is its width times 2/3 of its length; the mean length is 3/4
+            // of the longest.
+            const Float mean = saturate(size.x() * size.y() * density * (0.5 * Float(layers)));
+            return mix(mean, stroke(p, found, density, size, angles), fade(width / (4 * size.y())));
+        });
+    return deepest(in.uv * in.scale, footprint(in.uv, in.scale), in.layers, in.density,
+                   vec2(in.length, in.width), vec2(radians(in.direction), radians(in.spread)));
 }
 
 static constinit Node cellular_list[] = {
@@ -109,12 +133,7 @@ static constinit Node cellular_list[] = {
                        "0 between cells"),
            0.03, "The distance in cells, 0 to about 1")
         .body([](vec3 point, Float scale, Float jitter, Choice which, Float amplitude) {
-            const vec3 p = point * scale;
-            const auto [first, second] = worley(p, jitter);
-            const Float found[] = {first, second, second - first};
-            const Float mean[] = {0.48 + 0.04 * jitter, 0.703 + 0.015 * jitter,
-                                  0.223 - 0.025 * jitter};  // measured
-            const Float value = mix(mean[which], found[which], fade(footprint(p)));
+            const Float value = worley(point, scale, jitter, which);
             return relief_of(value, amplitude);
         }),
 
@@ -133,20 +152,9 @@ static constinit Node cellular_list[] = {
                        unit("deg"))
             .in<Float>("spread", 360, "How far they turn away from it in all", slider(0, 360),
                        unit("deg"))
-            .count("layers", 2, 1, 4, "How many strokes may lie in a cell"),
+            .count("layers", 2, 1, most_layers, "How many strokes may lie in a cell"),
         0.004, "How deep, 0 to -1")
-        .body([](Scratches in) {
-            Float depth = 0;
-            for (int layer = 0; layer < in.layers; ++layer) {
-                const vec2 p = in.uv * in.scale + vec2(0.37 * layer, 0.61 * layer);
-                depth = max(depth, strokes(in, p, layer));
-            }
-            // The volume of a stroke is its width times 2/3 of its length; the mean length is 3/4
-            // of the longest.
-            const Float mean = saturate(in.length * in.width * in.density * (0.5 * in.layers));
-            const Float grooves = footprint(in.uv * in.scale) / (4 * in.width);
-            return relief_of(-mix(mean, depth, fade(grooves)), in.amplitude);
-        })};
+        .body([](Scratches in) { return relief_of(-strokes(in), in.amplitude); })};
 constinit std::span<Node> cellular_nodes = cellular_list;
 
 }  // namespace wrinkle::nodes

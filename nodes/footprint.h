@@ -18,6 +18,11 @@ template <class V>
 sdk::Float footprint(V p) {
     return detach(max(length(ddx(p)), length(ddy(p))));
 }
+// That of p * scale.
+template <class V>
+sdk::Float footprint(V p, sdk::Float scale) {
+    return footprint(p) * detach(abs(scale));
+}
 
 inline sdk::Float fade(sdk::Float footprint) {
     return 1 - sdk::smoothstep(0.25, 0.75, footprint);

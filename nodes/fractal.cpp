@@ -16,7 +16,7 @@ struct FractalNoise {
     Basis basis;
     Float amplitude;
 
-    Fractal fractal() const { return {point * scale, octaves, lacunarity, gain}; }
+    Fractal fractal() const { return {point, scale, octaves, lacunarity, gain}; }
 };
 
 static constexpr auto fractal(const char* id, const char* title, const char* doc) {
@@ -37,34 +37,20 @@ static Means means_of(Basis basis) {
 // The sum of |noise| over octaves, 0 to about 1.
 static Float billows(const Fractal& fractal, Basis basis) {
     const Noise noise = noise_function(basis);
-    const Layer layer{function("billow",
-                               [&](vec3 p, Float w) {
-                                   return mix(means_of(basis).absolute, abs(noise.height(p)),
-                                              fade(w));
-                               }),
-                      function("billow_slope", [&](vec3 p, Float w) {
-                          return noise.slope(p) * (sign(noise.height(p)) * fade(w));
-                      })};
-    return weighted_mean(octaves_of(fractal, layer));
+    return mean_of_octaves("billows", fractal, [&](const Octave& at) {
+        return mix(means_of(basis).absolute, abs(noise(at.p)), fade(at.footprint));
+    });
 }
 
 // F. K. Musgrave's ridged multifractal: each octave is multiplied by twice the previous one,
 // saturated.
 static Float ridges(const Fractal& fractal, Basis basis) {
     const Noise noise = noise_function(basis);
-    const Layer layer{function("ridge",
-                               [&](vec3 p, Float w) {
-                                   const Float fold = 1 - abs(noise.height(p));
-                                   return mix(means_of(basis).ridge, fold * fold, fade(w));
-                               }),
-                      function("ridge_slope", [&](vec3 p, Float w) {
-                          const Float height = noise.height(p);
-                          return noise.slope(p) * (-2 * (1 - abs(height)) * sign(height) * fade(w));
-                      })};
-    auto octaves = octaves_of(fractal, layer);
-    for (size_t i = 1; i < octaves.size(); ++i)
-        octaves[i].height *= saturate(octaves[i - 1].height * 2);
-    return weighted_mean(octaves);
+    return mean_of_octaves("ridges", fractal, [&](const Octave& at) {
+        const Float fold = 1 - abs(noise(at.p));
+        return mix(means_of(basis).ridge, fold * fold, fade(at.footprint)) *
+               saturate(at.previous * 2);
+    });
 }
 
 struct Dents {
@@ -107,7 +93,7 @@ static constinit Node fractal_list[] = {
                        slider(1, 4), limits(1, 16)),
         0.1, "How deep, 0 to -1")
         .body([](Dents in) {
-            const Fractal fractal{in.point * in.scale, in.octaves, in.lacunarity, in.gain};
+            const Fractal fractal{in.point, in.scale, in.octaves, in.lacunarity, in.gain};
             const Float over = billows(fractal, Basis::gradient) - in.threshold;
             return relief_of(-pow(saturate(over / (1 - in.threshold)), in.power), in.amplitude);
         })};

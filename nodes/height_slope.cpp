@@ -39,7 +39,7 @@ vec2 three_taps(const Reader& read, vec2 uv, Float texels, Unit unit) {
 // its two texels by (1-t, t), t as in height_slope.h; the filter weights the reads by (1, 2, 1)/4
 // across and (-1, 0, 1)/2 along.
 vec2 smooth_slope(Image image, vec2 uv, Unit unit) {
-    const auto change = function("smooth_slope", [image](vec2 at, vec2 texel) {
+    const auto change = function("smooth_slope(at, texel)", [image](vec2 at, vec2 texel) {
         const auto tap = [&](int i, int j) {
             return image.sample_lod(at + vec2(i, j) * texel, 0).x();
         };

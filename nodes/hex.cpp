@@ -36,7 +36,7 @@ struct HexBlend {
 // Grid of triangles between the centres of hexagons, sheared into squares. The function returns the
 // barycentric weights and the three corners of the triangle around a point.
 static auto grid_function() {
-    return function("hex_grid", [](vec2 at) {
+    return function("hex_grid(at)", [](vec2 at) {
         const vec2 sheared(at.x() - at.y() * 0.57735026918962576, at.y() * 1.1547005383792515);
         const vec2 cell = floor(sheared), f = sheared - cell;
         const Float rest = 1 - f.x() - f.y();
@@ -52,7 +52,7 @@ static auto grid_function() {
 // The function returns, for the hexagon of a corner, the offset of its copy in repeats, and cosine
 // and sine of its rotation.
 static auto copy_function() {
-    return function("hex_copy", [](vec2 corner, Float rotation) {
+    return function("hex_copy(corner, rotation)", [](vec2 corner, Float rotation) {
         const Uint bits = hash(Int(corner.x()), Int(corner.y()));
         const Uint more = hash(bits), most = hash(more);
         const Float angle = (2 * unit_float(bits) - 1) * 3.14159265358979 * rotation;

@@ -1,24 +1,24 @@
 // Noises on unit cells of space: functions of the generated code, which nodes call at any scale.
 #pragma once
 
-#include <vector>
+#include <string>
+#include <tuple>
 
+#include "nodes/footprint.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
 
-// A height and its slope in separate functions: if only the bump is used, only the slope is
-// computed. The call operator returns the height with that slope as its derivative.
-template <class... More>
-struct Sloped {
-    sdk::Function<sdk::Float, std::tuple<sdk::vec3, More...>> height;
-    sdk::Function<sdk::vec3, std::tuple<sdk::vec3, More...>> slope;
+// A function of the generated code that returns (slope, height). The call operator returns the
+// height with that slope as its derivative.
+struct Noise {
+    sdk::Function<sdk::vec4, std::tuple<sdk::vec3>> slope_and_height;
 
-    sdk::Float operator()(sdk::vec3 p, More... more) const {
-        return sdk::with_slope(height(p, more...), p, slope(p, more...));
+    sdk::Float operator()(sdk::vec3 p) const {
+        const sdk::vec4 at = slope_and_height(p);
+        return sdk::with_slope(at.w(), p, at.xyz());
     }
 };
-using Noise = Sloped<>;
 
 // All have mean 0 and range [-1, 1], which they may exceed by a few percent.
 //   gradient  K. Perlin 2002 on hashed lattice points: C2, 0 at lattice points
@@ -29,23 +29,50 @@ enum class Basis { gradient, simplex, value };
 inline constexpr const char* basis_names[] = {"gradient", "simplex", "value"};
 Noise noise_function(Basis basis);
 
-// The layer that a fractal sums: a function of the generated code of a position and the pixel's
-// footprint there.
-using Layer = Sloped<sdk::Float>;
+inline constexpr int most_octaves = 8;
 
 // Octaves of a layer: each `lacunarity` times finer than the one before and `gain` times as strong.
-// Octave k is read at point * lacunarity^k + k * (19.19, 7.43, 31.71).
+// Octave k is read at point * scale * lacunarity^k + k * (19.19, 7.43, 31.71).
 struct Fractal {
-    sdk::vec3 point;  // in cells of the first octave
+    sdk::vec3 point;
+    sdk::Float scale;  // cells of the first octave per length unit
     int octaves;
     sdk::Float lacunarity, gain;
 };
+
+// A position in an octave, the pixel's footprint there, and the height of the octave before, which
+// is 1 for the first.
 struct Octave {
-    sdk::Float height, weight;
+    sdk::vec3 p;
+    sdk::Float footprint, previous;
 };
-std::vector<Octave> octaves_of(const Fractal& fractal, const Layer& layer);
-// Returns the sum of heights times weights, divided by the sum of weights: the range of one layer.
-sdk::Float weighted_mean(const std::vector<Octave>& octaves);
+
+// Returns the weighted mean of height(Octave) over the octaves, in the range of one layer, from a
+// function `name` of the generated code.
+template <class Height>
+sdk::Float mean_of_octaves(const char* name, const Fractal& fractal, Height height) {
+    using namespace sdk;
+    const auto body = [&](vec3 point, Float width, Int octaves, Float lacunarity, Float gain) {
+        using State = std::tuple<Int, Float, Float, Float, Float, Float>;
+        const auto add = [&](Int k, Float frequency, Float weight, Float previous, Float total,
+                             Float sum) {
+            // Without the offset, every octave would be 0 at the origin. It is not scaled, which
+            // would lose precision.
+            const vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * Float(k);
+            const Float value = height(Octave{p, width * frequency, previous});
+            return std::tuple{k < octaves, k + 1,          frequency * lacunarity, weight * gain,
+                              value,       total + weight, sum + value * weight};
+        };
+        const auto [k, frequency, weight, previous, total, sum] =
+            loop("octaves(k, frequency, weight, previous, total, sum)", most_octaves,
+                 State{0, 1, 1, 1, 0, 0}, add);
+        return sum / total;
+    };
+    const std::string signature = name + std::string("(point, width, octaves, lacunarity, gain)");
+    return function(signature.c_str(), body)(fractal.point * fractal.scale,
+                                             footprint(fractal.point, fractal.scale),
+                                             fractal.octaves, fractal.lacunarity, fractal.gain);
+}
 
 // Fractional Brownian motion: the weighted mean of octaves of noise, each fading to 0.
 sdk::Float fbm(const Fractal& fractal, Basis basis);
@@ -53,7 +80,7 @@ sdk::Float fbm(const Fractal& fractal, Basis basis);
 // The inputs of a fractal after point and scale.
 template <class Declaration>
 constexpr auto with_octaves(const Declaration& declaration) {
-    return declaration.count("octaves", 4, 1, 8, "How many layers are added")
+    return declaration.count("octaves", 4, 1, most_octaves, "How many layers are added")
         .template in<sdk::Float>("lacunarity", 2, "How much finer each octave is",
                                  sdk::slider(1.5, 3), sdk::limits(1, 3), sdk::unit("x"))
         .template in<sdk::Float>("gain", 0.5,

@@ -10,7 +10,7 @@ using namespace sdk;
 // Height of the threads along v, one in each unit of u: round across, highest in every second cell,
 // where the thread is above the other one, and 0.35 of that where it is below.
 static auto thread_function() {
-    return function("thread", [](vec2 p, Float side, Float width) {
+    return function("thread(p, side, width)", [](vec2 p, Float side, Float width) {
         const Float lane = floor(p.x());
         const Float across = (2 * (p.x() - lane) - 1) / width;
         const Float above = side * cos(mod(p.y() - 0.5 + lane, 2.0) * 3.141592653589793);

@@ -30,13 +30,6 @@ std::string comment_on(const Region& region) {
     return text.empty() ? "" : "// " + comment_text(region.name + " gives " + text);
 }
 
-std::vector<Id> strip_all(const EmitAnalysis& analysis, std::span<const Id> ids) {
-    std::vector<Id> result;
-    for (const Id id : ids)
-        result.push_back(analysis.strip_detach(id));
-    return result;
-}
-
 }  // namespace
 
 void Body::material_function(const Reflection& reflection) {
@@ -122,7 +115,7 @@ void Body::region_function(uint32_t index) {
     std::vector<std::string> outs;
     for (size_t k = 1; k < region.results.size(); ++k)
         outs.push_back(locals_.unique(result_name(region, k)));
-    const std::vector<Id> roots = strip_all(analysis_, region.results);
+    const std::vector<Id> roots = analysis_.strip_detach(region.results);
     const Scope scope = collect(analysis_, values_, roots, 0);
     decide(analysis_, values_, scope, roots);
     if (const std::string comment = comment_on(region); !comment.empty())
@@ -231,13 +224,19 @@ void Body::assign(Id id, int indent, uint32_t group, bool single) {
     commented_line(indent, line_, group, single);
 }
 
+// A member of a loop has the name of its parameter, if it has one.
 std::vector<std::string> Body::name_members(Id tuple) {
     const std::string& path = m_.nodes[m_.origin[tuple]].path;
+    const std::vector<std::string>& own = m_.region(m_[tuple].extra).param_names;
+    const bool loop = m_[tuple].op == Op::loop_;
     std::vector<std::string> names;
     for (const Id member : analysis_.members(tuple)) {
-        const NameHint unread{path, "state"};
+        const size_t k = names.size();
+        const NameHint unread{values_.anonymous ? "" : path,
+                              loop && k < own.size() ? std::string_view(own[k]) : "state"};
+        const bool named = member != no_id && (!loop || own.empty());
         names.emplace_back(
-            name_value(member, member == no_id ? unread : name_hint(analysis_, values_, member)));
+            name_value(member, named ? name_hint(analysis_, values_, member) : unread));
     }
     return names;
 }
@@ -257,93 +256,6 @@ void Body::call(Id id, int indent) {
          type_name(m_.type(region.results[0])) + " " + names[0] + " = " +
              values_.symbols.functions[m_[id].extra] + "(" + text + ");",
          node_of(group_));
-}
-
-void Body::loop(Id id, int indent) {
-    const Region& region = m_.region(m_[id].extra);
-    const auto initial = m_.operands(id);
-    std::vector<std::string> texts;
-    for (const Id value : initial)
-        texts.push_back(text_of(context_, analysis_.strip_detach(value)));
-    const std::vector<std::string> state = name_members(id);
-    const uint32_t node = node_of(group_);
-    for (size_t k = 0; k < state.size(); ++k)
-        code(indent, type_name(region.params[k]) + " " + state[k] + " = " + texts[k] + ";", node);
-    const std::string i = locals_.unique("i");
-    const uint32_t most = std::min(region.max_iterations, 0x7FFFFFFFu);
-    code(indent, "for (int " + i + " = 0; " + i + " < " + std::to_string(most) + "; ++" + i + ") {",
-         node);
-    loop_body(id, state, indent + 1);
-    code(indent, "}", node);
-}
-
-// The loop condition reads the current state. Statements that it does not need follow the break.
-void Body::loop_body(Id id, const std::vector<std::string>& state, int indent) {
-    const Region& region = m_.region(m_[id].extra);
-    if (context_.parameters.size() <= region.level) context_.parameters.resize(region.level + 1u);
-    context_.parameters[region.level] = state;
-    const std::vector<Id> roots = strip_all(analysis_, region.results);
-    const Scope scope = collect(analysis_, values_, roots, region.level);
-    decide(analysis_, values_, scope, roots);
-    const std::span<const Id> order(scope.order);
-    const uint32_t node = node_of(group_of(analysis_, values_, id));
-    statements(schedule(analysis_, values_, scope, order.first(scope.first_part)), indent);
-    write_loop_condition(roots[0], indent, node);
-    statements(schedule(analysis_, values_, scope, order.subspan(scope.first_part)), indent);
-    next_state(id, std::span(roots).subspan(1), state, indent);
-}
-
-void Body::write_loop_condition(Id condition, int indent, uint32_t node) {
-    if (m_.is_literal(condition, 1)) return;
-    if (is_folded(condition) && m_[condition].op == Op::not_) {
-        const Id inner = analysis_.strip_detach(m_[condition].arg[0]);
-        code(indent, "if (" + text_of(context_, inner) + ") break;", node);
-        return;
-    }
-    constexpr int postfix = 17;
-    code(indent, "if (!" + text_of(context_, condition, postfix) + ") break;", node);
-}
-
-// Returns the indices of the state members that a value's text reads.
-std::vector<uint32_t> Body::state_read(Id value, uint8_t level) {
-    std::vector<uint32_t> result;
-    std::vector<Id> open{value};
-    while (!open.empty()) {
-        const Id id = open.back();
-        open.pop_back();
-        if (m_[id].op == Op::region_param_ && m_[id].level == level) result.push_back(m_[id].extra);
-        if (analysis_.role(id) == Role::value && values_.state[id].statement) continue;
-        if (m_[id].op == Op::result_ && analysis_.role(id) == Role::view) continue;
-        const auto operands = analysis_.operands(id);
-        open.insert(open.end(), operands.begin(), operands.end());
-    }
-    return result;
-}
-
-// Assigns all members simultaneously: a value that reads a member assigned before it is stored in a
-// temporary first.
-void Body::next_state(Id loop, std::span<const Id> next, const std::vector<std::string>& state,
-                      int indent) {
-    const uint8_t level = m_.region(m_[loop].extra).level;
-    const uint32_t node = node_of(group_of(analysis_, values_, loop));
-    std::vector<bool> assigned(state.size());
-    std::vector<std::string> assignments;
-    for (uint32_t k = 0; k < state.size(); ++k) {
-        if (m_[next[k]].op == Op::region_param_ && m_[next[k]].level == level &&
-            m_[next[k]].extra == k)
-            continue;
-        const auto reads = state_read(next[k], level);
-        std::string text = text_of(context_, next[k]);
-        if (std::any_of(reads.begin(), reads.end(), [&](uint32_t j) { return assigned[j]; })) {
-            const std::string name = locals_.unique(state[k] + "_next");
-            code(indent, type_name(m_.type(next[k])) + " " + name + " = " + text + ";", node);
-            text = name;
-        }
-        assigned[k] = true;
-        assignments.push_back(state[k] + " = " + text + ";");
-    }
-    for (const std::string& assignment : assignments)
-        code(indent, assignment, node);
 }
 
 }  // namespace wrinkle

@@ -55,11 +55,13 @@ private:
     void call(Id id, int indent);
     void loop(Id id, int indent);
     std::vector<std::string> name_members(Id tuple);
-    void loop_body(Id id, const std::vector<std::string>& state, int indent);
+    Id limit_of(const Region& region, uint32_t counter) const;
+    void loop_body(Id id, const std::vector<std::string>& state, bool limited, int indent);
     void write_loop_condition(Id condition, int indent, uint32_t node);
     void next_state(Id loop, std::span<const Id> next, const std::vector<std::string>& state,
                     int indent);
     std::vector<uint32_t> state_read(Id value, uint8_t level);
+    std::string assignment(const std::string& name, Id next, uint8_t level, uint32_t member);
 
     const EmitAnalysis& analysis_;
     const Module& m_;

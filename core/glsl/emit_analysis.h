@@ -36,6 +36,11 @@ public:
             id = (*module_)[id].arg[0];
         return id;
     }
+    std::vector<Id> strip_detach(std::vector<Id> ids) const {
+        for (Id& id : ids)
+            id = strip_detach(id);
+        return ids;
+    }
     // Precondition of role(), operands() and literal(): the outputs use the value.
     Role role(Id id) const { return values_[id].role; }
 

@@ -35,33 +35,6 @@ std::string_view suffix_of(Variant variant) {
     return variant == Variant::dx ? "_dx" : variant == Variant::dy ? "_dy" : "";
 }
 
-// Characters of an operation without its operands: `all` fixed ones, plus `each` per operand if the
-// number of operands varies.
-struct OwnWidth {
-    uint8_t all = 0, each = 0;
-};
-
-constexpr OwnWidth own_width_of(Op op) {
-    constexpr uint8_t comma = 2;
-    const auto spelling = static_cast<uint8_t>(info(op).glsl.size());
-    const int arity = info(op).arity;
-    const auto commas = static_cast<uint8_t>(arity > 0 ? comma * arity : 0);
-    if (op == Op::construct_) return {4, comma};
-    if (op == Op::select_) return {6};
-    if (op == Op::sign_nonzero_) return {19};
-    if (op == Op::input_) return {4 + 2 + 2 + 17};
-    if (reads_image(op)) return {static_cast<uint8_t>(spelling + commas)};
-    if (info(op).precedence) return {static_cast<uint8_t>(spelling + 2)};
-    return {static_cast<uint8_t>(spelling + commas), arity < 0 ? comma : uint8_t{0}};
-}
-
-constexpr auto own_widths = [] {
-    std::array<OwnWidth, tables::op_count> table;
-    for (size_t i = 0; i < table.size(); ++i)
-        table[i] = own_width_of(static_cast<Op>(i));
-    return table;
-}();
-
 class Writer {
 public:
     Writer(const ExpressionContext& context, std::string& text)
@@ -82,6 +55,9 @@ private:
     void input(Id id);
     void view(Id id);
     void list(std::span<const Id> ids);
+    void parts(std::span<const Id> ids);
+    void components(std::span<const Id> ids);
+    size_t run_length(std::span<const Id> ids) const;
     void builtin(Id id);
     void operand(Id id, size_t k, int least);
     void operation(Id id);
@@ -221,6 +197,40 @@ void Writer::view(Id id) {
         text_ += "xyzw"[swizzle_component(inst.extra, i)];
 }
 
+// Returns how many of the first values are single components of one vector.
+size_t Writer::run_length(std::span<const Id> ids) const {
+    const auto is_component = [&](Id id) {
+        return m_[id].op == Op::swizzle_ && swizzle_count(m_[id].extra) == 1 &&
+               m_[id].arg[0] == m_[ids[0]].arg[0];
+    };
+    return static_cast<size_t>(std::ranges::find_if_not(ids, is_component) - ids.begin());
+}
+
+// Writes (a, v.yz) for the components a, v.y, v.z.
+void Writer::parts(std::span<const Id> ids) {
+    text_.append("(");
+    for (size_t k = 0; k < ids.size();) {
+        if (k > 0) text_.append(", ");
+        const size_t run = run_length(ids.subspan(k));
+        if (run > 1)
+            components(ids.subspan(k, run));
+        else
+            read(ids[k], 0);
+        k += std::max<size_t>(run, 1);
+    }
+    text_.append(")");
+}
+
+void Writer::components(std::span<const Id> ids) {
+    const Id vector = analysis_.strip_detach(m_[ids[0]].arg[0]);
+    std::string letters;
+    for (const Id id : ids)
+        letters += "xyzw"[swizzle_component(m_[id].extra, 0)];
+    read(vector, postfix);
+    if (letters != std::string_view("xyzw").substr(0, info(m_.type(vector)).lanes))
+        text_.append(".").append(letters);
+}
+
 void Writer::sample(Id id) {
     const std::string& image = context_.values.symbols.resources[m_[id].extra];
     if (m_[id].op == Op::image_size_) {
@@ -286,7 +296,7 @@ void Writer::define(Id id) {
             return input(id);
         case Op::construct_:
             text_.append(info(inst.type).name);
-            return list(analysis_.operands(id));
+            return parts(analysis_.operands(id));
         case Op::sample_:
         case Op::sample_lod_:
         case Op::sample_grad_:
@@ -328,43 +338,6 @@ std::string text_of(const ExpressionContext& context, Id id, int least) {
 
 void write_definition(const ExpressionContext& context, Id id, std::string& text) {
     Writer(context, text).define(id);
-}
-
-uint32_t leaf_width(const EmitAnalysis& analysis, const Symbols& symbols, Id leaf) {
-    const Module& m = analysis.module();
-    const Inst& inst = m[leaf];
-    switch (inst.op) {
-        case Op::literal_:
-            return static_cast<uint32_t>(analysis.literal(leaf).size());
-        case Op::parameter_:
-            return static_cast<uint32_t>(symbols.parameters[inst.extra].size());
-        case Op::input_:
-            return static_cast<uint32_t>(info(input_of(inst.extra)).name.size() + 2);
-        case Op::construct_: {
-            uint32_t width = own_width(analysis, symbols, leaf);
-            for (const Id part : analysis.operands(leaf))
-                width += leaf_width(analysis, symbols, part);
-            return width;
-        }
-        case Op::swizzle_:
-            return leaf_width(analysis, symbols, analysis.strip_detach(inst.arg[0])) + 1 +
-                   static_cast<uint32_t>(swizzle_count(inst.extra));
-        default:
-            return 2;
-    }
-}
-
-uint32_t own_width(const EmitAnalysis& analysis, const Symbols& symbols, Id id) {
-    const Module& m = analysis.module();
-    const Inst& inst = m[id];
-    const auto operands = static_cast<uint32_t>(m.operands(id).size());
-    if (inst.op == Op::result_) {
-        const std::string& function = symbols.functions[m[inst.arg[0]].extra];
-        return static_cast<uint32_t>(function.size()) + 2 * operands;
-    }
-    const OwnWidth width = own_widths[static_cast<size_t>(inst.op)];
-    const size_t image = reads_image(inst.op) ? symbols.resources[inst.extra].size() : 0;
-    return width.all + width.each * operands + static_cast<uint32_t>(image);
 }
 
 }  // namespace wrinkle

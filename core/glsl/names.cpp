@@ -139,7 +139,8 @@ std::string_view word_for(const Module& module, Id id) {
     const Op op = module[id].op;
     if (op == Op::result_) {
         const Region& region = module.region(module[module[id].arg[0]].extra);
-        return region.kind == RegionKind::loop ? "state" : std::string_view(region.name);
+        const std::string_view name = region.name;
+        return region.kind == RegionKind::loop ? "state" : name.substr(name.rfind('_') + 1);
     }
     return traits(op).word;
 }

@@ -176,62 +176,6 @@ Id ForwardDiff::texture(Id sample, Id read) {
     return (along_u * derivative.x() + along_v * derivative.y()).id;
 }
 
-Id ForwardDiff::call_member(const Inst& result) {
-    const Inst call = (*module_)[result.arg[0]];
-    const auto operands = module_->operands(result.arg[0]);
-    std::vector<Id> args(operands.begin(), operands.end());
-    std::vector<bool> active;
-    std::vector<Id> derivatives;
-    for (const Id arg : operands) {
-        const Id derivative = memo_.at(arg);
-        active.push_back(derivative != no_id);
-        if (derivative) derivatives.push_back(derivative);
-    }
-    if (derivatives.empty()) return no_id;
-    const DerivedFunction& function = derived(call.extra, active);
-    const int member = function.member[result.extra];
-    if (member < 0) return no_id;
-    args.insert(args.end(), derivatives.begin(), derivatives.end());
-    return module_->result(module_->apply_region(function.region, args),
-                           static_cast<uint32_t>(member));
-}
-
-const ForwardDiff::DerivedFunction& ForwardDiff::derived(uint32_t index,
-                                                         const std::vector<bool>& active) {
-    const auto [entry, added] = functions_.try_emplace({index, active});
-    if (!added) return entry->second;
-    Region region = module_->region(index);
-    ForwardDiff inside(*module_);
-    inside.functions_ = std::move(functions_);
-    const auto own = static_cast<uint32_t>(region.params.size());
-    for (uint32_t k = 0; k < own; ++k) {
-        if (!active[k]) continue;
-        const Type type = region.params[k];
-        inside.seed(
-            module_->region_parameter(1, k, type),
-            module_->region_parameter(1, static_cast<uint32_t>(region.params.size()), type));
-        region.params.push_back(type);
-        if (k < region.param_names.size())
-            region.param_names.push_back(region.param_names[k] + "_change");
-    }
-    DerivedFunction function;
-    std::vector<Id> results;
-    std::vector<std::string> names;
-    for (size_t k = 0; k < region.results.size(); ++k) {
-        const Id derivative = inside.jvp(region.results[k]);
-        function.member.push_back(derivative ? static_cast<int>(results.size()) : -1);
-        if (derivative) results.push_back(derivative);
-        if (derivative && k < region.result_names.size())
-            names.push_back(region.result_names[k] + "_change");
-    }
-    functions_ = std::move(inside.functions_);
-    region.results = std::move(results);
-    region.name += "_change";
-    region.result_names = std::move(names);
-    if (!region.results.empty()) function.region = module_->intern_region(std::move(region));
-    return functions_[{index, active}] = std::move(function);
-}
-
 Id ForwardDiff::loop_member(const Inst& result) {
     std::vector<Id>& members = loops_[result.arg[0]];
     if (members.empty()) members = dual_loop(result.arg[0]);
@@ -292,6 +236,8 @@ std::vector<Id> ForwardDiff::dual_loop(Id loop) {
         const Id start = memo_.at(args[k]);
         args.push_back(start ? start : module_->zero(types[k]));
         region.params.push_back(types[k]);
+        if (!region.param_names.empty())
+            region.param_names.push_back(region.param_names[k] + "_slope");
         region.results.push_back(jvp_or_zero(region.results[k + 1]));
     }
     forget(before);

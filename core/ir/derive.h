@@ -99,7 +99,10 @@ private:
     Id derivative_of_open_result(Id result);
     Id call_member(const Inst& result);
     Id loop_member(const Inst& result);
-    const DerivedFunction& derived(uint32_t region, const std::vector<bool>& active);
+    using Activity = std::vector<bool>;  // by argument: it has a derivative
+    Id call_along(const Inst& result, const Activity& active, std::span<const Id> args);
+    uint32_t slope_function(uint32_t region, uint32_t member, const Activity& active);
+    const DerivedFunction& derived(uint32_t region, const Activity& active);
     std::vector<Id> dual_loop(Id loop);
     void seed_state(const Region& region, const std::vector<bool>& active);
     bool propagate_activity(const Region& region, std::vector<bool>& active);
@@ -113,7 +116,11 @@ private:
     Memo memo_;
     std::vector<Id> log_;                // memoised ids, in order
     std::vector<Id> open_, spare_list_;  // scratch memory of jvp()
-    std::map<std::pair<uint32_t, std::vector<bool>>, DerivedFunction> functions_;
+    struct Functions {
+        std::map<std::pair<uint32_t, Activity>, DerivedFunction> derived;
+        std::map<std::tuple<uint32_t, uint32_t, Activity>, uint32_t> slopes;  // by result too
+    };
+    Functions functions_;
     std::unordered_map<Id, std::vector<Id>> loops_;
     // Screen directions, for the mip level of textures. The pair uses itself for nested samples: in
     // a chain of images, each sampled at a uv computed from the previous one, the number of

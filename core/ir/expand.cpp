@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/normals.h"
+#include "ir/compact.h"
 #include "ir/gradient_sum.h"
 #include "ir/normal_variance.h"
 #include "ir/open_function.h"
@@ -281,7 +282,7 @@ Module expand(Module source, const ExpandOptions& options) {
     Expander expander(options, source);
     Module expanded = rebuild(std::move(source), expand_one, &expander);
     if (expander.functions) expander.functions->finish(expanded);
-    return finish(std::move(expanded), options.covariances);
+    return compact(finish(std::move(expanded), options.covariances));
 }
 
 }  // namespace wrinkle

@@ -116,7 +116,8 @@ public:
     Id component(Id vector, uint32_t lane);              // a float has itself as component
 
     // Regions are recorded in nested pairs of begin and end. begin_region() returns the parameters;
-    // the values added before end_region() that use them are the body.
+    // the values added before end_region() that use them are the body. The name of a function may
+    // name its parameters too: "noise(point, width)".
     std::vector<Id> begin_region(RegionKind kind, std::string name, std::span<const Type> params);
     RegionUse end_region(std::span<const Id> results, uint32_t max_iterations = 0);
     // Calls a function or runs a loop; returns one Id per output or per member of the state.
@@ -153,6 +154,8 @@ public:
     bool has(Op op) const { return has_[static_cast<size_t>(op)]; }
     const Region& region(uint32_t index) const { return regions_[index]; }
     uint32_t region_count() const { return static_cast<uint32_t>(regions_.size()); }
+    // Returns the greatest number of nested calls below a region.
+    int call_depth(uint32_t region) const { return call_depths_[region]; }
 
     // Returns true for a scalar literal of this value, or a construct of such literals.
     bool is_literal(Id id, double value) const {

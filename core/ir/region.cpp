@@ -49,6 +49,21 @@ bool Module::fits(const RegionBody& body) {
     return false;
 }
 
+// Splits "noise(point, width)" into the function's name and those of its parameters.
+static void set_names(Region& region, std::string_view signature) {
+    const size_t open = signature.find('(');
+    region.name = signature.substr(0, open);
+    if (open == std::string_view::npos) return;
+    std::string_view rest = signature.substr(open + 1);
+    region.param_names.resize(region.params.size());
+    for (std::string& name : region.param_names) {
+        const size_t end = rest.find_first_of(",)");
+        name = rest.substr(0, end);
+        rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+        if (rest.starts_with(' ')) rest.remove_prefix(1);
+    }
+}
+
 std::vector<Id> Module::begin_region(RegionKind kind, std::string name,
                                      std::span<const Type> params) {
     open_.push_back({kind, std::move(name), {params.begin(), params.end()}});
@@ -75,7 +90,7 @@ RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iteration
     region.max_iterations = max_iterations;
     region.params = open.params;
     region.results.assign(results.begin(), results.end());
-    region.name = open.name;
+    set_names(region, open.name);
     region.level = static_cast<uint8_t>(level);
     RegionBody body = region_body(*this, region);
     if (!fits(body)) return {};
@@ -89,6 +104,7 @@ RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iteration
     for (const Id id : use.captured) {
         const auto index = static_cast<uint32_t>(region.params.size());
         region.params.push_back(type(id));
+        if (!region.param_names.empty()) region.param_names.emplace_back();
         copier.map(id, region_parameter(1, index, type(id)));
     }
     region.level = 1;

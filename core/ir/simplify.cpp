@@ -43,12 +43,20 @@ double min_of(const Module& m, Id id, bool under_root = false) {
     }
 }
 
+// Returns x * y for -x * y; no_id for any other value.
+Id without_sign(Module& m, Id id) {
+    const Inst product = m[id];
+    if (product.op != Op::mul_ || m[product.arg[0]].op != Op::neg_) return no_id;
+    return m.add(Op::mul_, {m[product.arg[0]].arg[0], product.arg[1]});
+}
+
 Id simplify_sum(Module& m, Op op, Args a, Type type) {
     if (m.is_literal(a[1], 0)) return widened(m, a[0], type);
     if (op == Op::add_) {
         if (m.is_literal(a[0], 0)) return widened(m, a[1], type);
         if (m[a[1]].op == Op::neg_) return m.add(Op::sub_, {a[0], m[a[1]].arg[0]});
-        return no_id;
+        const Id taken = without_sign(m, a[1]);
+        return taken == no_id ? no_id : m.add(Op::sub_, {a[0], taken});
     }
     if (a[0] == a[1]) return m.zero(type);
     if (m.is_literal(a[0], 0) && m.type(a[1]) == type) return m.add(Op::neg_, {a[1]});
@@ -91,6 +99,7 @@ Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
             return min_of(m, a[0]) >= m[a[1]].value ? a[0] : no_id;
         case Op::mix_:
             if (a[0] == a[1] || m.is_literal(a[2], 0)) return widened(m, a[0], type);
+            if (m.is_literal(a[0], 0)) return m.add(Op::mul_, {a[1], a[2]});
             return m.is_literal(a[2], 1) ? widened(m, a[1], type) : no_id;
         case Op::abs_:
             return m[a[0]].op == op ? a[0] : no_id;

@@ -77,7 +77,7 @@ inline Value sum_of(Value a, Value b) {
     return !a ? b : !b ? a : a + b;
 }
 inline Value product_of(Value a, Value factor) {
-    return a ? a * factor : a;
+    return a && factor ? a * factor : a;
 }
 inline Value abs(Value a) {
     return op(Op::abs_, a);

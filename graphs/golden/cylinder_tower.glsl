@@ -10,19 +10,18 @@ struct WrinkleMaterial_cylinder_tower {
 };
 uniform sampler2D cylinder_tower_g_image;  // textures/bricks_height.png (linear, repeat)
 
-vec2 wrinkle_cylinder_tower_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(cylinder_tower_g_image, a + b, 0.0);
-    float difference = texel.x - textureLod(cylinder_tower_g_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(cylinder_tower_g_image, a + vec2(b.x, -b.y), 0.0);
-    vec4 texel_3 = textureLod(cylinder_tower_g_image, a + vec2(-b.x, b.y), 0.0);
-    float difference_2 = texel_2.x - texel_3.x;
-    vec4 texel_4 = textureLod(cylinder_tower_g_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_5 = textureLod(cylinder_tower_g_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
-    vec4 texel_6 = textureLod(cylinder_tower_g_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_7 = textureLod(cylinder_tower_g_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
-    return vec2(sum, sum_2) * 0.125;
+vec2 wrinkle_cylinder_tower_smooth_slope(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(cylinder_tower_g_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(cylinder_tower_g_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(cylinder_tower_g_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 texel_4 = textureLod(cylinder_tower_g_image, at + vec2(-texel.x, texel.y), 0.0);
+    float difference_2 = texel_3.x - texel_4.x;
+    vec4 texel_5 = textureLod(cylinder_tower_g_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_6 = textureLod(cylinder_tower_g_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_7 = textureLod(cylinder_tower_g_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_8 = textureLod(cylinder_tower_g_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
 WrinkleMaterial_cylinder_tower wrinkle_cylinder_tower(WrinkleSurface_cylinder_tower s) {
@@ -50,16 +49,14 @@ WrinkleMaterial_cylinder_tower wrinkle_cylinder_tower(WrinkleSurface_cylinder_to
     vec2 g_quotient = g_root / g_size;
     vec2 g_vector = vec2(tile_uv.x + g_quotient.x, tile_uv.y);
     vec4 g_texel = textureGrad(cylinder_tower_g_image, g_vector, tile_product, tile_product_2);
-    vec4 g_texel_2 = textureGrad(cylinder_tower_g_image, tile_uv, tile_product, tile_product_2);
     vec2 g_vector_2 = vec2(tile_uv.x, tile_uv.y + g_quotient.y);
-    vec4 g_texel_3 = textureGrad(cylinder_tower_g_image, g_vector_2, tile_product, tile_product_2);
-    vec2 g_vector_3 = vec2(g_texel.x - g_texel_2.x, g_texel_3.x - g_texel_2.x);
-    vec2 g_product_3 = g_vector_3 * (1.0 / g_root);
-    vec2 g_smooth_slope = wrinkle_cylinder_tower_smooth_slope(tile_uv, 1.0 / g_size);
-    vec2 g_mixed = mix(g_product_3, g_smooth_slope, clamp((0.5 - log2(g_root)) / 0.45, 0.0, 1.0));
-    float g_product_4 = g_mixed.x * (tile_product_3 * g_size.x) * 0.03;
-    float g_product_5 = g_mixed.x * (tile_product_4 * g_size.x) * 0.03;
-    vec3 g_gradient = vec3(g_product_4, g_mixed.y * (1.2 * g_size.y) * 0.03, g_product_5);
+    vec4 g_texel_2 = textureGrad(cylinder_tower_g_image, g_vector_2, tile_product, tile_product_2);
+    vec4 g_texel_3 = textureGrad(cylinder_tower_g_image, tile_uv, tile_product, tile_product_2);
+    vec2 g_product_3 = (vec2(g_texel.x, g_texel_2.x) - g_texel_3.x) * (1.0 / g_root);
+    vec2 g_slope = wrinkle_cylinder_tower_smooth_slope(tile_uv, 1.0 / g_size);
+    vec2 g_mixed = mix(g_product_3, g_slope, clamp((0.5 - log2(g_root)) / 0.45, 0.0, 1.0));
+    vec3 g_product_4 = vec3(tile_product_3, 1.2, tile_product_4) * g_size.xyx;
+    vec3 g_gradient = g_mixed.xyx * g_product_4 * 0.03;
     WrinkleMaterial_cylinder_tower m;
     // normal: Resolve
     m.normal = normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);

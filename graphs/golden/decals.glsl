@@ -12,147 +12,122 @@ uniform sampler2D decals_bricks_image;  // textures/bricks_height.png (linear, r
 uniform sampler2D decals_weave_image;   // textures/weave_height.png (linear, repeat)
 uniform sampler2D decals_ball_image;    // textures/ball_cube.png (normal_gl, repeat)
 
-vec3 wrinkle_decals_noise_direction(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_decals_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
-    float number = float(2237013u >> product_4 & 3u);
-    float number_2 = float(5573130u >> product_4 & 3u);
-    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
+    return product >> 22u ^ product;
 }
 
-vec3 wrinkle_decals_gradient_noise_slope(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 noise_direction = wrinkle_decals_noise_direction(whole, whole_2, whole_3);
-    int sum = whole + 1;
-    vec3 noise_direction_2 = wrinkle_decals_noise_direction(sum, whole_2, whole_3);
-    vec3 difference = a - floored;
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_3 = wrinkle_decals_noise_direction(whole, sum_3, whole_3);
-    vec3 noise_direction_4 = wrinkle_decals_noise_direction(sum, sum_3, whole_3);
-    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
-    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_5 = wrinkle_decals_noise_direction(whole, whole_2, sum_4);
-    vec3 noise_direction_6 = wrinkle_decals_noise_direction(sum, whole_2, sum_4);
-    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
-    vec3 noise_direction_7 = wrinkle_decals_noise_direction(whole, sum_3, sum_4);
-    vec3 noise_direction_8 = wrinkle_decals_noise_direction(sum, sum_3, sum_4);
-    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+vec3 wrinkle_decals_noise_direction(vec3 corner) {
+    uint sum = uint(int(corner.y)) + wrinkle_decals_hash(uint(int(corner.z)));
+    uint sum_2 = uint(int(corner.x)) + wrinkle_decals_hash(sum);
+    uint hash = wrinkle_decals_hash(sum_2);
+    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
+    float number = float(2237013u >> product & 3u);
+    float number_2 = float(5573130u >> product & 3u);
+    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+}
+
+vec4 wrinkle_decals_gradient_corner(vec3 cell, vec3 from, vec3 corner) {
+    vec3 direction = wrinkle_decals_noise_direction(cell + corner);
+    return vec4(direction, dot(direction, from - corner));
+}
+
+vec4 wrinkle_decals_gradient_noise(vec3 p) {
+    vec3 floored = floor(p);
+    vec3 difference = p - floored;
+    vec4 corner = wrinkle_decals_gradient_corner(floored, difference, vec3(0.0));
+    vec4 corner_2 = wrinkle_decals_gradient_corner(floored, difference, vec3(1.0, 0.0, 0.0));
+    vec3 sum = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum;
+    vec4 mixed = mix(corner, corner_2, product.x);
+    vec4 corner_3 = wrinkle_decals_gradient_corner(floored, difference, vec3(0.0, 1.0, 0.0));
+    vec4 corner_4 = wrinkle_decals_gradient_corner(floored, difference, vec3(1.0, 1.0, 0.0));
+    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
+    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
+    vec4 corner_5 = wrinkle_decals_gradient_corner(floored, difference, vec3(0.0, 0.0, 1.0));
+    vec4 corner_6 = wrinkle_decals_gradient_corner(floored, difference, vec3(1.0, 0.0, 1.0));
+    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
+    vec4 corner_7 = wrinkle_decals_gradient_corner(floored, difference, vec3(0.0, 1.0, 1.0));
+    vec4 corner_8 = wrinkle_decals_gradient_corner(floored, difference, vec3(1.0));
+    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
+    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
+    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float difference_3 = difference.x - 1.0;
-    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
-    float dot_product_2 = dot(noise_direction, difference);
-    float difference_4 = difference.y - 1.0;
-    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
-    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
-    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float difference_5 = difference.z - 1.0;
-    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
-    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
-    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
-    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
-    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
-    float mixed_9 = mix(dot_product_2, dot_product, product.x);
-    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
-    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
-    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
-    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
+    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
+    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
+    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
+    vec3 vector = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
+    vec3 sum_2 = mixed_7.xyz + product_2 * vector;
+    return vec4(sum_2, mixed_7.w);
 }
 
-vec3 wrinkle_decals_noise_octave_slope(vec3 a, float b) {
-    vec3 gradient_noise_slope = wrinkle_decals_gradient_noise_slope(a);
-    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
+vec3 wrinkle_decals_fbm_slope(vec3 point, float width, int octaves, float lacunarity, float gain) {
+    float frequency = 1.0;
+    float weight = 1.0;
+    float total = 0.0;
+    vec3 sum_slope = vec3(0.0);
+    for (int i = 0; i < min(octaves, 8); ++i) {
+        vec3 sum = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 product = wrinkle_decals_gradient_noise(sum).xyz * frequency;
+        total += weight;
+        sum_slope += product * (1.0 - smoothstep(0.25, 0.75, width * frequency)) * weight;
+        frequency *= lacunarity;
+        weight *= gain;
+    }
+    return sum_slope / total;
 }
 
-vec2 wrinkle_decals_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(decals_bricks_image, a + b, 0.0);
-    float difference = texel.x - textureLod(decals_bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(decals_bricks_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(decals_bricks_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(decals_bricks_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_4 = textureLod(decals_bricks_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(decals_bricks_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_6 = textureLod(decals_bricks_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) * 0.125;
+vec2 wrinkle_decals_smooth_slope(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(decals_bricks_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(decals_bricks_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(decals_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
+    float difference_2 = texel_3.x - textureLod(decals_bricks_image, at + vec2(-texel.x, texel.y),
+            0.0).x;
+    vec4 texel_4 = textureLod(decals_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_5 = textureLod(decals_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_6 = textureLod(decals_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_7 = textureLod(decals_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_4.x, texel_5.x) - vec2(texel_6.x, texel_7.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
-vec2 wrinkle_decals_smooth_slope_2(vec2 a, vec2 b) {
-    vec4 texel = textureLod(decals_weave_image, a + b, 0.0);
-    float difference = texel.x - textureLod(decals_weave_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(decals_weave_image, a + vec2(b.x, -b.y), 0.0);
-    float difference_2 = texel_2.x - textureLod(decals_weave_image, a + vec2(-b.x, b.y), 0.0).x;
-    vec4 texel_3 = textureLod(decals_weave_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_4 = textureLod(decals_weave_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_3.x - texel_4.x);
-    vec4 texel_5 = textureLod(decals_weave_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_6 = textureLod(decals_weave_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_5.x - texel_6.x);
-    return vec2(sum, sum_2) * 0.125;
+vec2 wrinkle_decals_smooth_slope_2(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(decals_weave_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(decals_weave_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(decals_weave_image, at + vec2(texel.x, -texel.y), 0.0);
+    float difference_2 = texel_3.x - textureLod(decals_weave_image, at + vec2(-texel.x, texel.y),
+            0.0).x;
+    vec4 texel_4 = textureLod(decals_weave_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_5 = textureLod(decals_weave_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_6 = textureLod(decals_weave_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_7 = textureLod(decals_weave_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_4.x, texel_5.x) - vec2(texel_6.x, texel_7.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
 WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
-    vec3 ground_product = s.position * 2.0;  // ground: Gradient noise
-    float ground_greatest = max(length(dpdx * 2.0), length(dpdy * 2.0));
-    vec3 ground_noise_octave_slope = wrinkle_decals_noise_octave_slope(ground_product,
-            ground_greatest);
-    vec3 ground_product_2 = ground_product * 2.0;
-    vec3 ground_sum = ground_product_2 + vec3(19.19, 7.43, 31.71);
-    float ground_product_3 = ground_greatest * 2.0;
-    vec3 ground_noise_octave_slope_2 = wrinkle_decals_noise_octave_slope(ground_sum,
-            ground_product_3);
-    float ground_product_4 = ground_noise_octave_slope_2.x * 4.0 * 0.5;
-    float ground_sum_2 = ground_noise_octave_slope.x * 2.0 + ground_product_4;
-    vec3 ground_sum_3 = ground_product_2 * 2.0 + vec3(38.38, 14.86, 63.42);
-    float ground_product_5 = ground_product_3 * 2.0;
-    vec3 ground_noise_octave_slope_3 = wrinkle_decals_noise_octave_slope(ground_sum_3,
-            ground_product_5);
-    float ground_quotient = (ground_sum_2 + ground_noise_octave_slope_3.x * 8.0 * 0.25) / 1.75;
-    float ground_product_6 = ground_quotient * 0.04;
-    float ground_product_7 = ground_noise_octave_slope_2.y * 4.0 * 0.5;
-    float ground_sum_4 = ground_noise_octave_slope.y * 2.0 + ground_product_7;
-    float ground_quotient_2 = (ground_sum_4 + ground_noise_octave_slope_3.y * 8.0 * 0.25) / 1.75;
-    float ground_product_8 = ground_noise_octave_slope_2.z * 4.0 * 0.5;
-    float ground_sum_5 = ground_noise_octave_slope.z * 2.0 + ground_product_8;
-    float ground_quotient_3 = (ground_sum_5 + ground_noise_octave_slope_3.z * 8.0 * 0.25) / 1.75;
+    float ground_product = max(length(dpdx), length(dpdy)) * 2.0;  // ground: Gradient noise
+    vec3 ground_product_2 = wrinkle_decals_fbm_slope(s.position * 2.0, ground_product, 3, 2.0,
+            0.5) * 2.0;
     vec3 slide_difference = s.position - vec3(-1.2, 1.2, 2.5);  // slide: Cone decal
     float slide_sum = slide_difference.x * 0.9103665 + slide_difference.z * 0.41380295;
     float slide_dot_product = dot(slide_difference, vec3(0.15822151, 0.9240136, -0.3480873));
     float slide_negated = -dot(slide_difference, vec3(-0.38235956, 0.38235956, 0.84119105));
     float slide_product = max(slide_negated, 1e-06) * 0.23086819;
     vec2 slide_quotient = vec2(slide_sum, slide_dot_product) / slide_product;
-    float slide_clamped = clamp((length(slide_quotient) - 0.9) / 0.1, 0.0, 1.0);
-    float slide_difference_2 = 1.0 - slide_clamped * slide_clamped * (3.0 - 2.0 * slide_clamped);
-    float slide_clamped_2 = clamp((slide_negated / 4.0 - 0.9) / 0.1, 0.0, 1.0);
-    float slide_difference_3 = 1.0 - slide_clamped_2 * slide_clamped_2 * (3.0 - 2.0 *
-            slide_clamped_2);
-    float slide_product_2 = slide_difference_2 * slide_difference_3 * step(1e-06, slide_negated);
+    float slide_difference_2 = 1.0 - smoothstep(0.9, 1.0, length(slide_quotient));
+    float slide_product_2 = slide_difference_2 * (1.0 - smoothstep(0.9, 1.0, slide_negated / 4.0));
     vec3 slide_product_3 = normal * s.facing;
     bool slide_test = dot(slide_difference, slide_difference) > 0.0;
     vec3 slide_negated_2 = -(slide_test ? normalize(slide_difference) : vec3(0.0));
-    float slide_clamped_3 = clamp(dot(slide_product_3, slide_negated_2), 0.0, 1.0);
-    float slide_attenuation = slide_product_2 * (slide_clamped_3 > 0.0 ? pow(slide_clamped_3,
-            0.2) : 0.0);
+    float slide_clamped = clamp(dot(slide_product_3, slide_negated_2), 0.0, 1.0);
+    float slide_choice = slide_clamped > 0.0 ? pow(slide_clamped, 0.2) : 0.0;
+    float slide_attenuation = slide_product_2 * step(1e-06, slide_negated) * slide_choice;
     vec2 slide_uv = slide_quotient * 0.5 + 0.5;
     float slide_dot_product_2 = dot(dpdx, vec3(0.15822151, 0.9240136, -0.3480873));
     vec2 slide_vector = vec2(dpdx.x * 0.9103665 + dpdx.z * 0.41380295, slide_dot_product_2);
@@ -178,24 +153,22 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float bricks_root = sqrt(bricks_greatest);
     vec2 bricks_quotient = bricks_root / bricks_size;
     vec2 bricks_vector = vec2(slide_uv.x + bricks_quotient.x, slide_uv.y);
-    vec4 bricks_texel = texture(decals_bricks_image, slide_uv);
-    float bricks_difference = texture(decals_bricks_image, bricks_vector).x - bricks_texel.x;
+    vec4 bricks_texel = texture(decals_bricks_image, bricks_vector);
     vec2 bricks_vector_2 = vec2(slide_uv.x, slide_uv.y + bricks_quotient.y);
-    float bricks_difference_2 = texture(decals_bricks_image, bricks_vector_2).x - bricks_texel.x;
-    vec2 bricks_product_3 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
-    vec2 bricks_smooth_slope = wrinkle_decals_smooth_slope(slide_uv, 1.0 / bricks_size);
+    vec2 bricks_vector_3 = vec2(bricks_texel.x, texture(decals_bricks_image, bricks_vector_2).x);
+    vec2 bricks_difference = bricks_vector_3 - texture(decals_bricks_image, slide_uv).x;
+    vec2 bricks_product_3 = bricks_difference * (1.0 / bricks_root);
+    vec2 bricks_slope = wrinkle_decals_smooth_slope(slide_uv, 1.0 / bricks_size);
     float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_product_3, bricks_smooth_slope, bricks_clamped);
-    float bricks_product_4 = dot(bricks_mixed, slide_product_7 * bricks_size) * 0.02;
-    float bricks_dot_product_2 = dot(bricks_mixed,
+    vec2 bricks_mixed = mix(bricks_product_3, bricks_slope, bricks_clamped);
+    float bricks_dot_product_2 = dot(bricks_mixed, slide_product_7 * bricks_size);
+    float bricks_dot_product_3 = dot(bricks_mixed,
             slide_vector_3 / slide_product * 0.5 * bricks_size);
-    float bricks_product_5 = dot(bricks_mixed, slide_product_10 * bricks_size) * 0.02;
-    vec3 bricks_vector_3 = vec3(bricks_product_4, bricks_dot_product_2 * 0.02, bricks_product_5);
+    float bricks_dot_product_4 = dot(bricks_mixed, slide_product_10 * bricks_size);
+    vec3 bricks_vector_4 = vec3(bricks_dot_product_2, bricks_dot_product_3, bricks_dot_product_4);
     // with_bricks: Masked decal
-    vec3 with_bricks_vector = vec3(ground_product_6, ground_quotient_2 * 0.04,
-            ground_quotient_3 * 0.04);
-    vec3 with_bricks_product = with_bricks_vector * (1.0 - slide_attenuation);
-    vec3 with_bricks_sum = with_bricks_product + bricks_vector_3 * slide_attenuation;
+    vec3 with_bricks_product = ground_product_2 * 0.04 * (1.0 - slide_attenuation);
+    vec3 with_bricks_sum = with_bricks_product + bricks_vector_4 * 0.02 * slide_attenuation;
     vec3 stamp_difference = s.position - vec3(0.45, 0.25, 0.75);  // stamp: Box decal
     float stamp_sum = stamp_difference.x * 0.8944272 + stamp_difference.z * -0.4472136;
     float stamp_dot_product = dot(stamp_difference, vec3(-0.115900114, 0.96583426, -0.23180023));
@@ -212,18 +185,12 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float stamp_dot_product_6 = dot(dpdy, vec3(0.4319342, 0.25916052, 0.8638684));
     vec3 stamp_vector_3 = vec3(stamp_sum_3, stamp_dot_product_5, stamp_dot_product_6);
     vec3 stamp_product = abs(stamp_quotient) * 2.0;
-    float stamp_clamped = clamp((stamp_product.x - 0.9) / 0.1, 0.0, 1.0);
-    float stamp_difference_2 = 1.0 - stamp_clamped * stamp_clamped * (3.0 - 2.0 * stamp_clamped);
-    float stamp_clamped_2 = clamp((stamp_product.y - 0.9) / 0.1, 0.0, 1.0);
-    float stamp_difference_3 = 1.0 - stamp_clamped_2 * stamp_clamped_2 * (3.0 - 2.0 *
-            stamp_clamped_2);
-    float stamp_clamped_3 = clamp((stamp_product.z - 0.9) / 0.1, 0.0, 1.0);
-    float stamp_difference_4 = 1.0 - stamp_clamped_3 * stamp_clamped_3 * (3.0 - 2.0 *
-            stamp_clamped_3);
-    float stamp_product_2 = stamp_difference_2 * stamp_difference_3 * stamp_difference_4;
+    float stamp_difference_2 = 1.0 - smoothstep(0.9, 1.0, stamp_product.x);
+    float stamp_product_2 = stamp_difference_2 * (1.0 - smoothstep(0.9, 1.0, stamp_product.y));
+    float stamp_product_3 = stamp_product_2 * (1.0 - smoothstep(0.9, 1.0, stamp_product.z));
     float stamp_dot_product_7 = dot(slide_product_3, vec3(0.4319342, 0.25916052, 0.8638684));
-    float stamp_clamped_4 = clamp(stamp_dot_product_7, 0.0, 1.0);
-    float stamp_attenuation = stamp_product_2 * (stamp_clamped_4 > 0.0 ? pow(stamp_clamped_4,
+    float stamp_clamped = clamp(stamp_dot_product_7, 0.0, 1.0);
+    float stamp_attenuation = stamp_product_3 * (stamp_clamped > 0.0 ? pow(stamp_clamped,
             0.2) : 0.0);
     vec2 weave_size = vec2(textureSize(decals_weave_image, 0));  // weave: Height map
     vec2 weave_product = (stamp_vector_2 / vec3(0.6, 0.6, 1.0)).xy * weave_size;
@@ -233,36 +200,33 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
             1.0));
     vec2 weave_quotient = weave_root / weave_size;
     vec2 weave_vector = vec2(stamp_uv.x + weave_quotient.x, stamp_uv.y);
-    vec4 weave_texel = texture(decals_weave_image, stamp_uv);
-    float weave_difference = texture(decals_weave_image, weave_vector).x - weave_texel.x;
+    vec4 weave_texel = texture(decals_weave_image, weave_vector);
     vec2 weave_vector_2 = vec2(stamp_uv.x, stamp_uv.y + weave_quotient.y);
-    float weave_difference_2 = texture(decals_weave_image, weave_vector_2).x - weave_texel.x;
-    vec2 weave_product_3 = vec2(weave_difference, weave_difference_2) * (1.0 / weave_root);
-    vec2 weave_smooth_slope = wrinkle_decals_smooth_slope_2(stamp_uv, 1.0 / weave_size);
+    vec2 weave_vector_3 = vec2(weave_texel.x, texture(decals_weave_image, weave_vector_2).x);
+    vec2 weave_difference = weave_vector_3 - texture(decals_weave_image, stamp_uv).x;
+    vec2 weave_product_3 = weave_difference * (1.0 / weave_root);
+    vec2 weave_slope = wrinkle_decals_smooth_slope_2(stamp_uv, 1.0 / weave_size);
     float weave_clamped = clamp((0.5 - log2(weave_root)) / 0.45, 0.0, 1.0);
-    vec2 weave_mixed = mix(weave_product_3, weave_smooth_slope, weave_clamped);
-    float weave_product_4 = dot(weave_mixed, vec2(1.4907119, -0.19316685) * weave_size) * 0.03;
-    float weave_product_5 = weave_mixed.y * (1.6097238 * weave_size.y) * 0.03;
-    float weave_product_6 = dot(weave_mixed, vec2(-0.74535596, -0.3863337) * weave_size) * 0.03;
+    vec2 weave_mixed = mix(weave_product_3, weave_slope, weave_clamped);
+    float weave_dot_product_2 = dot(weave_mixed, vec2(1.4907119, -0.19316685) * weave_size);
+    float weave_product_4 = weave_mixed.y * (1.6097238 * weave_size.y);
+    float weave_dot_product_3 = dot(weave_mixed, vec2(-0.74535596, -0.3863337) * weave_size);
+    vec3 weave_product_5 = vec3(weave_dot_product_2, weave_product_4, weave_dot_product_3) * 0.03;
     // with_weave: Add decal
-    vec3 with_weave_product = vec3(weave_product_4, weave_product_5,
-            weave_product_6) * stamp_attenuation;
-    vec3 with_weave_sum = with_bricks_sum + with_weave_product;
+    vec3 with_weave_sum = with_bricks_sum + weave_product_5 * stamp_attenuation;
     vec3 hit_difference = s.position - vec3(0.1, -0.55, 0.9);  // hit: Sphere decal
     float hit_extent = length(hit_difference);
-    float hit_clamped = clamp((hit_extent / 0.5 - 0.7) / 0.3, 0.0, 1.0);
-    float hit_difference_2 = 1.0 - hit_clamped * hit_clamped * (3.0 - 2.0 * hit_clamped);
     bool hit_test = dot(hit_difference, hit_difference) > 0.0;
     vec3 hit_unit = normalize(hit_difference);
     vec3 hit_direction = hit_test ? hit_unit : vec3(0.0);
-    float hit_clamped_2 = clamp(dot(slide_product_3, hit_direction), 0.0, 1.0);
-    float hit_attenuation = hit_difference_2 * (hit_clamped_2 > 0.0 ? pow(hit_clamped_2,
-            0.0) : 1.0);
+    float hit_clamped = clamp(dot(slide_product_3, hit_direction), 0.0, 1.0);
+    float hit_choice = hit_clamped > 0.0 ? pow(hit_clamped, 0.0) : 1.0;
+    float hit_attenuation = (1.0 - smoothstep(0.7, 1.0, hit_extent / 0.5)) * hit_choice;
     bool hit_test_2 = hit_extent > 0.0;
     vec3 hit_quotient = (dpdx - hit_unit * dot(hit_unit, dpdx)) / hit_extent;
-    vec3 hit_choice = hit_test ? (hit_test_2 ? hit_quotient : vec3(0.0)) : vec3(0.0);
+    vec3 hit_choice_2 = hit_test ? (hit_test_2 ? hit_quotient : vec3(0.0)) : vec3(0.0);
     vec3 hit_quotient_2 = (dpdy - hit_unit * dot(hit_unit, dpdy)) / hit_extent;
-    vec3 hit_choice_2 = hit_test ? (hit_test_2 ? hit_quotient_2 : vec3(0.0)) : vec3(0.0);
+    vec3 hit_choice_3 = hit_test ? (hit_test_2 ? hit_quotient_2 : vec3(0.0)) : vec3(0.0);
     bool ball_test = dot(hit_direction, hit_direction) > 0.0;  // ball: Cube normal map
     vec3 ball_choice = ball_test ? normalize(hit_direction) : vec3(0.0);
     vec3 ball_magnitude = abs(hit_direction);
@@ -283,23 +247,23 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec2 ball_choice_4 = ball_test_3 ? ball_vector : ball_test_4 ? ball_vector_2 : ball_vector_3;
     vec2 ball_quotient = ball_choice_4 / ball_choice_3;
     vec2 ball_sum = (ball_test_5 ? ball_quotient : vec2(0.0)) * 0.5 + 0.5;
-    vec2 ball_vector_4 = vec2(hit_choice.z * ball_negated, hit_choice.y);
-    vec2 ball_vector_5 = vec2(hit_choice.x, hit_choice.z * ball_negated_2);
-    vec2 ball_vector_6 = vec2(hit_choice.x * ball_sign_3, hit_choice.y);
+    vec2 ball_vector_4 = vec2(hit_choice_2.z * ball_negated, hit_choice_2.y);
+    vec2 ball_vector_5 = vec2(hit_choice_2.x, hit_choice_2.z * ball_negated_2);
+    vec2 ball_vector_6 = vec2(hit_choice_2.x * ball_sign_3, hit_choice_2.y);
     vec2 ball_choice_5 = ball_test_3 ? ball_vector_4 : ball_test_4 ? ball_vector_5 : ball_vector_6;
     vec3 ball_sign_4 = sign(hit_direction);
-    vec3 ball_product = hit_choice * ball_sign_4;
+    vec3 ball_product = hit_choice_2 * ball_sign_4;
     float ball_choice_6 = ball_test_4 ? ball_product.y : ball_product.z;
     vec2 ball_product_2 = (ball_test_3 ? ball_product.x : ball_choice_6) * ball_quotient;
     vec2 ball_quotient_2 = (ball_choice_5 - ball_product_2) / ball_choice_3;
     vec2 ball_product_3 = (ball_test_5 ? ball_quotient_2 : vec2(0.0)) * 0.5;
     vec2 ball_quotient_3 = vec2(textureSize(decals_ball_image, 0)) / vec2(6.0, 1.0);
     float ball_extent = length(ball_product_3 * ball_quotient_3);
-    vec2 ball_vector_7 = vec2(hit_choice_2.z * ball_negated, hit_choice_2.y);
-    vec2 ball_vector_8 = vec2(hit_choice_2.x, hit_choice_2.z * ball_negated_2);
-    vec2 ball_vector_9 = vec2(hit_choice_2.x * ball_sign_3, hit_choice_2.y);
+    vec2 ball_vector_7 = vec2(hit_choice_3.z * ball_negated, hit_choice_3.y);
+    vec2 ball_vector_8 = vec2(hit_choice_3.x, hit_choice_3.z * ball_negated_2);
+    vec2 ball_vector_9 = vec2(hit_choice_3.x * ball_sign_3, hit_choice_3.y);
     vec2 ball_choice_7 = ball_test_3 ? ball_vector_7 : ball_test_4 ? ball_vector_8 : ball_vector_9;
-    vec3 ball_product_4 = hit_choice_2 * ball_sign_4;
+    vec3 ball_product_4 = hit_choice_3 * ball_sign_4;
     float ball_choice_8 = ball_test_4 ? ball_product_4.y : ball_product_4.z;
     vec2 ball_product_5 = (ball_test_3 ? ball_product_4.x : ball_choice_8) * ball_quotient;
     vec2 ball_quotient_4 = (ball_choice_7 - ball_product_5) / ball_choice_3;
@@ -320,8 +284,9 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float ball_dot_product = dot(ball_choice, ball_texel_2);
     float ball_greatest_2 = max(abs(ball_dot_product), max(length(ball_texel_2) / 128.0, 1e-06));
     vec3 ball_volume = (ball_choice * ball_dot_product - ball_texel_2) / ball_greatest_2;
-    vec3 with_dent_gradient = with_weave_sum * (1.0 - hit_attenuation);  // with_dent: Masked decal
-    vec3 with_dent_gradient_2 = with_dent_gradient + -ball_volume * hit_attenuation;
+    // with_dent: Masked decal
+    vec3 with_dent_gradient = with_weave_sum * (1.0 - hit_attenuation) - ball_volume *
+            hit_attenuation;
     vec3 scratch_difference = s.position - vec3(-0.85, -0.35, 0.5);  // scratch: Capsule decal
     float scratch_sum = scratch_difference.x * 0.6 + scratch_difference.z * 0.45;
     float scratch_quotient = scratch_sum / 0.5625;
@@ -330,49 +295,26 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float scratch_difference_3 = scratch_difference.z - 0.45 * scratch_clamped;
     vec3 scratch_vector = vec3(scratch_difference_2, scratch_difference.y, scratch_difference_3);
     float scratch_extent = length(scratch_vector);
-    float scratch_quotient_2 = (scratch_extent / 0.15 - 0.7) / 0.3;
-    bool scratch_test = 1.0 < max(scratch_quotient_2, 0.0);
-    bool scratch_test_2 = scratch_quotient_2 < 0.0;
-    bool scratch_test_3 = scratch_extent > 0.0;
-    bool scratch_test_4 = 1.0 < max(scratch_quotient, 0.0);
-    bool scratch_test_5 = scratch_quotient < 0.0;
-    float scratch_choice = scratch_test_4 ? 0.0 : scratch_test_5 ? 0.0 : 1.0666667;
+    bool scratch_test = 1.0 < max(scratch_quotient, 0.0);
+    bool scratch_test_2 = scratch_quotient < 0.0;
+    float scratch_choice = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : 1.0666667;
     float scratch_product = scratch_difference_2 * (1.0 - scratch_choice * 0.6);
     float scratch_sum_2 = scratch_product + scratch_difference_3 * -(scratch_choice * 0.45);
-    float scratch_choice_2 = scratch_test_3 ? scratch_sum_2 / scratch_extent : 0.0;
-    float scratch_choice_3 = scratch_test_2 ? 0.0 : scratch_choice_2 / 0.15 / 0.3;
-    float scratch_choice_4 = scratch_test ? 0.0 : scratch_choice_3;
-    float scratch_clamped_2 = clamp(scratch_quotient_2, 0.0, 1.0);
-    float scratch_product_2 = scratch_choice_4 * scratch_clamped_2;
-    float scratch_difference_4 = 3.0 - 2.0 * scratch_clamped_2;
-    float scratch_product_3 = (scratch_product_2 + scratch_product_2) * scratch_difference_4;
-    float scratch_product_4 = scratch_clamped_2 * scratch_clamped_2;
-    float scratch_negated = -(scratch_product_3 + -(scratch_choice_4 * 2.0) * scratch_product_4);
-    bool scratch_test_6 = dot(scratch_vector, scratch_vector) > 0.0;
-    vec3 scratch_direction = scratch_test_6 ? normalize(scratch_vector) : vec3(0.0);
+    float scratch_choice_2 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : 0.8;
+    float scratch_product_2 = scratch_difference_3 * (1.0 - scratch_choice_2 * 0.45);
+    float scratch_sum_3 = scratch_difference_2 * -(scratch_choice_2 * 0.6) + scratch_product_2;
+    vec3 scratch_quotient_2 = vec3(scratch_sum_2, scratch_difference.y,
+            scratch_sum_3) / scratch_extent;
+    vec3 scratch_quotient_3 = (scratch_extent > 0.0 ? scratch_quotient_2 : vec3(0.0)) / 0.15;
+    float scratch_clamped_2 = clamp((scratch_extent / 0.15 - 0.7) / 0.3, 0.0, 1.0);
+    vec3 scratch_product_3 = scratch_quotient_3 * (scratch_clamped_2 * (1.0 - scratch_clamped_2) *
+            6.0);
+    bool scratch_test_3 = dot(scratch_vector, scratch_vector) > 0.0;
+    vec3 scratch_direction = scratch_test_3 ? normalize(scratch_vector) : vec3(0.0);
     float scratch_clamped_3 = clamp(dot(slide_product_3, scratch_direction), 0.0, 1.0);
-    float scratch_choice_5 = scratch_clamped_3 > 0.0 ? pow(scratch_clamped_3, 0.0) : 1.0;
-    float scratch_quotient_3 = (scratch_test_3 ? scratch_difference.y / scratch_extent : 0.0) /
-            0.15;
-    float scratch_choice_6 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : scratch_quotient_3 / 0.3;
-    float scratch_product_5 = scratch_choice_6 * scratch_clamped_2;
-    float scratch_product_6 = (scratch_product_5 + scratch_product_5) * scratch_difference_4;
-    float scratch_negated_2 = -(scratch_product_6 + -(scratch_choice_6 * 2.0) * scratch_product_4);
-    float scratch_choice_7 = scratch_test_4 ? 0.0 : scratch_test_5 ? 0.0 : 0.8;
-    float scratch_product_7 = scratch_difference_3 * (1.0 - scratch_choice_7 * 0.45);
-    float scratch_sum_3 = scratch_difference_2 * -(scratch_choice_7 * 0.6) + scratch_product_7;
-    float scratch_choice_8 = scratch_test_3 ? scratch_sum_3 / scratch_extent : 0.0;
-    float scratch_choice_9 = scratch_test_2 ? 0.0 : scratch_choice_8 / 0.15 / 0.3;
-    float scratch_choice_10 = scratch_test ? 0.0 : scratch_choice_9;
-    float scratch_product_8 = scratch_choice_10 * scratch_clamped_2;
-    float scratch_product_9 = (scratch_product_8 + scratch_product_8) * scratch_difference_4;
-    float scratch_negated_3 = -(scratch_product_9 + -(scratch_choice_10 * 2.0) * scratch_product_4);
-    float groove_product = scratch_negated * scratch_choice_5 * -0.06;  // groove: Scale height
-    float groove_product_2 = scratch_negated_2 * scratch_choice_5 * -0.06;
-    float groove_product_3 = scratch_negated_3 * scratch_choice_5 * -0.06;
+    float scratch_choice_3 = scratch_clamped_3 > 0.0 ? pow(scratch_clamped_3, 0.0) : 1.0;
     // g: Add bumps
-    vec3 g_gradient = with_dent_gradient_2 + vec3(groove_product, groove_product_2,
-            groove_product_3);
+    vec3 g_gradient = with_dent_gradient + -(scratch_product_3 / 0.3) * scratch_choice_3 * -0.06;
     WrinkleMaterial_decals m;
     // normal: Resolve
     m.normal = normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);

@@ -14,87 +14,86 @@ uniform sampler2D everything_carving_image;  // textures/ball_object.png (normal
 uniform sampler2D everything_cloth_image;    // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D everything_bricks_image;   // textures/bricks_height.png (linear, repeat)
 
-vec3 wrinkle_everything_noise_direction(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_everything_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
-    float number = float(2237013u >> product_4 & 3u);
-    float number_2 = float(5573130u >> product_4 & 3u);
-    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
+    return product >> 22u ^ product;
 }
 
-vec3 wrinkle_everything_gradient_noise_slope(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 noise_direction = wrinkle_everything_noise_direction(whole, whole_2, whole_3);
-    int sum = whole + 1;
-    vec3 noise_direction_2 = wrinkle_everything_noise_direction(sum, whole_2, whole_3);
-    vec3 difference = a - floored;
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_3 = wrinkle_everything_noise_direction(whole, sum_3, whole_3);
-    vec3 noise_direction_4 = wrinkle_everything_noise_direction(sum, sum_3, whole_3);
-    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
-    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_5 = wrinkle_everything_noise_direction(whole, whole_2, sum_4);
-    vec3 noise_direction_6 = wrinkle_everything_noise_direction(sum, whole_2, sum_4);
-    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
-    vec3 noise_direction_7 = wrinkle_everything_noise_direction(whole, sum_3, sum_4);
-    vec3 noise_direction_8 = wrinkle_everything_noise_direction(sum, sum_3, sum_4);
-    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+vec3 wrinkle_everything_noise_direction(vec3 corner) {
+    uint sum = uint(int(corner.y)) + wrinkle_everything_hash(uint(int(corner.z)));
+    uint sum_2 = uint(int(corner.x)) + wrinkle_everything_hash(sum);
+    uint hash = wrinkle_everything_hash(sum_2);
+    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
+    float number = float(2237013u >> product & 3u);
+    float number_2 = float(5573130u >> product & 3u);
+    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+}
+
+vec4 wrinkle_everything_gradient_corner(vec3 cell, vec3 from, vec3 corner) {
+    vec3 direction = wrinkle_everything_noise_direction(cell + corner);
+    return vec4(direction, dot(direction, from - corner));
+}
+
+vec4 wrinkle_everything_gradient_noise(vec3 p) {
+    vec3 floored = floor(p);
+    vec3 difference = p - floored;
+    vec4 corner = wrinkle_everything_gradient_corner(floored, difference, vec3(0.0));
+    vec4 corner_2 = wrinkle_everything_gradient_corner(floored, difference, vec3(1.0, 0.0, 0.0));
+    vec3 sum = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum;
+    vec4 mixed = mix(corner, corner_2, product.x);
+    vec4 corner_3 = wrinkle_everything_gradient_corner(floored, difference, vec3(0.0, 1.0, 0.0));
+    vec4 corner_4 = wrinkle_everything_gradient_corner(floored, difference, vec3(1.0, 1.0, 0.0));
+    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
+    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
+    vec4 corner_5 = wrinkle_everything_gradient_corner(floored, difference, vec3(0.0, 0.0, 1.0));
+    vec4 corner_6 = wrinkle_everything_gradient_corner(floored, difference, vec3(1.0, 0.0, 1.0));
+    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
+    vec4 corner_7 = wrinkle_everything_gradient_corner(floored, difference, vec3(0.0, 1.0, 1.0));
+    vec4 corner_8 = wrinkle_everything_gradient_corner(floored, difference, vec3(1.0));
+    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
+    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
+    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float difference_3 = difference.x - 1.0;
-    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
-    float dot_product_2 = dot(noise_direction, difference);
-    float difference_4 = difference.y - 1.0;
-    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
-    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
-    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float difference_5 = difference.z - 1.0;
-    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
-    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
-    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
-    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
-    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
-    float mixed_9 = mix(dot_product_2, dot_product, product.x);
-    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
-    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
-    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
-    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
+    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
+    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
+    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
+    vec3 vector = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
+    vec3 sum_2 = mixed_7.xyz + product_2 * vector;
+    return vec4(sum_2, mixed_7.w);
 }
 
-vec3 wrinkle_everything_noise_octave_slope(vec3 a, float b) {
-    vec3 gradient_noise_slope = wrinkle_everything_gradient_noise_slope(a);
-    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
+vec3 wrinkle_everything_fbm_slope(vec3 point, float width, int octaves, float lacunarity,
+        float gain) {
+    float frequency = 1.0;
+    float weight = 1.0;
+    float total = 0.0;
+    vec3 sum_slope = vec3(0.0);
+    for (int i = 0; i < min(octaves, 8); ++i) {
+        vec3 sum = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 product = wrinkle_everything_gradient_noise(sum).xyz * frequency;
+        total += weight;
+        sum_slope += product * (1.0 - smoothstep(0.25, 0.75, width * frequency)) * weight;
+        frequency *= lacunarity;
+        weight *= gain;
+    }
+    return sum_slope / total;
 }
 
-vec2 wrinkle_everything_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(everything_bricks_image, a + b, 0.0);
-    float difference = texel.x - textureLod(everything_bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(everything_bricks_image, a + vec2(b.x, -b.y), 0.0);
-    vec4 texel_3 = textureLod(everything_bricks_image, a + vec2(-b.x, b.y), 0.0);
-    float difference_2 = texel_2.x - texel_3.x;
-    vec4 texel_4 = textureLod(everything_bricks_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_5 = textureLod(everything_bricks_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
-    vec4 texel_6 = textureLod(everything_bricks_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_7 = textureLod(everything_bricks_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
-    return vec2(sum, sum_2) * 0.125;
+vec2 wrinkle_everything_smooth_slope(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(everything_bricks_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(everything_bricks_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(everything_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 texel_4 = textureLod(everything_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
+    float difference_2 = texel_3.x - texel_4.x;
+    vec4 texel_5 = textureLod(everything_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_6 = textureLod(everything_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_7 = textureLod(everything_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_8 = textureLod(everything_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
 WrinkleMaterial_everything wrinkle_everything(WrinkleSurface_everything s) {
@@ -119,22 +118,11 @@ WrinkleMaterial_everything wrinkle_everything(WrinkleSurface_everything s) {
     vec3 cloth_texel = texture(everything_cloth_image, cloth_uv_uv).xyz - 0.5;
     float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
     float cloth_depth = max(max(abs(cloth_texel.z), cloth_least_depth), 5e-07);
-    float cloth_sum = cloth_texel.x * 0.9396926 + cloth_texel.y * 0.34202015;
-    float cloth_sum_2 = cloth_texel.x * -0.34202015 + cloth_texel.y * 0.9396926;
-    vec3 grain_product = s.position * 30.0;  // grain: Gradient noise
-    float grain_greatest = max(length(dpdx * 30.0), length(dpdy * 30.0));
-    vec3 grain_noise_octave_slope = wrinkle_everything_noise_octave_slope(grain_product,
-            grain_greatest);
-    vec3 grain_sum = grain_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float grain_product_2 = grain_greatest * 2.0;
-    vec3 grain_noise_octave_slope_2 = wrinkle_everything_noise_octave_slope(grain_sum,
-            grain_product_2);
-    float grain_product_3 = grain_noise_octave_slope_2.x * 60.0 * 0.5;
-    float grain_product_4 = (grain_noise_octave_slope.x * 30.0 + grain_product_3) / 1.5 * 0.002;
-    float grain_product_5 = grain_noise_octave_slope_2.y * 60.0 * 0.5;
-    float grain_product_6 = (grain_noise_octave_slope.y * 30.0 + grain_product_5) / 1.5 * 0.002;
-    float grain_product_7 = grain_noise_octave_slope_2.z * 60.0 * 0.5;
-    float grain_product_8 = (grain_noise_octave_slope.z * 30.0 + grain_product_7) / 1.5 * 0.002;
+    vec2 cloth_texel_2 = cloth_texel.x * vec2(0.9396926, -0.34202015);
+    float grain_product = max(length(dpdx), length(dpdy)) * 30.0;  // grain: Gradient noise
+    vec3 grain_slope = wrinkle_everything_fbm_slope(s.position * 30.0, grain_product, 2, 2.0, 0.5);
+    // softer: Scale bump
+    vec2 softer_slope = (cloth_texel_2 + cloth_texel.y * vec2(0.34202015, 0.9396926)) * 0.3;
     vec2 tile_uv = s.uv0 * vec2(8.0, 4.0);  // tile: UV transform
     vec2 bricks_size = vec2(textureSize(everything_bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = dFdx(s.uv0) * vec2(8.0, 4.0) * bricks_size;
@@ -145,29 +133,28 @@ WrinkleMaterial_everything wrinkle_everything(WrinkleSurface_everything s) {
     float bricks_root = sqrt(bricks_greatest);
     vec2 bricks_quotient = bricks_root / bricks_size;
     vec2 bricks_vector = vec2(tile_uv.x + bricks_quotient.x, tile_uv.y);
-    vec4 bricks_texel = texture(everything_bricks_image, tile_uv);
-    float bricks_difference = texture(everything_bricks_image, bricks_vector).x - bricks_texel.x;
+    vec4 bricks_texel = texture(everything_bricks_image, bricks_vector);
     vec2 bricks_vector_2 = vec2(tile_uv.x, tile_uv.y + bricks_quotient.y);
-    float bricks_difference_2 = texture(everything_bricks_image,
-            bricks_vector_2).x - bricks_texel.x;
-    vec2 bricks_product_3 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
-    vec2 bricks_smooth_slope = wrinkle_everything_smooth_slope(tile_uv, 1.0 / bricks_size);
+    vec4 bricks_texel_2 = texture(everything_bricks_image, bricks_vector_2);
+    vec4 bricks_texel_3 = texture(everything_bricks_image, tile_uv);
+    vec2 bricks_difference = vec2(bricks_texel.x, bricks_texel_2.x) - bricks_texel_3.x;
+    vec2 bricks_product_3 = bricks_difference * (1.0 / bricks_root);
+    vec2 bricks_slope = wrinkle_everything_smooth_slope(tile_uv, 1.0 / bricks_size);
     float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_product_3, bricks_smooth_slope, bricks_clamped);
-    float bricks_product_4 = dot(bricks_mixed, bricks_product) * 0.015;
-    vec2 bricks_vector_3 = vec2(bricks_product_4, dot(bricks_mixed, bricks_product_2) * 0.015);
+    vec2 bricks_mixed = mix(bricks_product_3, bricks_slope, bricks_clamped);
+    float bricks_dot_product_2 = dot(bricks_mixed, bricks_product);
+    vec2 bricks_product_4 = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_product_2)) * 0.015;
     float normal_product = carving_greatest * cloth_depth;  // normal: Resolve
     float normal_negated = -normal_product;
-    vec3 normal_product_2 = vec3(grain_product_4, grain_product_6,
-            grain_product_8) * normal_negated;
+    vec3 normal_product_2 = grain_slope * 30.0 * 0.002 * normal_negated;
     float normal_difference = -carving_dot_product * cloth_depth - dot(normal, normal_product_2);
-    vec2 normal_slope = vec2(cloth_sum, cloth_sum_2) * 0.3 * carving_greatest;
+    vec2 normal_slope = softer_slope * carving_greatest;
     float normal_sign = duv1_dx.x * duv1_dy.y - duv1_dy.x * duv1_dx.y < 0.0 ? -1.0 : 1.0;
     float normal_slope_u = normal_slope.x * (uv1_scale * normal_sign);
     vec3 normal_along_u = cross(uv1_bitangent, normal) * normal_slope_u;
     float normal_slope_v = normal_slope.y * (uv1_scale * (screen_area < 0.0 ? -1.0 : 1.0));
     vec3 normal_sum = normal_along_u + uv1_bitangent * normal_slope_v;
-    vec2 normal_product_3 = bricks_vector_3 * normal_negated * inverse_area;
+    vec2 normal_product_3 = bricks_product_4 * normal_negated * inverse_area;
     vec3 normal_cross_product = cross(normal,
             dpdx * normal_product_3.y - dpdy * normal_product_3.x);
     vec3 normal_sum_2 = carving_texel * cloth_depth + normal_sum + normal_cross_product;

@@ -12,19 +12,18 @@ struct WrinkleMaterial_facing_bricks {
 };
 uniform sampler2D facing_bricks_bricks_image;  // textures/bricks_height.png (linear, repeat)
 
-vec2 wrinkle_facing_bricks_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(facing_bricks_bricks_image, a + b, 0.0);
-    float difference = texel.x - textureLod(facing_bricks_bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(facing_bricks_bricks_image, a + vec2(b.x, -b.y), 0.0);
-    vec4 texel_3 = textureLod(facing_bricks_bricks_image, a + vec2(-b.x, b.y), 0.0);
-    float difference_2 = texel_2.x - texel_3.x;
-    vec4 texel_4 = textureLod(facing_bricks_bricks_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_5 = textureLod(facing_bricks_bricks_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
-    vec4 texel_6 = textureLod(facing_bricks_bricks_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_7 = textureLod(facing_bricks_bricks_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
-    return vec2(sum, sum_2) * 0.125;
+vec2 wrinkle_facing_bricks_smooth_slope(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(facing_bricks_bricks_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(facing_bricks_bricks_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(facing_bricks_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 texel_4 = textureLod(facing_bricks_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
+    float difference_2 = texel_3.x - texel_4.x;
+    vec4 texel_5 = textureLod(facing_bricks_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_6 = textureLod(facing_bricks_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_7 = textureLod(facing_bricks_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_8 = textureLod(facing_bricks_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
 WrinkleMaterial_facing_bricks wrinkle_facing_bricks(WrinkleSurface_facing_bricks s) {
@@ -42,15 +41,15 @@ WrinkleMaterial_facing_bricks wrinkle_facing_bricks(WrinkleSurface_facing_bricks
     float bricks_root = sqrt(bricks_greatest);
     vec2 bricks_quotient = bricks_root / bricks_size;
     vec2 bricks_vector = vec2(tile_uv.x + bricks_quotient.x, tile_uv.y);
-    vec4 bricks_texel = texture(facing_bricks_bricks_image, tile_uv);
-    float bricks_difference = texture(facing_bricks_bricks_image, bricks_vector).x - bricks_texel.x;
+    vec4 bricks_texel = texture(facing_bricks_bricks_image, bricks_vector);
     vec2 bricks_vector_2 = vec2(tile_uv.x, tile_uv.y + bricks_quotient.y);
-    float bricks_difference_2 = texture(facing_bricks_bricks_image,
-            bricks_vector_2).x - bricks_texel.x;
-    vec2 bricks_product_3 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
-    vec2 bricks_smooth_slope = wrinkle_facing_bricks_smooth_slope(tile_uv, 1.0 / bricks_size);
+    vec4 bricks_texel_2 = texture(facing_bricks_bricks_image, bricks_vector_2);
+    vec4 bricks_texel_3 = texture(facing_bricks_bricks_image, tile_uv);
+    vec2 bricks_difference = vec2(bricks_texel.x, bricks_texel_2.x) - bricks_texel_3.x;
+    vec2 bricks_product_3 = bricks_difference * (1.0 / bricks_root);
+    vec2 bricks_slope = wrinkle_facing_bricks_smooth_slope(tile_uv, 1.0 / bricks_size);
     float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_product_3, bricks_smooth_slope, bricks_clamped);
+    vec2 bricks_mixed = mix(bricks_product_3, bricks_slope, bricks_clamped);
     float bricks_dot_product_2 = dot(bricks_mixed, bricks_product);
     // bumped: Resolve
     vec2 bumped_vector = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_product_2));

@@ -22,9 +22,7 @@ WrinkleMaterial_far_away wrinkle_far_away(WrinkleSurface_far_away s) {
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
     vec2 weave_slope = weave_texel.xy / weave_depth;
-    float weave_sum = weave_slope.x * weave_slope.x + 1.0;
-    float weave_sum_2 = weave_slope.y * weave_slope.y + 1.0;
-    vec3 weave_vector = vec3(weave_sum, weave_sum_2, weave_slope.x * weave_slope.y);
+    vec3 weave_vector = vec3(weave_slope * weave_slope + 1.0, weave_slope.x * weave_slope.y);
     vec2 weave_size = vec2(textureSize(far_away_weave_image, 0));
     vec2 weave_product = weave_size * tile_product;
     float weave_dot_product = dot(weave_product, weave_product);
@@ -36,11 +34,10 @@ WrinkleMaterial_far_away wrinkle_far_away(WrinkleSurface_far_away s) {
     // pebbles: Slope moments map
     vec2 pebbles_texel = (texture(far_away_pebbles_slopes, tile_uv).xy - 0.5) * 2.0;
     vec4 pebbles_texel_2 = texture(far_away_pebbles_moments, tile_uv);
-    vec2 pebbles_texel_3 = (pebbles_texel_2.xy - 0.5) * 2.0;
-    float pebbles_greatest = max(pebbles_texel_3.x - pebbles_texel.x * pebbles_texel.x, 0.0);
-    float pebbles_greatest_2 = max(pebbles_texel_3.y - pebbles_texel.y * pebbles_texel.y, 0.0);
-    float pebbles_difference = (pebbles_texel_2.z - 0.5) * 2.0 - pebbles_texel.x * pebbles_texel.y;
-    vec3 pebbles_vector = vec3(pebbles_greatest, pebbles_greatest_2, pebbles_difference);
+    vec2 pebbles_difference = (pebbles_texel_2.xy - 0.5) * 2.0 - pebbles_texel * pebbles_texel;
+    float pebbles_difference_2 = (pebbles_texel_2.z - 0.5) * 2.0 - pebbles_texel.x *
+            pebbles_texel.y;
+    vec3 pebbles_vector = vec3(max(pebbles_difference, 0.0), pebbles_difference_2);
     vec2 pebbles_size = vec2(textureSize(far_away_pebbles_slopes, 0));
     float pebbles_extent = length(tile_product * pebbles_size);
     float pebbles_logarithm = log2(max(max(pebbles_extent, length(tile_product_2 * pebbles_size)),

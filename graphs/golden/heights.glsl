@@ -11,112 +11,76 @@ struct WrinkleMaterial_heights {
     float height;  // outwards, in length units
 };
 
-vec3 wrinkle_heights_noise_direction(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_heights_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
-    float number = float(2237013u >> product_4 & 3u);
-    float number_2 = float(5573130u >> product_4 & 3u);
-    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
+    return product >> 22u ^ product;
 }
 
-float wrinkle_heights_gradient_noise(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 difference = a - floored;
-    float dot_product = dot(wrinkle_heights_noise_direction(whole, whole_2, whole_3), difference);
-    int sum = whole + 1;
-    float difference_2 = difference.x - 1.0;
-    vec3 vector = vec3(difference_2, difference.y, difference.z);
-    float dot_product_2 = dot(wrinkle_heights_noise_direction(sum, whole_2, whole_3), vector);
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    float mixed = mix(dot_product, dot_product_2, product.x);
-    int sum_3 = whole_2 + 1;
-    float difference_3 = difference.y - 1.0;
-    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
-    float dot_product_3 = dot(wrinkle_heights_noise_direction(whole, sum_3, whole_3), vector_2);
-    vec3 noise_direction = wrinkle_heights_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction, vec3(difference_2, difference_3, difference.z));
-    float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
-    int sum_4 = whole_3 + 1;
-    float difference_4 = difference.z - 1.0;
-    vec3 vector_3 = vec3(difference.x, difference.y, difference_4);
-    float dot_product_5 = dot(wrinkle_heights_noise_direction(whole, whole_2, sum_4), vector_3);
-    vec3 noise_direction_2 = wrinkle_heights_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_2, vec3(difference_2, difference.y, difference_4));
-    float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_3 = wrinkle_heights_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_3, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_4 = wrinkle_heights_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_4, difference - 1.0);
-    float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
-    return mix(mixed_2, mixed_4, product.z);
+vec3 wrinkle_heights_noise_direction(vec3 corner) {
+    uint sum = uint(int(corner.y)) + wrinkle_heights_hash(uint(int(corner.z)));
+    uint sum_2 = uint(int(corner.x)) + wrinkle_heights_hash(sum);
+    uint hash = wrinkle_heights_hash(sum_2);
+    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
+    float number = float(2237013u >> product & 3u);
+    float number_2 = float(5573130u >> product & 3u);
+    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
 }
 
-float wrinkle_heights_noise_octave(vec3 a, float b) {
-    return wrinkle_heights_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
+vec4 wrinkle_heights_gradient_corner(vec3 cell, vec3 from, vec3 corner) {
+    vec3 direction = wrinkle_heights_noise_direction(cell + corner);
+    return vec4(direction, dot(direction, from - corner));
 }
 
-vec3 wrinkle_heights_gradient_noise_slope(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 noise_direction = wrinkle_heights_noise_direction(whole, whole_2, whole_3);
-    int sum = whole + 1;
-    vec3 noise_direction_2 = wrinkle_heights_noise_direction(sum, whole_2, whole_3);
-    vec3 difference = a - floored;
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_3 = wrinkle_heights_noise_direction(whole, sum_3, whole_3);
-    vec3 noise_direction_4 = wrinkle_heights_noise_direction(sum, sum_3, whole_3);
-    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
-    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_5 = wrinkle_heights_noise_direction(whole, whole_2, sum_4);
-    vec3 noise_direction_6 = wrinkle_heights_noise_direction(sum, whole_2, sum_4);
-    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
-    vec3 noise_direction_7 = wrinkle_heights_noise_direction(whole, sum_3, sum_4);
-    vec3 noise_direction_8 = wrinkle_heights_noise_direction(sum, sum_3, sum_4);
-    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+vec4 wrinkle_heights_gradient_noise(vec3 p) {
+    vec3 floored = floor(p);
+    vec3 difference = p - floored;
+    vec4 corner = wrinkle_heights_gradient_corner(floored, difference, vec3(0.0));
+    vec4 corner_2 = wrinkle_heights_gradient_corner(floored, difference, vec3(1.0, 0.0, 0.0));
+    vec3 sum = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum;
+    vec4 mixed = mix(corner, corner_2, product.x);
+    vec4 corner_3 = wrinkle_heights_gradient_corner(floored, difference, vec3(0.0, 1.0, 0.0));
+    vec4 corner_4 = wrinkle_heights_gradient_corner(floored, difference, vec3(1.0, 1.0, 0.0));
+    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
+    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
+    vec4 corner_5 = wrinkle_heights_gradient_corner(floored, difference, vec3(0.0, 0.0, 1.0));
+    vec4 corner_6 = wrinkle_heights_gradient_corner(floored, difference, vec3(1.0, 0.0, 1.0));
+    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
+    vec4 corner_7 = wrinkle_heights_gradient_corner(floored, difference, vec3(0.0, 1.0, 1.0));
+    vec4 corner_8 = wrinkle_heights_gradient_corner(floored, difference, vec3(1.0));
+    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
+    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
+    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float difference_3 = difference.x - 1.0;
-    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
-    float dot_product_2 = dot(noise_direction, difference);
-    float difference_4 = difference.y - 1.0;
-    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
-    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
-    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float difference_5 = difference.z - 1.0;
-    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
-    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
-    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
-    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
-    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
-    float mixed_9 = mix(dot_product_2, dot_product, product.x);
-    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
-    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
-    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
-    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
+    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
+    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
+    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
+    vec3 vector = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
+    vec3 sum_2 = mixed_7.xyz + product_2 * vector;
+    return vec4(sum_2, mixed_7.w);
 }
 
-vec3 wrinkle_heights_noise_octave_slope(vec3 a, float b) {
-    vec3 gradient_noise_slope = wrinkle_heights_gradient_noise_slope(a);
-    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
+vec4 wrinkle_heights_fbm_with_slope(vec3 point, float width, int octaves, float lacunarity,
+        float gain) {
+    float frequency = 1.0;
+    float weight = 1.0;
+    float total = 0.0;
+    float sum = 0.0;
+    vec3 sum_slope = vec3(0.0);
+    for (int i = 0; i < min(octaves, 8); ++i) {
+        vec4 noise = wrinkle_heights_gradient_noise(point * frequency + vec3(19.19, 7.43,
+                31.71) * float(i));
+        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        total += weight;
+        sum += noise.w * difference * weight;
+        sum_slope += noise.xyz * frequency * difference * weight;
+        frequency *= lacunarity;
+        weight *= gain;
+    }
+    vec4 vector = vec4(sum_slope, sum);
+    return vector / total;
 }
 
 WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
@@ -124,6 +88,13 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
+    float sand_product = max(length(dpdx), length(dpdy)) * 12.0;  // sand: Gradient noise
+    vec4 sand_slope = wrinkle_heights_fbm_with_slope(s.position * 12.0, sand_product, 4, 2.0, 0.5);
+    float sand_height = sand_slope.w * 0.02;
+    float sand_dot_product = dot(sand_slope.xyz, dpdx - normal * dot(normal, dpdx));
+    float sand_dot_product_2 = dot(sand_slope.xyz, dpdy - normal * dot(normal, dpdy));
+    vec2 sand_product_2 = vec2(sand_dot_product, sand_dot_product_2) * 12.0 * 0.02;
+    float low_height = 0.01 - sand_height;  // low: Invert height
     vec2 domes_product = s.uv0 * 6.0;  // domes: Domes
     float domes_floored = floor(domes_product.y);
     float domes_difference = domes_product.y - domes_floored - 0.5;
@@ -137,17 +108,6 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     float domes_difference_3 = 1.0 - smoothstep(0.25, 0.75, domes_greatest);
     float domes_value = mix(0.20845777, (domes_root - 0.6) / 0.4, domes_difference_3);
     float domes_height = domes_value * 0.08;
-    bool domes_test = domes_difference_2 < 0.0;
-    bool domes_test_2 = 1.0 < domes_quotient;
-    float domes_sum = dot(domes_product_2, domes_vector) + dot(domes_vector, domes_product_2);
-    float domes_negated = -((domes_test_2 ? 0.0 : domes_sum / 0.1225) * 0.64);
-    float domes_choice = domes_root > 0.0 ? 0.5 / domes_root : 0.0;
-    float domes_quotient_2 = (domes_test ? 0.0 : domes_negated) * domes_choice / 0.4;
-    float domes_product_4 = domes_quotient_2 * domes_difference_3 * 0.08;
-    float domes_sum_2 = dot(domes_product_3, domes_vector) + dot(domes_vector, domes_product_3);
-    float domes_negated_2 = -((domes_test_2 ? 0.0 : domes_sum_2 / 0.1225) * 0.64);
-    float domes_quotient_3 = (domes_test ? 0.0 : domes_negated_2) * domes_choice / 0.4;
-    float domes_product_5 = domes_quotient_3 * domes_difference_3 * 0.08;
     float bricks_greatest = max(0.15, domes_greatest);  // bricks: Bricks
     float bricks_difference = fract(domes_product.x / 2.5 - domes_floored * 0.5) - 0.5;
     float bricks_product = (0.5 - abs(bricks_difference)) * 2.5;
@@ -159,104 +119,53 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     float bricks_difference_4 = 1.0 - clamp(bricks_quotient, 0.0, bricks_least);
     float bricks_value = mix(0.72364, bricks_difference_4, domes_difference_3);
     float bricks_height = bricks_value * 0.05;
-    bool bricks_test = bricks_least < max(bricks_quotient, 0.0);
-    bool bricks_test_2 = bricks_quotient < 0.0;
-    bool bricks_test_3 = bricks_difference_2 < bricks_product;
-    float bricks_sign = sign(domes_difference);
-    float bricks_sign_2 = sign(bricks_difference);
-    float bricks_product_2 = -(domes_product_2.x / 2.5 * bricks_sign_2) * 2.5;
-    float bricks_negated = -(bricks_test_3 ? -(domes_product_2.y * bricks_sign) : bricks_product_2);
-    float bricks_quotient_2 = bricks_negated / bricks_greatest;
-    float bricks_negated_2 = -(bricks_test ? 0.0 : bricks_test_2 ? 0.0 : bricks_quotient_2);
-    float bricks_product_3 = bricks_negated_2 * domes_difference_3 * 0.05;
-    float bricks_product_4 = -(domes_product_3.x / 2.5 * bricks_sign_2) * 2.5;
-    float bricks_negated_3 = -(bricks_test_3 ? -(domes_product_3.y * bricks_sign) :
-            bricks_product_4);
-    float bricks_quotient_3 = bricks_negated_3 / bricks_greatest;
-    float bricks_negated_4 = -(bricks_test ? 0.0 : bricks_test_2 ? 0.0 : bricks_quotient_3);
-    float bricks_product_5 = bricks_negated_4 * domes_difference_3 * 0.05;
+    vec2 bricks_negated = -(vec2(domes_product_2.y, domes_product_3.y) * sign(domes_difference));
+    vec2 bricks_quotient_2 = vec2(domes_product_2.x, domes_product_3.x) / 2.5;
+    vec2 bricks_product_2 = -(bricks_quotient_2 * sign(bricks_difference)) * 2.5;
+    vec2 bricks_choice = bricks_difference_2 < bricks_product ? bricks_negated : bricks_product_2;
+    vec2 bricks_negated_2 = -bricks_choice;
+    vec2 bricks_choice_2 = bricks_quotient < 0.0 ? vec2(0.0) : bricks_negated_2 / bricks_greatest;
+    vec2 bricks_choice_3 = bricks_least < max(bricks_quotient, 0.0) ? vec2(0.0) : bricks_choice_2;
+    vec2 bricks_product_3 = -bricks_choice_3 * domes_difference_3 * 0.05;
+    vec2 bricks_vector = vec2(dot(domes_product_2, domes_vector), dot(domes_product_3,
+            domes_vector));
+    vec2 bricks_vector_2 = vec2(dot(domes_vector, domes_product_2), dot(domes_vector,
+            domes_product_3));
+    vec2 domes_quotient_2 = (bricks_vector + bricks_vector_2) / 0.1225;  // domes: Domes (continued)
+    vec2 domes_product_4 = (1.0 < domes_quotient ? vec2(0.0) : domes_quotient_2) * 0.64;
+    vec2 domes_choice = domes_difference_2 < 0.0 ? vec2(0.0) : -domes_product_4;
+    vec2 domes_quotient_3 = domes_choice * (domes_root > 0.0 ? 0.5 / domes_root : 0.0) / 0.4;
+    vec2 domes_product_5 = domes_quotient_3 * domes_difference_3 * 0.08;
     float joined_difference = domes_height - bricks_height;  // joined: Higher of two heights
     float joined_difference_2 = 0.01 - abs(joined_difference);
     float joined_greatest = max(joined_difference_2, 0.0);
     float joined_quotient = joined_greatest * joined_greatest / 0.04;
     float joined_height = max(domes_height, bricks_height) + joined_quotient;
-    bool joined_test = domes_height < bricks_height;
-    float joined_choice = joined_test ? bricks_product_3 : domes_product_4;
-    bool joined_test_2 = joined_difference_2 < 0.0;
-    float joined_sign = sign(joined_difference);
-    float joined_choice_2 = joined_test_2 ? 0.0 : -((domes_product_4 - bricks_product_3) *
-            joined_sign);
-    float joined_product = joined_choice_2 * joined_greatest;
-    float joined_choice_3 = joined_test ? bricks_product_5 : domes_product_5;
-    float joined_choice_4 = joined_test_2 ? 0.0 : -((domes_product_5 - bricks_product_5) *
-            joined_sign);
-    float joined_product_2 = joined_choice_4 * joined_greatest;
+    vec2 joined_choice = domes_height < bricks_height ? bricks_product_3 : domes_product_5;
+    vec2 joined_negated = -((domes_product_5 - bricks_product_3) * sign(joined_difference));
+    vec2 joined_choice_2 = joined_difference_2 < 0.0 ? vec2(0.0) : joined_negated;
+    vec2 joined_product = joined_choice_2 * joined_greatest;
     float cut_negated = -joined_height;  // cut: Lower of two heights
     float cut_sum = cut_negated + 0.06;
     float cut_difference = 0.01 - abs(cut_sum);
     float cut_greatest = max(cut_difference, 0.0);
     float cut_height = -(max(cut_negated, -0.06) + cut_greatest * cut_greatest / 0.04);
-    bool cut_test = cut_negated < -0.06;
-    float cut_negated_2 = -(joined_choice + (joined_product + joined_product) / 0.04);
-    bool cut_test_2 = cut_difference < 0.0;
-    float cut_sign = sign(cut_sum);
-    float cut_product = (cut_test_2 ? 0.0 : -(cut_negated_2 * cut_sign)) * cut_greatest;
-    float cut_negated_3 = -((cut_test ? 0.0 : cut_negated_2) + (cut_product + cut_product) / 0.04);
-    float cut_negated_4 = -(joined_choice_3 + (joined_product_2 + joined_product_2) / 0.04);
-    float cut_product_2 = (cut_test_2 ? 0.0 : -(cut_negated_4 * cut_sign)) * cut_greatest;
-    float cut_negated_5 = -((cut_test ? 0.0 : cut_negated_4) + (cut_product_2 + cut_product_2) /
-            0.04);
-    vec3 sand_product = s.position * 12.0;  // sand: Gradient noise
-    float sand_greatest = max(length(dpdx * 12.0), length(dpdy * 12.0));
-    vec3 sand_product_2 = sand_product * 2.0;
-    vec3 sand_sum = sand_product_2 + vec3(19.19, 7.43, 31.71);
-    float sand_product_3 = sand_greatest * 2.0;
-    float sand_product_4 = wrinkle_heights_noise_octave(sand_sum, sand_product_3) * 0.5;
-    float sand_sum_2 = wrinkle_heights_noise_octave(sand_product, sand_greatest) + sand_product_4;
-    vec3 sand_product_5 = sand_product_2 * 2.0;
-    vec3 sand_sum_3 = sand_product_5 + vec3(38.38, 14.86, 63.42);
-    float sand_product_6 = sand_product_3 * 2.0;
-    float sand_sum_4 = sand_sum_2 + wrinkle_heights_noise_octave(sand_sum_3, sand_product_6) * 0.25;
-    vec3 sand_sum_5 = sand_product_5 * 2.0 + vec3(57.57, 22.29, 95.13);
-    float sand_product_7 = sand_product_6 * 2.0;
-    float sand_sum_6 = sand_sum_4 + wrinkle_heights_noise_octave(sand_sum_5,
-            sand_product_7) * 0.125;
-    float sand_value = sand_sum_6 / 1.875;
-    float sand_height = sand_value * 0.02;
-    vec3 sand_noise_octave_slope = wrinkle_heights_noise_octave_slope(sand_product, sand_greatest);
-    vec3 sand_product_8 = (dpdx - normal * dot(normal, dpdx)) * 12.0;
-    vec3 sand_noise_octave_slope_2 = wrinkle_heights_noise_octave_slope(sand_sum, sand_product_3);
-    vec3 sand_product_9 = sand_product_8 * 2.0;
-    float sand_product_10 = dot(sand_noise_octave_slope_2, sand_product_9) * 0.5;
-    float sand_sum_7 = dot(sand_noise_octave_slope, sand_product_8) + sand_product_10;
-    vec3 sand_noise_octave_slope_3 = wrinkle_heights_noise_octave_slope(sand_sum_3, sand_product_6);
-    vec3 sand_product_11 = sand_product_9 * 2.0;
-    float sand_sum_8 = sand_sum_7 + dot(sand_noise_octave_slope_3, sand_product_11) * 0.25;
-    vec3 sand_noise_octave_slope_4 = wrinkle_heights_noise_octave_slope(sand_sum_5, sand_product_7);
-    float sand_sum_9 = sand_sum_8 + dot(sand_noise_octave_slope_4, sand_product_11 * 2.0) * 0.125;
-    vec3 sand_product_12 = (dpdy - normal * dot(normal, dpdy)) * 12.0;
-    vec3 sand_product_13 = sand_product_12 * 2.0;
-    float sand_product_14 = dot(sand_noise_octave_slope_2, sand_product_13) * 0.5;
-    float sand_sum_10 = dot(sand_noise_octave_slope, sand_product_12) + sand_product_14;
-    vec3 sand_product_15 = sand_product_13 * 2.0;
-    float sand_sum_11 = sand_sum_10 + dot(sand_noise_octave_slope_3, sand_product_15) * 0.25;
-    float sand_sum_12 = sand_sum_11 + dot(sand_noise_octave_slope_4, sand_product_15 * 2.0) * 0.125;
-    float low_height = 0.01 - sand_height;  // low: Invert height
+    vec2 cut_negated_2 = -(joined_choice + (joined_product + joined_product) / 0.04);
+    vec2 cut_choice = cut_negated < -0.06 ? vec2(0.0) : cut_negated_2;
+    vec2 cut_choice_2 = cut_difference < 0.0 ? vec2(0.0) : -(cut_negated_2 * sign(cut_sum));
+    vec2 cut_product = cut_choice_2 * cut_greatest;
     float carved_height = cut_height - low_height;  // carved: Subtract heights
-    float carved_sum = cut_negated_3 + sand_sum_9 / 1.875 * 0.02;
-    float carved_sum_2 = cut_negated_5 + sand_sum_12 / 1.875 * 0.02;
+    vec2 carved_sum = -(cut_choice + (cut_product + cut_product) / 0.04) + sand_product_2;
     float fitted_quotient = (carved_height + 0.02) / 0.1;  // fitted: Remap height
-    bool fitted_test = 1.0 < max(fitted_quotient, 0.0);
-    bool fitted_test_2 = fitted_quotient < 0.0;
-    float fitted_choice = fitted_test ? 0.0 : fitted_test_2 ? 0.0 : carved_sum / 0.1;
-    float fitted_choice_2 = fitted_test ? 0.0 : fitted_test_2 ? 0.0 : carved_sum_2 / 0.1;
+    vec2 fitted_quotient_2 = carved_sum / 0.1;
+    vec2 fitted_choice = fitted_quotient < 0.0 ? vec2(0.0) : fitted_quotient_2;
+    vec2 fitted_choice_2 = 1.0 < max(fitted_quotient, 0.0) ? vec2(0.0) : fitted_choice;
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.06;
-    vec2 normal_product_2 = vec2(fitted_choice, fitted_choice_2) * normal_product;
+    vec2 normal_product_2 = fitted_choice_2 * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_heights m;
     m.normal = normalize(normal * s.facing - normal_gradient);
-    // fitted: Remap height (continued)
-    m.height = mix(0.0, 0.06, clamp(fitted_quotient, 0.0, 1.0));
+    m.height = 0.06 * clamp(fitted_quotient, 0.0, 1.0);  // fitted: Remap height (continued)
     return m;
 }

@@ -13,8 +13,9 @@ struct WrinkleMaterial_hex_pebbles {
 uniform sampler2D hex_pebbles_grain_image;    // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D hex_pebbles_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
 
-vec3 wrinkle_hex_pebbles_hex_grid(vec2 a, out vec2 result_2, out vec2 result_3, out vec2 result_4) {
-    vec2 vector = vec2(a.x - a.y * 0.57735026, a.y * 1.1547005);
+vec3 wrinkle_hex_pebbles_hex_grid(vec2 at, out vec2 result_2, out vec2 result_3,
+        out vec2 result_4) {
+    vec2 vector = vec2(at.x - at.y * 0.57735026, at.y * 1.1547005);
     vec2 floored = floor(vector);
     vec2 difference = vector - floored;
     float difference_2 = 1.0 - difference.x;
@@ -26,39 +27,36 @@ vec3 wrinkle_hex_pebbles_hex_grid(vec2 a, out vec2 result_2, out vec2 result_3, 
     result_2 = floored + vec2(number);
     result_3 = floored + vec2(number, difference_4);
     result_4 = floored + vec2(difference_4, number);
-    return test ? vector_2 : vec3(difference_3, difference.y, difference.x);
+    return test ? vector_2 : vec3(difference_3, difference.yx);
 }
 
-vec2 wrinkle_hex_pebbles_hex_copy(vec2 a, float b, out vec2 result_2) {
-    uint sum = uint(int(a.y)) * 747796405u + 2891336453u;
+uint wrinkle_hex_pebbles_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(int(a.x)) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint bits = product_2 >> 22u ^ product_2;
-    uint sum_3 = bits * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits_2 = product_3 >> 22u ^ product_3;
-    uint sum_4 = bits_2 * 747796405u + 2891336453u;
-    uint product_4 = (sum_4 >> (sum_4 >> 28u) + 4u ^ sum_4) * 277803737u;
-    float product_5 = float((product_4 >> 22u ^ product_4) >> 8u) * 5.9604645e-08;
-    float product_6 = (2.0 * (float(bits >> 8u) * 5.9604645e-08) - 1.0) * 3.1415927 * b;
-    result_2 = vec2(cos(product_6), sin(product_6));
-    return vec2(float(bits_2 >> 8u) * 5.9604645e-08, product_5);
+    return product >> 22u ^ product;
 }
 
-vec2 wrinkle_hex_pebbles_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(hex_pebbles_pebbles_image, a + b, 0.0);
-    float difference = texel.x - textureLod(hex_pebbles_pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(hex_pebbles_pebbles_image, a + vec2(b.x, -b.y), 0.0);
-    vec4 texel_3 = textureLod(hex_pebbles_pebbles_image, a + vec2(-b.x, b.y), 0.0);
-    float difference_2 = texel_2.x - texel_3.x;
-    vec4 texel_4 = textureLod(hex_pebbles_pebbles_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_5 = textureLod(hex_pebbles_pebbles_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
-    vec4 texel_6 = textureLod(hex_pebbles_pebbles_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_7 = textureLod(hex_pebbles_pebbles_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
-    return vec2(sum, sum_2) * 0.125;
+vec4 wrinkle_hex_pebbles_hex_copy(vec2 corner, float rotation) {
+    uint sum = uint(int(corner.x)) + wrinkle_hex_pebbles_hash(uint(int(corner.y)));
+    uint hash = wrinkle_hex_pebbles_hash(sum);
+    uint hash_2 = wrinkle_hex_pebbles_hash(hash);
+    vec2 vector = vec2(float(hash_2 >> 8u), float(wrinkle_hex_pebbles_hash(hash_2) >> 8u));
+    float product = (2.0 * (float(hash >> 8u) * 5.9604645e-08) - 1.0) * 3.1415927 * rotation;
+    return vec4(vector * 5.9604645e-08, cos(product), sin(product));
+}
+
+vec2 wrinkle_hex_pebbles_smooth_slope(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(hex_pebbles_pebbles_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(hex_pebbles_pebbles_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(hex_pebbles_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 texel_4 = textureLod(hex_pebbles_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
+    float difference_2 = texel_3.x - texel_4.x;
+    vec4 texel_5 = textureLod(hex_pebbles_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_6 = textureLod(hex_pebbles_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_7 = textureLod(hex_pebbles_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_8 = textureLod(hex_pebbles_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
 WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
@@ -71,74 +69,71 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 tile_product = dFdx(s.uv0) * 3.0;
     vec2 tile_product_2 = dFdy(s.uv0) * 3.0;
     // grain: Hex-tiled normal map
-    vec2 grain_hex_grid_2;
-    vec2 grain_hex_grid_3;
-    vec2 grain_hex_grid_4;
-    vec3 grain_hex_grid = wrinkle_hex_pebbles_hex_grid(tile_uv * 6.928203, grain_hex_grid_2,
-            grain_hex_grid_3, grain_hex_grid_4);
-    vec2 grain_hex_copy_2;
-    vec2 grain_hex_copy = wrinkle_hex_pebbles_hex_copy(grain_hex_grid_2, 1.0, grain_hex_copy_2);
-    float grain_sum = grain_hex_grid_2.x + 0.5 * grain_hex_grid_2.y;
-    vec2 grain_quotient = vec2(grain_sum, grain_hex_grid_2.y * 0.8660254) / 6.928203;
+    vec2 grain_grid_2;
+    vec2 grain_grid_3;
+    vec2 grain_grid_4;
+    vec3 grain_grid = wrinkle_hex_pebbles_hex_grid(tile_uv * 6.928203, grain_grid_2, grain_grid_3,
+            grain_grid_4);
+    vec4 grain_copy = wrinkle_hex_pebbles_hex_copy(grain_grid_2, 1.0);
+    float grain_sum = grain_grid_2.x + 0.5 * grain_grid_2.y;
+    vec2 grain_quotient = vec2(grain_sum, grain_grid_2.y * 0.8660254) / 6.928203;
     vec2 grain_difference = tile_uv - grain_quotient;
-    vec2 grain_product = grain_hex_copy_2 * grain_difference.x;
-    vec2 grain_vector = vec2(-grain_hex_copy_2.y, grain_hex_copy_2.x);
+    vec2 grain_product = grain_copy.zw * grain_difference.x;
+    vec2 grain_vector = vec2(-grain_copy.w, grain_copy.z);
     vec2 grain_sum_2 = grain_product + grain_vector * grain_difference.y + grain_quotient;
-    vec2 grain_sum_3 = grain_sum_2 + grain_hex_copy;
-    vec2 grain_sum_4 = grain_hex_copy_2 * tile_product.x + grain_vector * tile_product.y;
-    vec2 grain_sum_5 = grain_hex_copy_2 * tile_product_2.x + grain_vector * tile_product_2.y;
+    vec2 grain_sum_3 = grain_sum_2 + grain_copy.xy;
+    vec2 grain_sum_4 = grain_copy.zw * tile_product.x + grain_vector * tile_product.y;
+    vec2 grain_sum_5 = grain_copy.zw * tile_product_2.x + grain_vector * tile_product_2.y;
     vec4 grain_texel = textureGrad(hex_pebbles_grain_image, grain_sum_3, grain_sum_4, grain_sum_5);
     vec3 grain_texel_2 = grain_texel.xyz - 0.5;
     float grain_least_depth = max(abs(grain_texel_2.x), abs(grain_texel_2.y)) * 0.0078125;
     float grain_quotient_2 = -0.4 / max(max(abs(grain_texel_2.z), grain_least_depth), 5e-07);
     vec2 grain_product_2 = grain_texel_2.xy * grain_quotient_2;
-    vec2 grain_vector_2 = vec2(dot(grain_product_2, grain_hex_copy_2), dot(grain_product_2,
+    vec2 grain_vector_2 = vec2(dot(grain_product_2, grain_copy.zw), dot(grain_product_2,
             grain_vector));
     float grain_dot_product = dot(grain_vector_2, grain_vector_2);
-    vec2 grain_hex_copy_4;
-    vec2 grain_hex_copy_3 = wrinkle_hex_pebbles_hex_copy(grain_hex_grid_3, 1.0, grain_hex_copy_4);
-    float grain_sum_6 = grain_hex_grid_3.x + 0.5 * grain_hex_grid_3.y;
-    vec2 grain_quotient_3 = vec2(grain_sum_6, grain_hex_grid_3.y * 0.8660254) / 6.928203;
+    vec4 grain_copy_2 = wrinkle_hex_pebbles_hex_copy(grain_grid_3, 1.0);
+    float grain_sum_6 = grain_grid_3.x + 0.5 * grain_grid_3.y;
+    vec2 grain_quotient_3 = vec2(grain_sum_6, grain_grid_3.y * 0.8660254) / 6.928203;
     vec2 grain_difference_2 = tile_uv - grain_quotient_3;
-    vec2 grain_product_3 = grain_hex_copy_4 * grain_difference_2.x;
-    vec2 grain_vector_3 = vec2(-grain_hex_copy_4.y, grain_hex_copy_4.x);
+    vec2 grain_product_3 = grain_copy_2.zw * grain_difference_2.x;
+    vec2 grain_vector_3 = vec2(-grain_copy_2.w, grain_copy_2.z);
     vec2 grain_sum_7 = grain_product_3 + grain_vector_3 * grain_difference_2.y + grain_quotient_3;
-    vec2 grain_sum_8 = grain_sum_7 + grain_hex_copy_3;
-    vec2 grain_sum_9 = grain_hex_copy_4 * tile_product.x + grain_vector_3 * tile_product.y;
-    vec2 grain_sum_10 = grain_hex_copy_4 * tile_product_2.x + grain_vector_3 * tile_product_2.y;
+    vec2 grain_sum_8 = grain_sum_7 + grain_copy_2.xy;
+    vec2 grain_sum_9 = grain_copy_2.zw * tile_product.x + grain_vector_3 * tile_product.y;
+    vec2 grain_sum_10 = grain_copy_2.zw * tile_product_2.x + grain_vector_3 * tile_product_2.y;
     vec4 grain_texel_3 = textureGrad(hex_pebbles_grain_image, grain_sum_8, grain_sum_9,
             grain_sum_10);
     vec3 grain_texel_4 = grain_texel_3.xyz - 0.5;
     float grain_least_depth_2 = max(abs(grain_texel_4.x), abs(grain_texel_4.y)) * 0.0078125;
     float grain_quotient_4 = -0.4 / max(max(abs(grain_texel_4.z), grain_least_depth_2), 5e-07);
     vec2 grain_product_4 = grain_texel_4.xy * grain_quotient_4;
-    vec2 grain_vector_4 = vec2(dot(grain_product_4, grain_hex_copy_4), dot(grain_product_4,
+    vec2 grain_vector_4 = vec2(dot(grain_product_4, grain_copy_2.zw), dot(grain_product_4,
             grain_vector_3));
     float grain_dot_product_2 = dot(grain_vector_4, grain_vector_4);
-    vec2 grain_hex_copy_6;
-    vec2 grain_hex_copy_5 = wrinkle_hex_pebbles_hex_copy(grain_hex_grid_4, 1.0, grain_hex_copy_6);
-    float grain_sum_11 = grain_hex_grid_4.x + 0.5 * grain_hex_grid_4.y;
-    vec2 grain_quotient_5 = vec2(grain_sum_11, grain_hex_grid_4.y * 0.8660254) / 6.928203;
+    vec4 grain_copy_3 = wrinkle_hex_pebbles_hex_copy(grain_grid_4, 1.0);
+    float grain_sum_11 = grain_grid_4.x + 0.5 * grain_grid_4.y;
+    vec2 grain_quotient_5 = vec2(grain_sum_11, grain_grid_4.y * 0.8660254) / 6.928203;
     vec2 grain_difference_3 = tile_uv - grain_quotient_5;
-    vec2 grain_product_5 = grain_hex_copy_6 * grain_difference_3.x;
-    vec2 grain_vector_5 = vec2(-grain_hex_copy_6.y, grain_hex_copy_6.x);
+    vec2 grain_product_5 = grain_copy_3.zw * grain_difference_3.x;
+    vec2 grain_vector_5 = vec2(-grain_copy_3.w, grain_copy_3.z);
     vec2 grain_sum_12 = grain_product_5 + grain_vector_5 * grain_difference_3.y + grain_quotient_5;
-    vec2 grain_sum_13 = grain_sum_12 + grain_hex_copy_5;
-    vec2 grain_sum_14 = grain_hex_copy_6 * tile_product.x + grain_vector_5 * tile_product.y;
-    vec2 grain_sum_15 = grain_hex_copy_6 * tile_product_2.x + grain_vector_5 * tile_product_2.y;
+    vec2 grain_sum_13 = grain_sum_12 + grain_copy_3.xy;
+    vec2 grain_sum_14 = grain_copy_3.zw * tile_product.x + grain_vector_5 * tile_product.y;
+    vec2 grain_sum_15 = grain_copy_3.zw * tile_product_2.x + grain_vector_5 * tile_product_2.y;
     vec4 grain_texel_5 = textureGrad(hex_pebbles_grain_image, grain_sum_13, grain_sum_14,
             grain_sum_15);
     vec3 grain_texel_6 = grain_texel_5.xyz - 0.5;
     float grain_least_depth_3 = max(abs(grain_texel_6.x), abs(grain_texel_6.y)) * 0.0078125;
     float grain_quotient_6 = -0.4 / max(max(abs(grain_texel_6.z), grain_least_depth_3), 5e-07);
     vec2 grain_product_6 = grain_texel_6.xy * grain_quotient_6;
-    vec2 grain_vector_6 = vec2(dot(grain_product_6, grain_hex_copy_6), dot(grain_product_6,
+    vec2 grain_vector_6 = vec2(dot(grain_product_6, grain_copy_3.zw), dot(grain_product_6,
             grain_vector_5));
     float grain_dot_product_3 = dot(grain_vector_6, grain_vector_6);
     vec3 grain_vector_7 = vec3(grain_dot_product, grain_dot_product_2, grain_dot_product_3);
     vec3 grain_product_7 = 0.6 * sqrt(max(grain_vector_7 / (1.0 + grain_vector_7), 0.0));
     vec3 grain_sum_16 = 0.4 + grain_product_7;
-    vec3 grain_greatest = max(grain_hex_grid, vec3(1e-04));
+    vec3 grain_greatest = max(grain_grid, vec3(1e-04));
     float grain_choice = grain_greatest.x > 0.0 ? pow(grain_greatest.x, 7.0) : 0.0;
     float grain_choice_2 = grain_greatest.y > 0.0 ? pow(grain_greatest.y, 7.0) : 0.0;
     float grain_choice_3 = grain_greatest.z > 0.0 ? pow(grain_greatest.z, 7.0) : 0.0;
@@ -165,26 +160,24 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 grain_sum_18 = grain_vector_2 * grain_quotient_8.x + grain_vector_4 * grain_quotient_8.y;
     vec2 grain_sum_19 = grain_sum_18 + grain_vector_6 * grain_quotient_8.z;
     // pebbles: Hex-tiled height map
-    vec2 pebbles_hex_grid_2;
-    vec2 pebbles_hex_grid_3;
-    vec2 pebbles_hex_grid_4;
-    vec3 pebbles_hex_grid = wrinkle_hex_pebbles_hex_grid(tile_uv * 3.4641016, pebbles_hex_grid_2,
-            pebbles_hex_grid_3, pebbles_hex_grid_4);
-    vec2 pebbles_hex_copy_2;
-    vec2 pebbles_hex_copy = wrinkle_hex_pebbles_hex_copy(pebbles_hex_grid_2, 1.0,
-            pebbles_hex_copy_2);
-    float pebbles_sum = pebbles_hex_grid_2.x + 0.5 * pebbles_hex_grid_2.y;
-    vec2 pebbles_quotient = vec2(pebbles_sum, pebbles_hex_grid_2.y * 0.8660254) / 3.4641016;
+    vec2 pebbles_grid_2;
+    vec2 pebbles_grid_3;
+    vec2 pebbles_grid_4;
+    vec3 pebbles_grid = wrinkle_hex_pebbles_hex_grid(tile_uv * 3.4641016, pebbles_grid_2,
+            pebbles_grid_3, pebbles_grid_4);
+    vec4 pebbles_copy = wrinkle_hex_pebbles_hex_copy(pebbles_grid_2, 1.0);
+    float pebbles_sum = pebbles_grid_2.x + 0.5 * pebbles_grid_2.y;
+    vec2 pebbles_quotient = vec2(pebbles_sum, pebbles_grid_2.y * 0.8660254) / 3.4641016;
     vec2 pebbles_difference = tile_uv - pebbles_quotient;
-    vec2 pebbles_vector = vec2(-pebbles_hex_copy_2.y, pebbles_hex_copy_2.x);
-    vec2 pebbles_product = pebbles_vector * pebbles_difference.y;
-    vec2 pebbles_sum_2 = pebbles_hex_copy_2 * pebbles_difference.x + pebbles_product;
-    vec2 pebbles_sum_3 = pebbles_sum_2 + pebbles_quotient + pebbles_hex_copy;
-    vec2 pebbles_sum_4 = pebbles_hex_copy_2 * tile_product.x + pebbles_vector * tile_product.y;
+    vec2 pebbles_product = pebbles_copy.zw * pebbles_difference.x;
+    vec2 pebbles_vector = vec2(-pebbles_copy.w, pebbles_copy.z);
+    vec2 pebbles_sum_2 = pebbles_product + pebbles_vector * pebbles_difference.y;
+    vec2 pebbles_sum_3 = pebbles_sum_2 + pebbles_quotient + pebbles_copy.xy;
+    vec2 pebbles_sum_4 = pebbles_copy.zw * tile_product.x + pebbles_vector * tile_product.y;
     vec2 pebbles_size = vec2(textureSize(hex_pebbles_pebbles_image, 0));
     vec2 pebbles_product_2 = pebbles_sum_4 * pebbles_size;
     float pebbles_dot_product = dot(pebbles_product_2, pebbles_product_2);
-    vec2 pebbles_sum_5 = pebbles_hex_copy_2 * tile_product_2.x + pebbles_vector * tile_product_2.y;
+    vec2 pebbles_sum_5 = pebbles_copy.zw * tile_product_2.x + pebbles_vector * tile_product_2.y;
     vec2 pebbles_product_3 = pebbles_sum_5 * pebbles_size;
     float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_3, pebbles_product_3));
     float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
@@ -192,145 +185,135 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 pebbles_vector_2 = vec2(pebbles_sum_3.x + pebbles_quotient_2.x, pebbles_sum_3.y);
     vec4 pebbles_texel = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_2, pebbles_sum_4,
             pebbles_sum_5);
-    vec4 pebbles_texel_2 = textureGrad(hex_pebbles_pebbles_image, pebbles_sum_3, pebbles_sum_4,
-            pebbles_sum_5);
-    float pebbles_difference_2 = pebbles_texel.x - pebbles_texel_2.x;
     vec2 pebbles_vector_3 = vec2(pebbles_sum_3.x, pebbles_sum_3.y + pebbles_quotient_2.y);
-    vec4 pebbles_texel_3 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_3, pebbles_sum_4,
+    vec4 pebbles_texel_2 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_3, pebbles_sum_4,
             pebbles_sum_5);
-    vec2 pebbles_vector_4 = vec2(pebbles_difference_2, pebbles_texel_3.x - pebbles_texel_2.x);
-    vec2 pebbles_quotient_3 = pebbles_vector_4 / pebbles_quotient_2;
+    vec4 pebbles_texel_3 = textureGrad(hex_pebbles_pebbles_image, pebbles_sum_3, pebbles_sum_4,
+            pebbles_sum_5);
+    vec2 pebbles_difference_2 = vec2(pebbles_texel.x, pebbles_texel_2.x) - pebbles_texel_3.x;
+    vec2 pebbles_quotient_3 = pebbles_difference_2 / pebbles_quotient_2;
     vec2 pebbles_quotient_4 = 1.0 / pebbles_size;
-    vec2 pebbles_smooth_slope = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_3, pebbles_quotient_4);
-    vec2 pebbles_product_4 = pebbles_smooth_slope * pebbles_size;
+    vec2 pebbles_slope = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_3, pebbles_quotient_4);
     float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed = mix(pebbles_quotient_3, pebbles_product_4, pebbles_clamped);
-    float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_vector);
-    vec2 pebbles_vector_5 = vec2(dot(pebbles_mixed, pebbles_hex_copy_2), pebbles_dot_product_2);
-    vec3 pebbles_greatest_2 = max(pebbles_hex_grid, vec3(1e-04));
+    vec2 pebbles_mixed = mix(pebbles_quotient_3, pebbles_slope * pebbles_size, pebbles_clamped);
+    float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_copy.zw);
+    vec2 pebbles_vector_4 = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_vector));
+    vec3 pebbles_greatest_2 = max(pebbles_grid, vec3(1e-04));
     float pebbles_choice = pebbles_greatest_2.x > 0.0 ? pow(pebbles_greatest_2.x, 7.0) : 0.0;
     float pebbles_choice_2 = pebbles_greatest_2.y > 0.0 ? pow(pebbles_greatest_2.y, 7.0) : 0.0;
     float pebbles_choice_3 = pebbles_greatest_2.z > 0.0 ? pow(pebbles_greatest_2.z, 7.0) : 0.0;
-    vec3 pebbles_vector_6 = vec3(pebbles_choice, pebbles_choice_2, pebbles_choice_3);
-    vec3 pebbles_quotient_5 = pebbles_vector_6 / (pebbles_choice + pebbles_choice_2 +
+    vec3 pebbles_vector_5 = vec3(pebbles_choice, pebbles_choice_2, pebbles_choice_3);
+    vec3 pebbles_quotient_5 = pebbles_vector_5 / (pebbles_choice + pebbles_choice_2 +
             pebbles_choice_3);
-    float pebbles_product_5 = 2.0 * pebbles_quotient_5.x;
-    float pebbles_product_6 = 0.5 * (pebbles_product_5 > 0.0 ? pebbles_product_5 : 0.0);
-    float pebbles_difference_3 = 2.0 - pebbles_product_5;
+    float pebbles_product_4 = 2.0 * pebbles_quotient_5.x;
+    float pebbles_product_5 = 0.5 * (pebbles_product_4 > 0.0 ? pebbles_product_4 : 0.0);
+    float pebbles_difference_3 = 2.0 - pebbles_product_4;
     float pebbles_difference_4 = 1.0 - 0.5 * (pebbles_difference_3 > 0.0 ? pebbles_difference_3 :
             0.0);
-    float pebbles_choice_4 = pebbles_quotient_5.x < 0.5 ? pebbles_product_6 : pebbles_difference_4;
-    float pebbles_product_7 = 2.0 * pebbles_quotient_5.y;
-    float pebbles_product_8 = 0.5 * (pebbles_product_7 > 0.0 ? pebbles_product_7 : 0.0);
-    float pebbles_difference_5 = 2.0 - pebbles_product_7;
+    float pebbles_choice_4 = pebbles_quotient_5.x < 0.5 ? pebbles_product_5 : pebbles_difference_4;
+    float pebbles_product_6 = 2.0 * pebbles_quotient_5.y;
+    float pebbles_product_7 = 0.5 * (pebbles_product_6 > 0.0 ? pebbles_product_6 : 0.0);
+    float pebbles_difference_5 = 2.0 - pebbles_product_6;
     float pebbles_difference_6 = 1.0 - 0.5 * (pebbles_difference_5 > 0.0 ? pebbles_difference_5 :
             0.0);
-    float pebbles_choice_5 = pebbles_quotient_5.y < 0.5 ? pebbles_product_8 : pebbles_difference_6;
-    float pebbles_product_9 = 2.0 * pebbles_quotient_5.z;
-    float pebbles_product_10 = 0.5 * (pebbles_product_9 > 0.0 ? pebbles_product_9 : 0.0);
-    float pebbles_difference_7 = 2.0 - pebbles_product_9;
+    float pebbles_choice_5 = pebbles_quotient_5.y < 0.5 ? pebbles_product_7 : pebbles_difference_6;
+    float pebbles_product_8 = 2.0 * pebbles_quotient_5.z;
+    float pebbles_product_9 = 0.5 * (pebbles_product_8 > 0.0 ? pebbles_product_8 : 0.0);
+    float pebbles_difference_7 = 2.0 - pebbles_product_8;
     float pebbles_difference_8 = 1.0 - 0.5 * (pebbles_difference_7 > 0.0 ? pebbles_difference_7 :
             0.0);
-    float pebbles_choice_6 = pebbles_quotient_5.z < 0.5 ? pebbles_product_10 : pebbles_difference_8;
-    vec3 pebbles_vector_7 = vec3(pebbles_choice_4, pebbles_choice_5, pebbles_choice_6);
-    vec3 pebbles_quotient_6 = pebbles_vector_7 / (pebbles_choice_4 + pebbles_choice_5 +
+    float pebbles_choice_6 = pebbles_quotient_5.z < 0.5 ? pebbles_product_9 : pebbles_difference_8;
+    vec3 pebbles_vector_6 = vec3(pebbles_choice_4, pebbles_choice_5, pebbles_choice_6);
+    vec3 pebbles_quotient_6 = pebbles_vector_6 / (pebbles_choice_4 + pebbles_choice_5 +
             pebbles_choice_6);
-    vec2 pebbles_product_11 = pebbles_vector_5 * pebbles_quotient_6.x;
-    vec2 pebbles_hex_copy_4;
-    vec2 pebbles_hex_copy_3 = wrinkle_hex_pebbles_hex_copy(pebbles_hex_grid_3, 1.0,
-            pebbles_hex_copy_4);
-    float pebbles_sum_6 = pebbles_hex_grid_3.x + 0.5 * pebbles_hex_grid_3.y;
-    vec2 pebbles_quotient_7 = vec2(pebbles_sum_6, pebbles_hex_grid_3.y * 0.8660254) / 3.4641016;
+    vec2 pebbles_product_10 = pebbles_vector_4 * pebbles_quotient_6.x;
+    vec4 pebbles_copy_2 = wrinkle_hex_pebbles_hex_copy(pebbles_grid_3, 1.0);
+    float pebbles_sum_6 = pebbles_grid_3.x + 0.5 * pebbles_grid_3.y;
+    vec2 pebbles_quotient_7 = vec2(pebbles_sum_6, pebbles_grid_3.y * 0.8660254) / 3.4641016;
     vec2 pebbles_difference_9 = tile_uv - pebbles_quotient_7;
-    vec2 pebbles_vector_8 = vec2(-pebbles_hex_copy_4.y, pebbles_hex_copy_4.x);
-    vec2 pebbles_product_12 = pebbles_vector_8 * pebbles_difference_9.y;
-    vec2 pebbles_sum_7 = pebbles_hex_copy_4 * pebbles_difference_9.x + pebbles_product_12;
-    vec2 pebbles_sum_8 = pebbles_sum_7 + pebbles_quotient_7 + pebbles_hex_copy_3;
-    vec2 pebbles_sum_9 = pebbles_hex_copy_4 * tile_product.x + pebbles_vector_8 * tile_product.y;
-    vec2 pebbles_product_13 = pebbles_sum_9 * pebbles_size;
-    float pebbles_dot_product_3 = dot(pebbles_product_13, pebbles_product_13);
-    vec2 pebbles_sum_10 = pebbles_hex_copy_4 * tile_product_2.x + pebbles_vector_8 *
+    vec2 pebbles_product_11 = pebbles_copy_2.zw * pebbles_difference_9.x;
+    vec2 pebbles_vector_7 = vec2(-pebbles_copy_2.w, pebbles_copy_2.z);
+    vec2 pebbles_sum_7 = pebbles_product_11 + pebbles_vector_7 * pebbles_difference_9.y;
+    vec2 pebbles_sum_8 = pebbles_sum_7 + pebbles_quotient_7 + pebbles_copy_2.xy;
+    vec2 pebbles_sum_9 = pebbles_copy_2.zw * tile_product.x + pebbles_vector_7 * tile_product.y;
+    vec2 pebbles_product_12 = pebbles_sum_9 * pebbles_size;
+    float pebbles_dot_product_3 = dot(pebbles_product_12, pebbles_product_12);
+    vec2 pebbles_sum_10 = pebbles_copy_2.zw * tile_product_2.x + pebbles_vector_7 *
             tile_product_2.y;
-    vec2 pebbles_product_14 = pebbles_sum_10 * pebbles_size;
-    float pebbles_greatest_3 = max(pebbles_dot_product_3, dot(pebbles_product_14,
-            pebbles_product_14));
+    vec2 pebbles_product_13 = pebbles_sum_10 * pebbles_size;
+    float pebbles_greatest_3 = max(pebbles_dot_product_3, dot(pebbles_product_13,
+            pebbles_product_13));
     float pebbles_root_2 = sqrt(max(pebbles_greatest_3, 1.0));
     vec2 pebbles_quotient_8 = pebbles_root_2 / pebbles_size;
-    vec2 pebbles_vector_9 = vec2(pebbles_sum_8.x + pebbles_quotient_8.x, pebbles_sum_8.y);
-    vec4 pebbles_texel_4 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_9, pebbles_sum_9,
+    vec2 pebbles_vector_8 = vec2(pebbles_sum_8.x + pebbles_quotient_8.x, pebbles_sum_8.y);
+    vec4 pebbles_texel_4 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_8, pebbles_sum_9,
             pebbles_sum_10);
-    vec4 pebbles_texel_5 = textureGrad(hex_pebbles_pebbles_image, pebbles_sum_8, pebbles_sum_9,
+    vec2 pebbles_vector_9 = vec2(pebbles_sum_8.x, pebbles_sum_8.y + pebbles_quotient_8.y);
+    vec4 pebbles_texel_5 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_9, pebbles_sum_9,
             pebbles_sum_10);
-    float pebbles_difference_10 = pebbles_texel_4.x - pebbles_texel_5.x;
-    vec2 pebbles_vector_10 = vec2(pebbles_sum_8.x, pebbles_sum_8.y + pebbles_quotient_8.y);
-    vec4 pebbles_texel_6 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_10, pebbles_sum_9,
+    vec4 pebbles_texel_6 = textureGrad(hex_pebbles_pebbles_image, pebbles_sum_8, pebbles_sum_9,
             pebbles_sum_10);
-    vec2 pebbles_vector_11 = vec2(pebbles_difference_10, pebbles_texel_6.x - pebbles_texel_5.x);
-    vec2 pebbles_quotient_9 = pebbles_vector_11 / pebbles_quotient_8;
-    vec2 pebbles_smooth_slope_2 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_8,
-            pebbles_quotient_4);
-    vec2 pebbles_product_15 = pebbles_smooth_slope_2 * pebbles_size;
+    vec2 pebbles_difference_10 = vec2(pebbles_texel_4.x, pebbles_texel_5.x) - pebbles_texel_6.x;
+    vec2 pebbles_quotient_9 = pebbles_difference_10 / pebbles_quotient_8;
+    vec2 pebbles_slope_2 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_8, pebbles_quotient_4);
     float pebbles_clamped_2 = clamp((0.5 - log2(pebbles_root_2)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed_2 = mix(pebbles_quotient_9, pebbles_product_15, pebbles_clamped_2);
-    float pebbles_dot_product_4 = dot(pebbles_mixed_2, pebbles_vector_8);
-    vec2 pebbles_vector_12 = vec2(dot(pebbles_mixed_2, pebbles_hex_copy_4), pebbles_dot_product_4);
-    vec2 pebbles_sum_11 = pebbles_product_11 + pebbles_vector_12 * pebbles_quotient_6.y;
-    vec2 pebbles_hex_copy_6;
-    vec2 pebbles_hex_copy_5 = wrinkle_hex_pebbles_hex_copy(pebbles_hex_grid_4, 1.0,
-            pebbles_hex_copy_6);
-    float pebbles_sum_12 = pebbles_hex_grid_4.x + 0.5 * pebbles_hex_grid_4.y;
-    vec2 pebbles_quotient_10 = vec2(pebbles_sum_12, pebbles_hex_grid_4.y * 0.8660254) / 3.4641016;
+    vec2 pebbles_mixed_2 = mix(pebbles_quotient_9, pebbles_slope_2 * pebbles_size,
+            pebbles_clamped_2);
+    float pebbles_dot_product_4 = dot(pebbles_mixed_2, pebbles_copy_2.zw);
+    vec2 pebbles_vector_10 = vec2(pebbles_dot_product_4, dot(pebbles_mixed_2, pebbles_vector_7));
+    vec2 pebbles_sum_11 = pebbles_product_10 + pebbles_vector_10 * pebbles_quotient_6.y;
+    vec4 pebbles_copy_3 = wrinkle_hex_pebbles_hex_copy(pebbles_grid_4, 1.0);
+    float pebbles_sum_12 = pebbles_grid_4.x + 0.5 * pebbles_grid_4.y;
+    vec2 pebbles_quotient_10 = vec2(pebbles_sum_12, pebbles_grid_4.y * 0.8660254) / 3.4641016;
     vec2 pebbles_difference_11 = tile_uv - pebbles_quotient_10;
-    vec2 pebbles_vector_13 = vec2(-pebbles_hex_copy_6.y, pebbles_hex_copy_6.x);
-    vec2 pebbles_product_16 = pebbles_vector_13 * pebbles_difference_11.y;
-    vec2 pebbles_sum_13 = pebbles_hex_copy_6 * pebbles_difference_11.x + pebbles_product_16;
-    vec2 pebbles_sum_14 = pebbles_sum_13 + pebbles_quotient_10 + pebbles_hex_copy_5;
-    vec2 pebbles_sum_15 = pebbles_hex_copy_6 * tile_product.x + pebbles_vector_13 * tile_product.y;
-    vec2 pebbles_product_17 = pebbles_sum_15 * pebbles_size;
-    float pebbles_dot_product_5 = dot(pebbles_product_17, pebbles_product_17);
-    vec2 pebbles_sum_16 = pebbles_hex_copy_6 * tile_product_2.x + pebbles_vector_13 *
+    vec2 pebbles_product_14 = pebbles_copy_3.zw * pebbles_difference_11.x;
+    vec2 pebbles_vector_11 = vec2(-pebbles_copy_3.w, pebbles_copy_3.z);
+    vec2 pebbles_sum_13 = pebbles_product_14 + pebbles_vector_11 * pebbles_difference_11.y;
+    vec2 pebbles_sum_14 = pebbles_sum_13 + pebbles_quotient_10 + pebbles_copy_3.xy;
+    vec2 pebbles_sum_15 = pebbles_copy_3.zw * tile_product.x + pebbles_vector_11 * tile_product.y;
+    vec2 pebbles_product_15 = pebbles_sum_15 * pebbles_size;
+    float pebbles_dot_product_5 = dot(pebbles_product_15, pebbles_product_15);
+    vec2 pebbles_sum_16 = pebbles_copy_3.zw * tile_product_2.x + pebbles_vector_11 *
             tile_product_2.y;
-    vec2 pebbles_product_18 = pebbles_sum_16 * pebbles_size;
-    float pebbles_greatest_4 = max(pebbles_dot_product_5, dot(pebbles_product_18,
-            pebbles_product_18));
+    vec2 pebbles_product_16 = pebbles_sum_16 * pebbles_size;
+    float pebbles_greatest_4 = max(pebbles_dot_product_5, dot(pebbles_product_16,
+            pebbles_product_16));
     float pebbles_root_3 = sqrt(max(pebbles_greatest_4, 1.0));
     vec2 pebbles_quotient_11 = pebbles_root_3 / pebbles_size;
-    vec2 pebbles_vector_14 = vec2(pebbles_sum_14.x + pebbles_quotient_11.x, pebbles_sum_14.y);
-    vec4 pebbles_texel_7 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_14, pebbles_sum_15,
+    vec2 pebbles_vector_12 = vec2(pebbles_sum_14.x + pebbles_quotient_11.x, pebbles_sum_14.y);
+    vec4 pebbles_texel_7 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_12, pebbles_sum_15,
             pebbles_sum_16);
-    vec4 pebbles_texel_8 = textureGrad(hex_pebbles_pebbles_image, pebbles_sum_14, pebbles_sum_15,
+    vec2 pebbles_vector_13 = vec2(pebbles_sum_14.x, pebbles_sum_14.y + pebbles_quotient_11.y);
+    vec4 pebbles_texel_8 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_13, pebbles_sum_15,
             pebbles_sum_16);
-    float pebbles_difference_12 = pebbles_texel_7.x - pebbles_texel_8.x;
-    vec2 pebbles_vector_15 = vec2(pebbles_sum_14.x, pebbles_sum_14.y + pebbles_quotient_11.y);
-    vec4 pebbles_texel_9 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_15, pebbles_sum_15,
+    vec4 pebbles_texel_9 = textureGrad(hex_pebbles_pebbles_image, pebbles_sum_14, pebbles_sum_15,
             pebbles_sum_16);
-    vec2 pebbles_vector_16 = vec2(pebbles_difference_12, pebbles_texel_9.x - pebbles_texel_8.x);
-    vec2 pebbles_quotient_12 = pebbles_vector_16 / pebbles_quotient_11;
-    vec2 pebbles_smooth_slope_3 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_14,
-            pebbles_quotient_4);
-    vec2 pebbles_product_19 = pebbles_smooth_slope_3 * pebbles_size;
+    vec2 pebbles_difference_12 = vec2(pebbles_texel_7.x, pebbles_texel_8.x) - pebbles_texel_9.x;
+    vec2 pebbles_quotient_12 = pebbles_difference_12 / pebbles_quotient_11;
+    vec2 pebbles_slope_3 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_14, pebbles_quotient_4);
     float pebbles_clamped_3 = clamp((0.5 - log2(pebbles_root_3)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed_3 = mix(pebbles_quotient_12, pebbles_product_19, pebbles_clamped_3);
-    float pebbles_dot_product_6 = dot(pebbles_mixed_3, pebbles_vector_13);
-    vec2 pebbles_vector_17 = vec2(dot(pebbles_mixed_3, pebbles_hex_copy_6), pebbles_dot_product_6);
-    vec2 pebbles_product_20 = (pebbles_sum_11 + pebbles_vector_17 * pebbles_quotient_6.z) * 0.03;
-    float pebbles_dot_product_7 = dot(pebbles_product_20, tile_product);
-    vec2 pebbles_vector_18 = vec2(pebbles_dot_product_7, dot(pebbles_product_20, tile_product_2));
+    vec2 pebbles_mixed_3 = mix(pebbles_quotient_12, pebbles_slope_3 * pebbles_size,
+            pebbles_clamped_3);
+    float pebbles_dot_product_6 = dot(pebbles_mixed_3, pebbles_copy_3.zw);
+    vec2 pebbles_vector_14 = vec2(pebbles_dot_product_6, dot(pebbles_mixed_3, pebbles_vector_11));
+    vec2 pebbles_product_17 = (pebbles_sum_11 + pebbles_vector_14 * pebbles_quotient_6.z) * 0.03;
+    float pebbles_dot_product_7 = dot(pebbles_product_17, tile_product);
+    vec2 pebbles_vector_15 = vec2(pebbles_dot_product_7, dot(pebbles_product_17, tile_product_2));
     // normal: Resolve
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
     vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (grain_sum_19.y * normal_product);
     vec3 normal_sum = s.tangent.xyz * (grain_sum_19.x * inverse_normal_length) + normal_along_v;
-    vec2 normal_product_2 = pebbles_vector_18 * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec2 normal_product_2 = pebbles_vector_15 * (sign(screen_area) / max(abs(screen_area), 1e-36));
     vec3 normal_cross_product = cross(normal,
             dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     vec3 normal_gradient = normal_sum + normal_cross_product;
     vec3 normal_bumped = normal * s.facing - normal_gradient;
     // tint: Hex-tiled colour
-    float tint_dot_product = dot(pebbles_texel_2.xyz, vec3(0.2126, 0.7152, 0.0722));
-    float tint_dot_product_2 = dot(pebbles_texel_5.xyz, vec3(0.2126, 0.7152, 0.0722));
-    float tint_dot_product_3 = dot(pebbles_texel_8.xyz, vec3(0.2126, 0.7152, 0.0722));
+    float tint_dot_product = dot(pebbles_texel_3.xyz, vec3(0.2126, 0.7152, 0.0722));
+    float tint_dot_product_2 = dot(pebbles_texel_6.xyz, vec3(0.2126, 0.7152, 0.0722));
+    float tint_dot_product_3 = dot(pebbles_texel_9.xyz, vec3(0.2126, 0.7152, 0.0722));
     vec3 tint_vector = vec3(tint_dot_product, tint_dot_product_2, tint_dot_product_3);
-    vec3 tint_product = (0.4 + 0.6 * clamp(tint_vector, 0.0, 1.0)) * pebbles_vector_6;
+    vec3 tint_product = (0.4 + 0.6 * clamp(tint_vector, 0.0, 1.0)) * pebbles_vector_5;
     vec3 tint_quotient = tint_product / (tint_product.x + tint_product.y + tint_product.z);
     float tint_product_2 = 2.0 * tint_quotient.x;
     float tint_product_3 = 0.5 * (tint_product_2 > 0.0 ? tint_product_2 : 0.0);
@@ -349,12 +332,12 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     float tint_choice_3 = tint_quotient.z < 0.5 ? tint_product_7 : tint_difference_6;
     vec3 tint_vector_2 = vec3(tint_choice, tint_choice_2, tint_choice_3);
     vec3 tint_quotient_2 = tint_vector_2 / (tint_choice + tint_choice_2 + tint_choice_3);
-    vec3 tint_product_8 = pebbles_texel_2.xyz * tint_quotient_2.x;
-    vec3 tint_sum = tint_product_8 + pebbles_texel_5.xyz * tint_quotient_2.y;
+    vec3 tint_product_8 = pebbles_texel_3.xyz * tint_quotient_2.x;
+    vec3 tint_sum = tint_product_8 + pebbles_texel_6.xyz * tint_quotient_2.y;
     WrinkleMaterial_hex_pebbles m;
     // normal: Resolve (continued)
     m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
     // tint: Hex-tiled colour (continued)
-    m.color = tint_sum + pebbles_texel_8.xyz * tint_quotient_2.z;
+    m.color = tint_sum + pebbles_texel_9.xyz * tint_quotient_2.z;
     return m;
 }

@@ -11,231 +11,101 @@ struct WrinkleMaterial_noise_rock {
     float roughness;  // perceptual, 0 to 1
 };
 
-vec3 wrinkle_noise_rock_noise_direction(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_noise_rock_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
-    float number = float(2237013u >> product_4 & 3u);
-    float number_2 = float(5573130u >> product_4 & 3u);
-    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
+    return product >> 22u ^ product;
 }
 
-vec3 wrinkle_noise_rock_gradient_noise_slope(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 noise_direction = wrinkle_noise_rock_noise_direction(whole, whole_2, whole_3);
-    int sum = whole + 1;
-    vec3 noise_direction_2 = wrinkle_noise_rock_noise_direction(sum, whole_2, whole_3);
-    vec3 difference = a - floored;
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_3 = wrinkle_noise_rock_noise_direction(whole, sum_3, whole_3);
-    vec3 noise_direction_4 = wrinkle_noise_rock_noise_direction(sum, sum_3, whole_3);
-    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
-    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_5 = wrinkle_noise_rock_noise_direction(whole, whole_2, sum_4);
-    vec3 noise_direction_6 = wrinkle_noise_rock_noise_direction(sum, whole_2, sum_4);
-    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
-    vec3 noise_direction_7 = wrinkle_noise_rock_noise_direction(whole, sum_3, sum_4);
-    vec3 noise_direction_8 = wrinkle_noise_rock_noise_direction(sum, sum_3, sum_4);
-    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+vec3 wrinkle_noise_rock_noise_direction(vec3 corner) {
+    uint sum = uint(int(corner.y)) + wrinkle_noise_rock_hash(uint(int(corner.z)));
+    uint sum_2 = uint(int(corner.x)) + wrinkle_noise_rock_hash(sum);
+    uint hash = wrinkle_noise_rock_hash(sum_2);
+    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
+    float number = float(2237013u >> product & 3u);
+    float number_2 = float(5573130u >> product & 3u);
+    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+}
+
+vec4 wrinkle_noise_rock_gradient_corner(vec3 cell, vec3 from, vec3 corner) {
+    vec3 direction = wrinkle_noise_rock_noise_direction(cell + corner);
+    return vec4(direction, dot(direction, from - corner));
+}
+
+vec4 wrinkle_noise_rock_gradient_noise(vec3 p) {
+    vec3 floored = floor(p);
+    vec3 difference = p - floored;
+    vec4 corner = wrinkle_noise_rock_gradient_corner(floored, difference, vec3(0.0));
+    vec4 corner_2 = wrinkle_noise_rock_gradient_corner(floored, difference, vec3(1.0, 0.0, 0.0));
+    vec3 sum = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum;
+    vec4 mixed = mix(corner, corner_2, product.x);
+    vec4 corner_3 = wrinkle_noise_rock_gradient_corner(floored, difference, vec3(0.0, 1.0, 0.0));
+    vec4 corner_4 = wrinkle_noise_rock_gradient_corner(floored, difference, vec3(1.0, 1.0, 0.0));
+    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
+    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
+    vec4 corner_5 = wrinkle_noise_rock_gradient_corner(floored, difference, vec3(0.0, 0.0, 1.0));
+    vec4 corner_6 = wrinkle_noise_rock_gradient_corner(floored, difference, vec3(1.0, 0.0, 1.0));
+    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
+    vec4 corner_7 = wrinkle_noise_rock_gradient_corner(floored, difference, vec3(0.0, 1.0, 1.0));
+    vec4 corner_8 = wrinkle_noise_rock_gradient_corner(floored, difference, vec3(1.0));
+    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
+    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
+    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float difference_3 = difference.x - 1.0;
-    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
-    float dot_product_2 = dot(noise_direction, difference);
-    float difference_4 = difference.y - 1.0;
-    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
-    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
-    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float difference_5 = difference.z - 1.0;
-    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
-    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
-    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
-    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
-    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
-    float mixed_9 = mix(dot_product_2, dot_product, product.x);
-    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
-    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
-    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
-    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
+    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
+    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
+    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
+    vec3 vector = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
+    vec3 sum_2 = mixed_7.xyz + product_2 * vector;
+    return vec4(sum_2, mixed_7.w);
 }
 
-vec3 wrinkle_noise_rock_noise_octave_slope(vec3 a, float b) {
-    vec3 gradient_noise_slope = wrinkle_noise_rock_gradient_noise_slope(a);
-    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
-}
-
-float wrinkle_noise_rock_gradient_noise(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 difference = a - floored;
-    float dot_product = dot(wrinkle_noise_rock_noise_direction(whole, whole_2, whole_3),
-            difference);
-    int sum = whole + 1;
-    vec3 noise_direction = wrinkle_noise_rock_noise_direction(sum, whole_2, whole_3);
-    float difference_2 = difference.x - 1.0;
-    float dot_product_2 = dot(noise_direction, vec3(difference_2, difference.y, difference.z));
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    float mixed = mix(dot_product, dot_product_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_2 = wrinkle_noise_rock_noise_direction(whole, sum_3, whole_3);
-    float difference_3 = difference.y - 1.0;
-    float dot_product_3 = dot(noise_direction_2, vec3(difference.x, difference_3, difference.z));
-    vec3 noise_direction_3 = wrinkle_noise_rock_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction_3, vec3(difference_2, difference_3, difference.z));
-    float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_4 = wrinkle_noise_rock_noise_direction(whole, whole_2, sum_4);
-    float difference_4 = difference.z - 1.0;
-    float dot_product_5 = dot(noise_direction_4, vec3(difference.x, difference.y, difference_4));
-    vec3 noise_direction_5 = wrinkle_noise_rock_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_5, vec3(difference_2, difference.y, difference_4));
-    float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_6 = wrinkle_noise_rock_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_6, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_7 = wrinkle_noise_rock_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
-    float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
-    return mix(mixed_2, mixed_4, product.z);
-}
-
-float wrinkle_noise_rock_noise_octave(vec3 a, float b) {
-    return wrinkle_noise_rock_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
+vec4 wrinkle_noise_rock_fbm_with_slope(vec3 point, float width, int octaves, float lacunarity,
+        float gain) {
+    float frequency = 1.0;
+    float weight = 1.0;
+    float total = 0.0;
+    float sum = 0.0;
+    vec3 sum_slope = vec3(0.0);
+    for (int i = 0; i < min(octaves, 8); ++i) {
+        vec4 noise = wrinkle_noise_rock_gradient_noise(point * frequency + vec3(19.19, 7.43,
+                31.71) * float(i));
+        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        total += weight;
+        sum += noise.w * difference * weight;
+        sum_slope += noise.xyz * frequency * difference * weight;
+        frequency *= lacunarity;
+        weight *= gain;
+    }
+    vec4 vector = vec4(sum_slope, sum);
+    return vector / total;
 }
 
 WrinkleMaterial_noise_rock wrinkle_noise_rock(WrinkleSurface_noise_rock s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdx = dFdx(s.position_relative);
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 lumps_product = s.position * 3.0;  // lumps: Gradient noise
-    float lumps_greatest = max(length(dpdx * 3.0), length(dpdy * 3.0));
-    vec3 lumps_noise_octave_slope = wrinkle_noise_rock_noise_octave_slope(lumps_product,
-            lumps_greatest);
-    vec3 lumps_product_2 = lumps_product * 2.0;
-    vec3 lumps_sum = lumps_product_2 + vec3(19.19, 7.43, 31.71);
-    float lumps_product_3 = lumps_greatest * 2.0;
-    vec3 lumps_noise_octave_slope_2 = wrinkle_noise_rock_noise_octave_slope(lumps_sum,
-            lumps_product_3);
-    float lumps_product_4 = lumps_noise_octave_slope_2.x * 6.0 * 0.5;
-    float lumps_sum_2 = lumps_noise_octave_slope.x * 3.0 + lumps_product_4;
-    vec3 lumps_product_5 = lumps_product_2 * 2.0;
-    vec3 lumps_sum_3 = lumps_product_5 + vec3(38.38, 14.86, 63.42);
-    float lumps_product_6 = lumps_product_3 * 2.0;
-    vec3 lumps_noise_octave_slope_3 = wrinkle_noise_rock_noise_octave_slope(lumps_sum_3,
-            lumps_product_6);
-    float lumps_sum_4 = lumps_sum_2 + lumps_noise_octave_slope_3.x * 12.0 * 0.25;
-    vec3 lumps_product_7 = lumps_product_5 * 2.0;
-    vec3 lumps_sum_5 = lumps_product_7 + vec3(57.57, 22.29, 95.13);
-    float lumps_product_8 = lumps_product_6 * 2.0;
-    vec3 lumps_noise_octave_slope_4 = wrinkle_noise_rock_noise_octave_slope(lumps_sum_5,
-            lumps_product_8);
-    float lumps_sum_6 = lumps_sum_4 + lumps_noise_octave_slope_4.x * 24.0 * 0.125;
-    vec3 lumps_product_9 = lumps_product_7 * 2.0;
-    vec3 lumps_sum_7 = lumps_product_9 + vec3(76.76, 29.72, 126.84);
-    float lumps_product_10 = lumps_product_8 * 2.0;
-    vec3 lumps_noise_octave_slope_5 = wrinkle_noise_rock_noise_octave_slope(lumps_sum_7,
-            lumps_product_10);
-    float lumps_sum_8 = lumps_sum_6 + lumps_noise_octave_slope_5.x * 48.0 * 0.0625;
-    vec3 lumps_sum_9 = lumps_product_9 * 2.0 + vec3(95.95, 37.15, 158.55);
-    float lumps_product_11 = lumps_product_10 * 2.0;
-    vec3 lumps_noise_octave_slope_6 = wrinkle_noise_rock_noise_octave_slope(lumps_sum_9,
-            lumps_product_11);
-    float lumps_quotient = (lumps_sum_8 + lumps_noise_octave_slope_6.x * 96.0 * 0.03125) / 1.96875;
-    float lumps_product_12 = lumps_noise_octave_slope_2.y * 6.0 * 0.5;
-    float lumps_sum_10 = lumps_noise_octave_slope.y * 3.0 + lumps_product_12;
-    float lumps_sum_11 = lumps_sum_10 + lumps_noise_octave_slope_3.y * 12.0 * 0.25;
-    float lumps_sum_12 = lumps_sum_11 + lumps_noise_octave_slope_4.y * 24.0 * 0.125;
-    float lumps_sum_13 = lumps_sum_12 + lumps_noise_octave_slope_5.y * 48.0 * 0.0625;
-    float lumps_quotient_2 = (lumps_sum_13 + lumps_noise_octave_slope_6.y * 96.0 * 0.03125) /
-            1.96875;
-    float lumps_product_13 = lumps_noise_octave_slope_2.z * 6.0 * 0.5;
-    float lumps_sum_14 = lumps_noise_octave_slope.z * 3.0 + lumps_product_13;
-    float lumps_sum_15 = lumps_sum_14 + lumps_noise_octave_slope_3.z * 12.0 * 0.25;
-    float lumps_sum_16 = lumps_sum_15 + lumps_noise_octave_slope_4.z * 24.0 * 0.125;
-    float lumps_sum_17 = lumps_sum_16 + lumps_noise_octave_slope_5.z * 48.0 * 0.0625;
-    float lumps_quotient_3 = (lumps_sum_17 + lumps_noise_octave_slope_6.z * 96.0 * 0.03125) /
-            1.96875;
-    float lumps_noise_octave = wrinkle_noise_rock_noise_octave(lumps_product, lumps_greatest);
-    float lumps_product_14 = wrinkle_noise_rock_noise_octave(lumps_sum, lumps_product_3) * 0.5;
-    float lumps_product_15 = wrinkle_noise_rock_noise_octave(lumps_sum_3, lumps_product_6) * 0.25;
-    float lumps_product_16 = wrinkle_noise_rock_noise_octave(lumps_sum_5, lumps_product_8) * 0.125;
-    float lumps_sum_18 = lumps_noise_octave + lumps_product_14 + lumps_product_15 +
-            lumps_product_16;
-    float lumps_product_17 = wrinkle_noise_rock_noise_octave(lumps_sum_7,
-            lumps_product_10) * 0.0625;
-    float lumps_product_18 = wrinkle_noise_rock_noise_octave(lumps_sum_9,
-            lumps_product_11) * 0.03125;
-    float lumps_value = (lumps_sum_18 + lumps_product_17 + lumps_product_18) / 1.96875;
-    float lumps_height = lumps_value * 0.06;
-    vec3 cracks_product = s.position * 7.0;  // cracks: Gradient noise
-    float cracks_greatest = max(length(dpdx * 7.0), length(dpdy * 7.0));
-    float cracks_noise_octave = wrinkle_noise_rock_noise_octave(cracks_product, cracks_greatest);
-    vec3 cracks_sum = cracks_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float cracks_product_2 = cracks_greatest * 2.0;
-    float cracks_product_3 = wrinkle_noise_rock_noise_octave(cracks_sum, cracks_product_2) * 0.5;
-    float cracks_value = (cracks_noise_octave + cracks_product_3) / 1.5;
-    vec3 cracks_noise_octave_slope = wrinkle_noise_rock_noise_octave_slope(cracks_product,
-            cracks_greatest);
-    vec3 cracks_noise_octave_slope_2 = wrinkle_noise_rock_noise_octave_slope(cracks_sum,
-            cracks_product_2);
-    float cracks_product_4 = cracks_noise_octave_slope_2.x * 14.0 * 0.5;
-    float cracks_quotient = (cracks_noise_octave_slope.x * 7.0 + cracks_product_4) / 1.5;
-    float cracks_product_5 = cracks_noise_octave_slope_2.y * 14.0 * 0.5;
-    float cracks_quotient_2 = (cracks_noise_octave_slope.y * 7.0 + cracks_product_5) / 1.5;
-    float cracks_product_6 = cracks_noise_octave_slope_2.z * 14.0 * 0.5;
-    float cracks_quotient_3 = (cracks_noise_octave_slope.z * 7.0 + cracks_product_6) / 1.5;
-    float depth_result = abs(cracks_value);  // depth: Absolute
-    float depth_sign = sign(cracks_value);
-    float groove_quotient = depth_result / 0.12;  // groove: Smooth step
-    bool groove_test = 1.0 < max(groove_quotient, 0.0);
-    bool groove_test_2 = groove_quotient < 0.0;
-    float groove_choice = groove_test_2 ? 0.0 : cracks_quotient * depth_sign / 0.12;
-    float groove_choice_2 = groove_test ? 0.0 : groove_choice;
-    float groove_clamped = clamp(groove_quotient, 0.0, 1.0);
-    float groove_product = groove_choice_2 * groove_clamped;
-    float groove_difference = 3.0 - 2.0 * groove_clamped;
-    float groove_product_2 = (groove_product + groove_product) * groove_difference;
-    float groove_product_3 = groove_clamped * groove_clamped;
-    float groove_choice_3 = groove_test_2 ? 0.0 : cracks_quotient_2 * depth_sign / 0.12;
-    float groove_choice_4 = groove_test ? 0.0 : groove_choice_3;
-    float groove_product_4 = groove_choice_4 * groove_clamped;
-    float groove_product_5 = (groove_product_4 + groove_product_4) * groove_difference;
-    float groove_choice_5 = groove_test_2 ? 0.0 : cracks_quotient_3 * depth_sign / 0.12;
-    float groove_choice_6 = groove_test ? 0.0 : groove_choice_5;
-    float groove_product_6 = groove_choice_6 * groove_clamped;
-    float groove_product_7 = (groove_product_6 + groove_product_6) * groove_difference;
-    float groove_result = groove_product_3 * groove_difference;
-    // carve: Multiply
-    float carve_product = (groove_product_2 + -(groove_choice_2 * 2.0) * groove_product_3) * 0.015;
-    float carve_product_2 = (groove_product_5 + -(groove_choice_4 * 2.0) * groove_product_3) *
-            0.015;
-    float carve_product_3 = (groove_product_7 + -(groove_choice_6 * 2.0) * groove_product_3) *
-            0.015;
-    float carve_result = groove_result * 0.015;
-    float rock_sum = lumps_quotient * 0.06 + carve_product;  // rock: Add heights
-    float rock_sum_2 = lumps_quotient_2 * 0.06 + carve_product_2;
-    float rock_sum_3 = lumps_quotient_3 * 0.06 + carve_product_3;
-    vec3 normal_gradient = vec3(rock_sum, rock_sum_2, rock_sum_3);  // normal: Resolve
-    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    vec3 normal = normalize(s.normal);
+    float lumps_extent = length(dFdx(s.position_relative));  // lumps: Gradient noise
+    float lumps_greatest = max(lumps_extent, length(dFdy(s.position_relative)));
+    float lumps_product = lumps_greatest * 3.0;
+    vec4 lumps_slope = wrinkle_noise_rock_fbm_with_slope(s.position * 3.0, lumps_product, 6, 2.0,
+            0.5);
+    float lumps_height = lumps_slope.w * 0.06;
+    float cracks_product = lumps_greatest * 7.0;  // cracks: Gradient noise
+    vec4 cracks_slope = wrinkle_noise_rock_fbm_with_slope(s.position * 7.0, cracks_product, 2, 2.0,
+            0.5);
+    vec3 depth_product = cracks_slope.xyz * 7.0 * sign(cracks_slope.w);  // depth: Absolute
+    float depth_result = abs(cracks_slope.w);
+    float groove_clamped = clamp(depth_result / 0.12, 0.0, 1.0);  // groove: Smooth step
+    vec3 groove_product = depth_product * (groove_clamped * (1.0 - groove_clamped) * 6.0);
+    float groove_result = smoothstep(0.0, 0.12, depth_result);
+    // rock: Add heights
+    vec3 rock_gradient = lumps_slope.xyz * 3.0 * 0.06 + groove_product / 0.12 * 0.015;
+    // normal: Resolve
+    vec3 normal_difference = normal * (s.facing + dot(normal, rock_gradient)) - rock_gradient;
+    float carve_result = groove_result * 0.015;  // carve: Multiply
     WrinkleMaterial_noise_rock m;
-    m.normal = normalize(normal_difference);
+    m.normal = normalize(normal_difference);  // normal: Resolve (continued)
     m.height = lumps_height + carve_result;  // rock: Add heights (continued)
     m.roughness = mix(0.25, 0.6, (lumps_height + 0.06) / 0.12);  // shade: Remap
     return m;

@@ -12,19 +12,18 @@ struct WrinkleMaterial_parallax_bricks {
 };
 uniform sampler2D parallax_bricks_bricks_image;  // textures/bricks_height.png (linear, repeat)
 
-vec2 wrinkle_parallax_bricks_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(parallax_bricks_bricks_image, a + b, 0.0);
-    float difference = texel.x - textureLod(parallax_bricks_bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(parallax_bricks_bricks_image, a + vec2(b.x, -b.y), 0.0);
-    vec4 texel_3 = textureLod(parallax_bricks_bricks_image, a + vec2(-b.x, b.y), 0.0);
-    float difference_2 = texel_2.x - texel_3.x;
-    vec4 texel_4 = textureLod(parallax_bricks_bricks_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_5 = textureLod(parallax_bricks_bricks_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
-    vec4 texel_6 = textureLod(parallax_bricks_bricks_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_7 = textureLod(parallax_bricks_bricks_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
-    return vec2(sum, sum_2) * 0.125;
+vec2 wrinkle_parallax_bricks_smooth_slope(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(parallax_bricks_bricks_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(parallax_bricks_bricks_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(parallax_bricks_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 texel_4 = textureLod(parallax_bricks_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
+    float difference_2 = texel_3.x - texel_4.x;
+    vec4 texel_5 = textureLod(parallax_bricks_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_6 = textureLod(parallax_bricks_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_7 = textureLod(parallax_bricks_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_8 = textureLod(parallax_bricks_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
 WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_bricks s) {
@@ -115,17 +114,15 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
     vec2 bricks_vector = vec2(tile_product + bricks_quotient.x, march_uv.y);
     vec4 bricks_texel_3 = textureGrad(parallax_bricks_bricks_image, bricks_vector, tile_vector,
             tile_vector_2);
-    vec4 bricks_texel_4 = textureGrad(parallax_bricks_bricks_image, tile_vector_5, tile_vector,
-            tile_vector_2);
-    float bricks_difference = bricks_texel_3.x - bricks_texel_4.x;
     vec2 bricks_vector_2 = vec2(tile_product, march_uv.y + bricks_quotient.y);
-    vec4 bricks_texel_5 = textureGrad(parallax_bricks_bricks_image, bricks_vector_2, tile_vector,
+    vec4 bricks_texel_4 = textureGrad(parallax_bricks_bricks_image, bricks_vector_2, tile_vector,
             tile_vector_2);
-    vec2 bricks_vector_3 = vec2(bricks_difference, bricks_texel_5.x - bricks_texel_4.x);
-    vec2 bricks_product_4 = bricks_vector_3 * (1.0 / bricks_root);
-    vec2 bricks_smooth_slope = wrinkle_parallax_bricks_smooth_slope(tile_vector_5,
-            1.0 / bricks_size);
-    vec2 bricks_mixed = mix(bricks_product_4, bricks_smooth_slope, bricks_clamped);
+    vec4 bricks_texel_5 = textureGrad(parallax_bricks_bricks_image, tile_vector_5, tile_vector,
+            tile_vector_2);
+    vec2 bricks_difference = vec2(bricks_texel_3.x, bricks_texel_4.x) - bricks_texel_5.x;
+    vec2 bricks_product_4 = bricks_difference * (1.0 / bricks_root);
+    vec2 bricks_slope = wrinkle_parallax_bricks_smooth_slope(tile_vector_5, 1.0 / bricks_size);
+    vec2 bricks_mixed = mix(bricks_product_4, bricks_slope, bricks_clamped);
     float bricks_dot_product_2 = dot(bricks_mixed, bricks_product_2);
     // normal: Resolve
     vec2 normal_vector = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_product_3));
@@ -134,6 +131,6 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_parallax_bricks m;
     m.normal = normalize(bricks_product - normal_gradient);
-    m.height = (bricks_texel_4.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
+    m.height = (bricks_texel_5.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
     return m;
 }

@@ -13,87 +13,92 @@ struct WrinkleMaterial_parallax_dents {
 };
 uniform sampler2D parallax_dents_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
 
-vec2 wrinkle_parallax_dents_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(parallax_dents_pebbles_image, a + b, 0.0);
-    float difference = texel.x - textureLod(parallax_dents_pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(parallax_dents_pebbles_image, a + vec2(b.x, -b.y), 0.0);
-    vec4 texel_3 = textureLod(parallax_dents_pebbles_image, a + vec2(-b.x, b.y), 0.0);
-    float difference_2 = texel_2.x - texel_3.x;
-    vec4 texel_4 = textureLod(parallax_dents_pebbles_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_5 = textureLod(parallax_dents_pebbles_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
-    vec4 texel_6 = textureLod(parallax_dents_pebbles_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_7 = textureLod(parallax_dents_pebbles_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
-    return vec2(sum, sum_2) * 0.125;
+vec2 wrinkle_parallax_dents_smooth_slope(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(parallax_dents_pebbles_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(parallax_dents_pebbles_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(parallax_dents_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 texel_4 = textureLod(parallax_dents_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
+    float difference_2 = texel_3.x - texel_4.x;
+    vec4 texel_5 = textureLod(parallax_dents_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_6 = textureLod(parallax_dents_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_7 = textureLod(parallax_dents_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_8 = textureLod(parallax_dents_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
-vec3 wrinkle_parallax_dents_noise_direction(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_parallax_dents_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
-    float number = float(2237013u >> product_4 & 3u);
-    float number_2 = float(5573130u >> product_4 & 3u);
-    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
+    return product >> 22u ^ product;
 }
 
-vec3 wrinkle_parallax_dents_gradient_noise_slope(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 noise_direction = wrinkle_parallax_dents_noise_direction(whole, whole_2, whole_3);
-    int sum = whole + 1;
-    vec3 noise_direction_2 = wrinkle_parallax_dents_noise_direction(sum, whole_2, whole_3);
-    vec3 difference = a - floored;
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_3 = wrinkle_parallax_dents_noise_direction(whole, sum_3, whole_3);
-    vec3 noise_direction_4 = wrinkle_parallax_dents_noise_direction(sum, sum_3, whole_3);
-    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
-    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_5 = wrinkle_parallax_dents_noise_direction(whole, whole_2, sum_4);
-    vec3 noise_direction_6 = wrinkle_parallax_dents_noise_direction(sum, whole_2, sum_4);
-    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
-    vec3 noise_direction_7 = wrinkle_parallax_dents_noise_direction(whole, sum_3, sum_4);
-    vec3 noise_direction_8 = wrinkle_parallax_dents_noise_direction(sum, sum_3, sum_4);
-    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+vec3 wrinkle_parallax_dents_noise_direction(vec3 corner) {
+    uint sum = uint(int(corner.y)) + wrinkle_parallax_dents_hash(uint(int(corner.z)));
+    uint sum_2 = uint(int(corner.x)) + wrinkle_parallax_dents_hash(sum);
+    uint hash = wrinkle_parallax_dents_hash(sum_2);
+    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
+    float number = float(2237013u >> product & 3u);
+    float number_2 = float(5573130u >> product & 3u);
+    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+}
+
+vec4 wrinkle_parallax_dents_gradient_corner(vec3 cell, vec3 from, vec3 corner) {
+    vec3 direction = wrinkle_parallax_dents_noise_direction(cell + corner);
+    return vec4(direction, dot(direction, from - corner));
+}
+
+vec4 wrinkle_parallax_dents_gradient_noise(vec3 p) {
+    vec3 floored = floor(p);
+    vec3 difference = p - floored;
+    vec4 corner = wrinkle_parallax_dents_gradient_corner(floored, difference, vec3(0.0));
+    vec4 corner_2 = wrinkle_parallax_dents_gradient_corner(floored, difference, vec3(1.0, 0.0,
+            0.0));
+    vec3 sum = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum;
+    vec4 mixed = mix(corner, corner_2, product.x);
+    vec4 corner_3 = wrinkle_parallax_dents_gradient_corner(floored, difference, vec3(0.0, 1.0,
+            0.0));
+    vec4 corner_4 = wrinkle_parallax_dents_gradient_corner(floored, difference, vec3(1.0, 1.0,
+            0.0));
+    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
+    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
+    vec4 corner_5 = wrinkle_parallax_dents_gradient_corner(floored, difference, vec3(0.0, 0.0,
+            1.0));
+    vec4 corner_6 = wrinkle_parallax_dents_gradient_corner(floored, difference, vec3(1.0, 0.0,
+            1.0));
+    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
+    vec4 corner_7 = wrinkle_parallax_dents_gradient_corner(floored, difference, vec3(0.0, 1.0,
+            1.0));
+    vec4 corner_8 = wrinkle_parallax_dents_gradient_corner(floored, difference, vec3(1.0));
+    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
+    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
+    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float difference_3 = difference.x - 1.0;
-    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
-    float dot_product_2 = dot(noise_direction, difference);
-    float difference_4 = difference.y - 1.0;
-    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
-    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
-    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float difference_5 = difference.z - 1.0;
-    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
-    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
-    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
-    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
-    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
-    float mixed_9 = mix(dot_product_2, dot_product, product.x);
-    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
-    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
-    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
-    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
+    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
+    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
+    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
+    vec3 vector = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
+    vec3 sum_2 = mixed_7.xyz + product_2 * vector;
+    return vec4(sum_2, mixed_7.w);
 }
 
-vec3 wrinkle_parallax_dents_noise_octave_slope(vec3 a, float b) {
-    vec3 gradient_noise_slope = wrinkle_parallax_dents_gradient_noise_slope(a);
-    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
+vec3 wrinkle_parallax_dents_fbm_slope(vec3 point, float width, int octaves, float lacunarity,
+        float gain) {
+    float frequency = 1.0;
+    float weight = 1.0;
+    float total = 0.0;
+    vec3 sum_slope = vec3(0.0);
+    for (int i = 0; i < min(octaves, 8); ++i) {
+        vec3 sum = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 product = wrinkle_parallax_dents_gradient_noise(sum).xyz * frequency;
+        total += weight;
+        sum_slope += product * (1.0 - smoothstep(0.25, 0.75, width * frequency)) * weight;
+        frequency *= lacunarity;
+        weight *= gain;
+    }
+    return sum_slope / total;
 }
 
 WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_dents s) {
@@ -185,17 +190,15 @@ WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_de
     vec2 pebbles_vector = vec2(tile_product_5.x + pebbles_quotient.x, tile_product_5.y);
     vec4 pebbles_texel_5 = textureGrad(parallax_dents_pebbles_image, pebbles_vector, tile_product,
             tile_product_2);
-    vec4 pebbles_texel_6 = textureGrad(parallax_dents_pebbles_image, tile_product_5, tile_product,
-            tile_product_2);
-    float pebbles_difference = pebbles_texel_5.x - pebbles_texel_6.x;
     vec2 pebbles_vector_2 = vec2(tile_product_5.x, tile_product_5.y + pebbles_quotient.y);
-    vec4 pebbles_texel_7 = textureGrad(parallax_dents_pebbles_image, pebbles_vector_2, tile_product,
+    vec4 pebbles_texel_6 = textureGrad(parallax_dents_pebbles_image, pebbles_vector_2, tile_product,
             tile_product_2);
-    vec2 pebbles_vector_3 = vec2(pebbles_difference, pebbles_texel_7.x - pebbles_texel_6.x);
-    vec2 pebbles_product_4 = pebbles_vector_3 * (1.0 / pebbles_root);
-    vec2 pebbles_smooth_slope = wrinkle_parallax_dents_smooth_slope(tile_product_5,
-            1.0 / pebbles_size);
-    vec2 pebbles_mixed = mix(pebbles_product_4, pebbles_smooth_slope, pebbles_clamped);
+    vec4 pebbles_texel_7 = textureGrad(parallax_dents_pebbles_image, tile_product_5, tile_product,
+            tile_product_2);
+    vec2 pebbles_difference = vec2(pebbles_texel_5.x, pebbles_texel_6.x) - pebbles_texel_7.x;
+    vec2 pebbles_product_4 = pebbles_difference * (1.0 / pebbles_root);
+    vec2 pebbles_slope = wrinkle_parallax_dents_smooth_slope(tile_product_5, 1.0 / pebbles_size);
+    vec2 pebbles_mixed = mix(pebbles_product_4, pebbles_slope, pebbles_clamped);
     float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_product_2);
     // relief: Resolve
     vec2 relief_vector = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_product_3));
@@ -204,25 +207,14 @@ WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_de
     vec3 relief_gradient = cross(normal, dpdx * relief_product_2.y - dpdy * relief_product_2.x);
     vec3 relief_normal = normalize(pebbles_product - relief_gradient);
     vec3 dents_product = march_position * 14.0;  // dents: Gradient noise
-    float dents_greatest = max(length(dpdx * 14.0), length(dpdy * 14.0));
-    vec3 dents_noise_octave_slope = wrinkle_parallax_dents_noise_octave_slope(dents_product,
-            dents_greatest);
-    vec3 dents_sum = dents_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float dents_product_2 = dents_greatest * 2.0;
-    vec3 dents_noise_octave_slope_2 = wrinkle_parallax_dents_noise_octave_slope(dents_sum,
-            dents_product_2);
-    float dents_product_3 = dents_noise_octave_slope_2.x * 28.0 * 0.5;
-    float dents_product_4 = (dents_noise_octave_slope.x * 14.0 + dents_product_3) / 1.5 * 0.004;
-    float dents_product_5 = dents_noise_octave_slope_2.y * 28.0 * 0.5;
-    float dents_product_6 = (dents_noise_octave_slope.y * 14.0 + dents_product_5) / 1.5 * 0.004;
-    float dents_product_7 = dents_noise_octave_slope_2.z * 28.0 * 0.5;
-    float dents_product_8 = (dents_noise_octave_slope.z * 14.0 + dents_product_7) / 1.5 * 0.004;
-    // bump: Bump from height
-    vec3 bump_gradient = vec3(dents_product_4, dents_product_6, dents_product_8);
+    float dents_product_2 = max(length(dpdx), length(dpdy)) * 14.0;
+    vec3 dents_slope = wrinkle_parallax_dents_fbm_slope(dents_product, dents_product_2, 2, 2.0,
+            0.5);
+    vec3 dents_gradient = dents_slope * 14.0 * 0.004;
     // normal: Resolve
-    vec3 normal_product = relief_normal * (1.0 + dot(relief_normal, bump_gradient));
+    vec3 normal_product = relief_normal * (1.0 + dot(relief_normal, dents_gradient));
     WrinkleMaterial_parallax_dents m;
-    m.normal = normalize(normal_product - bump_gradient);
-    m.height = (pebbles_texel_6.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
+    m.normal = normalize(normal_product - dents_gradient);
+    m.height = (pebbles_texel_7.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
     return m;
 }

@@ -13,113 +13,82 @@ struct WrinkleMaterial_parallax_detail {
 };
 uniform sampler2D parallax_detail_weave_image;  // textures/weave_normal.png (normal_gl, repeat)
 
-vec3 wrinkle_parallax_detail_noise_direction(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_parallax_detail_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
-    float number = float(2237013u >> product_4 & 3u);
-    float number_2 = float(5573130u >> product_4 & 3u);
-    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
+    return product >> 22u ^ product;
 }
 
-float wrinkle_parallax_detail_gradient_noise(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 noise_direction = wrinkle_parallax_detail_noise_direction(whole, whole_2, whole_3);
-    vec3 difference = a - floored;
-    int sum = whole + 1;
-    vec3 noise_direction_2 = wrinkle_parallax_detail_noise_direction(sum, whole_2, whole_3);
-    float difference_2 = difference.x - 1.0;
-    float dot_product = dot(noise_direction_2, vec3(difference_2, difference.y, difference.z));
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    float mixed = mix(dot(noise_direction, difference), dot_product, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_3 = wrinkle_parallax_detail_noise_direction(whole, sum_3, whole_3);
-    float difference_3 = difference.y - 1.0;
-    float dot_product_2 = dot(noise_direction_3, vec3(difference.x, difference_3, difference.z));
-    vec3 noise_direction_4 = wrinkle_parallax_detail_noise_direction(sum, sum_3, whole_3);
-    float dot_product_3 = dot(noise_direction_4, vec3(difference_2, difference_3, difference.z));
-    float mixed_2 = mix(mixed, mix(dot_product_2, dot_product_3, product.x), product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_5 = wrinkle_parallax_detail_noise_direction(whole, whole_2, sum_4);
-    float difference_4 = difference.z - 1.0;
-    float dot_product_4 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_4));
-    vec3 noise_direction_6 = wrinkle_parallax_detail_noise_direction(sum, whole_2, sum_4);
-    float dot_product_5 = dot(noise_direction_6, vec3(difference_2, difference.y, difference_4));
-    float mixed_3 = mix(dot_product_4, dot_product_5, product.x);
-    vec3 noise_direction_7 = wrinkle_parallax_detail_noise_direction(whole, sum_3, sum_4);
-    float dot_product_6 = dot(noise_direction_7, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_8 = wrinkle_parallax_detail_noise_direction(sum, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float mixed_4 = mix(mixed_3, mix(dot_product_6, dot_product_7, product.x), product.y);
-    return mix(mixed_2, mixed_4, product.z);
+vec3 wrinkle_parallax_detail_noise_direction(vec3 corner) {
+    uint sum = uint(int(corner.y)) + wrinkle_parallax_detail_hash(uint(int(corner.z)));
+    uint sum_2 = uint(int(corner.x)) + wrinkle_parallax_detail_hash(sum);
+    uint hash = wrinkle_parallax_detail_hash(sum_2);
+    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
+    float number = float(2237013u >> product & 3u);
+    float number_2 = float(5573130u >> product & 3u);
+    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
 }
 
-float wrinkle_parallax_detail_noise_octave(vec3 a, float b) {
-    float gradient_noise = wrinkle_parallax_detail_gradient_noise(a);
-    return gradient_noise * (1.0 - smoothstep(0.25, 0.75, b));
+vec4 wrinkle_parallax_detail_gradient_corner(vec3 cell, vec3 from, vec3 corner) {
+    vec3 direction = wrinkle_parallax_detail_noise_direction(cell + corner);
+    return vec4(direction, dot(direction, from - corner));
 }
 
-vec3 wrinkle_parallax_detail_gradient_noise_slope(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 noise_direction = wrinkle_parallax_detail_noise_direction(whole, whole_2, whole_3);
-    int sum = whole + 1;
-    vec3 noise_direction_2 = wrinkle_parallax_detail_noise_direction(sum, whole_2, whole_3);
-    vec3 difference = a - floored;
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_3 = wrinkle_parallax_detail_noise_direction(whole, sum_3, whole_3);
-    vec3 noise_direction_4 = wrinkle_parallax_detail_noise_direction(sum, sum_3, whole_3);
-    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
-    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_5 = wrinkle_parallax_detail_noise_direction(whole, whole_2, sum_4);
-    vec3 noise_direction_6 = wrinkle_parallax_detail_noise_direction(sum, whole_2, sum_4);
-    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
-    vec3 noise_direction_7 = wrinkle_parallax_detail_noise_direction(whole, sum_3, sum_4);
-    vec3 noise_direction_8 = wrinkle_parallax_detail_noise_direction(sum, sum_3, sum_4);
-    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+vec4 wrinkle_parallax_detail_gradient_noise(vec3 p) {
+    vec3 floored = floor(p);
+    vec3 difference = p - floored;
+    vec4 corner = wrinkle_parallax_detail_gradient_corner(floored, difference, vec3(0.0));
+    vec4 corner_2 = wrinkle_parallax_detail_gradient_corner(floored, difference, vec3(1.0, 0.0,
+            0.0));
+    vec3 sum = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum;
+    vec4 mixed = mix(corner, corner_2, product.x);
+    vec4 corner_3 = wrinkle_parallax_detail_gradient_corner(floored, difference, vec3(0.0, 1.0,
+            0.0));
+    vec4 corner_4 = wrinkle_parallax_detail_gradient_corner(floored, difference, vec3(1.0, 1.0,
+            0.0));
+    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
+    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
+    vec4 corner_5 = wrinkle_parallax_detail_gradient_corner(floored, difference, vec3(0.0, 0.0,
+            1.0));
+    vec4 corner_6 = wrinkle_parallax_detail_gradient_corner(floored, difference, vec3(1.0, 0.0,
+            1.0));
+    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
+    vec4 corner_7 = wrinkle_parallax_detail_gradient_corner(floored, difference, vec3(0.0, 1.0,
+            1.0));
+    vec4 corner_8 = wrinkle_parallax_detail_gradient_corner(floored, difference, vec3(1.0));
+    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
+    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
+    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float difference_3 = difference.x - 1.0;
-    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
-    float dot_product_2 = dot(noise_direction, difference);
-    float difference_4 = difference.y - 1.0;
-    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
-    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
-    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float difference_5 = difference.z - 1.0;
-    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
-    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
-    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
-    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
-    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
-    float mixed_9 = mix(dot_product_2, dot_product, product.x);
-    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
-    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
-    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
-    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
+    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
+    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
+    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
+    vec3 vector = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
+    vec3 sum_2 = mixed_7.xyz + product_2 * vector;
+    return vec4(sum_2, mixed_7.w);
 }
 
-vec3 wrinkle_parallax_detail_noise_octave_slope(vec3 a, float b) {
-    vec3 gradient_noise_slope = wrinkle_parallax_detail_gradient_noise_slope(a);
-    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
+vec4 wrinkle_parallax_detail_fbm_with_slope(vec3 point, float width, int octaves, float lacunarity,
+        float gain) {
+    float frequency = 1.0;
+    float weight = 1.0;
+    float total = 0.0;
+    float sum = 0.0;
+    vec3 sum_slope = vec3(0.0);
+    for (int i = 0; i < min(octaves, 8); ++i) {
+        vec3 sum_2 = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec4 noise = wrinkle_parallax_detail_gradient_noise(sum_2);
+        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        total += weight;
+        sum += noise.w * difference * weight;
+        sum_slope += noise.xyz * frequency * difference * weight;
+        frequency *= lacunarity;
+        weight *= gain;
+    }
+    vec4 vector = vec4(sum_slope, sum);
+    return vector / total;
 }
 
 WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_detail s) {
@@ -130,7 +99,7 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     vec3 dpdy = dFdy(s.position_relative);
     vec2 duv0_dy = dFdy(s.uv0);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    vec3 point_vector = vec3(s.uv0.x, s.uv0.y, 0.37);  // point: Combine vec3
+    vec3 point_vector = vec3(s.uv0, 0.37);  // point: Combine vec3
     vec3 march_product = normal * s.facing;  // march: Parallax occlusion
     float march_dot_product = dot(march_product, s.view);
     vec3 march_difference = s.view - march_product * march_dot_product;
@@ -146,20 +115,12 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     float march_magnitude = abs(march_dot_product);
     vec2 march_product_4 = march_product_3 * (-1.0 / max(march_magnitude, 0.1));
     float march_quotient = 0.08 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
-    float march_product_5 = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08;
     vec3 dunes_product = point_vector * 7.0;  // dunes: Gradient noise
-    float dunes_product_2 = duv0_dx.x * 7.0;
-    float dunes_product_3 = duv0_dx.y * 7.0;
-    float dunes_extent = length(vec3(dunes_product_2, dunes_product_3, 0.0));
-    float dunes_product_4 = duv0_dy.x * 7.0;
-    float dunes_product_5 = duv0_dy.y * 7.0;
-    float dunes_greatest = max(dunes_extent, length(vec3(dunes_product_4, dunes_product_5, 0.0)));
-    float dunes_noise_octave = wrinkle_parallax_detail_noise_octave(dunes_product, dunes_greatest);
-    vec3 dunes_sum = dunes_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float dunes_product_6 = dunes_greatest * 2.0;
-    float dunes_product_7 = wrinkle_parallax_detail_noise_octave(dunes_sum, dunes_product_6) * 0.5;
-    float dunes_value = (dunes_noise_octave + dunes_product_7) / 1.5;
-    float dunes_height = dunes_value * 0.08;
+    float dunes_extent = length(vec3(duv0_dx, 0.0));
+    float dunes_product_2 = max(dunes_extent, length(vec3(duv0_dy, 0.0))) * 7.0;
+    vec4 dunes_slope = wrinkle_parallax_detail_fbm_with_slope(dunes_product, dunes_product_2, 2,
+            2.0, 0.5);
+    float dunes_height = dunes_slope.w * 0.08;
     float march_difference_4 = dunes_height - 0.04;  // march: Parallax occlusion (continued)
     float march_state = 0.0;
     float march_state_2 = march_difference_4;
@@ -169,18 +130,13 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
         if (!(march_state_4 < 0.0 && march_state_3 < 0.08)) break;
         float march_least = min(march_state_3 + march_quotient, 0.08);
         vec2 march_sum_2 = s.uv0 + march_product_4 * march_least;
-        // dunes: Gradient noise (continued)
-        vec3 dunes_product_8 = vec3(march_sum_2.x, march_sum_2.y, 0.37) * 7.0;
-        float dunes_noise_octave_2 = wrinkle_parallax_detail_noise_octave(dunes_product_8,
-                dunes_greatest);
-        vec3 dunes_sum_2 = dunes_product_8 * 2.0 + vec3(19.19, 7.43, 31.71);
-        float dunes_product_9 = wrinkle_parallax_detail_noise_octave(dunes_sum_2,
-                dunes_product_6) * 0.5;
-        float dunes_product_10 = (dunes_noise_octave_2 + dunes_product_9) / 1.5 * 0.08;
+        vec3 dunes_product_3 = vec3(march_sum_2, 0.37) * 7.0;  // dunes: Gradient noise (continued)
+        vec4 dunes_slope_2 = wrinkle_parallax_detail_fbm_with_slope(dunes_product_3,
+                dunes_product_2, 2, 2.0, 0.5);
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
-        march_state_4 = dunes_product_10 - 0.04 + march_least;
+        march_state_4 = dunes_slope_2.w * 0.08 - 0.04 + march_least;
     }
     // march: Parallax occlusion (continued)
     float march_state_5 = march_state;
@@ -193,16 +149,11 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
         float march_sum_3 = march_state_5 + (march_state_7 - march_state_5) * (march_difference_5
                 != 0.0 ? march_state_6 / march_difference_5 : 0.0);
         vec2 march_sum_4 = s.uv0 + march_product_4 * march_sum_3;
-        // dunes: Gradient noise (continued)
-        vec3 dunes_product_11 = vec3(march_sum_4.x, march_sum_4.y, 0.37) * 7.0;
-        float dunes_noise_octave_3 = wrinkle_parallax_detail_noise_octave(dunes_product_11,
-                dunes_greatest);
-        vec3 dunes_sum_3 = dunes_product_11 * 2.0 + vec3(19.19, 7.43, 31.71);
-        float dunes_product_12 = wrinkle_parallax_detail_noise_octave(dunes_sum_3,
-                dunes_product_6) * 0.5;
-        float dunes_product_13 = (dunes_noise_octave_3 + dunes_product_12) / 1.5 * 0.08;
+        vec3 dunes_product_4 = vec3(march_sum_4, 0.37) * 7.0;  // dunes: Gradient noise (continued)
+        vec4 dunes_slope_3 = wrinkle_parallax_detail_fbm_with_slope(dunes_product_4,
+                dunes_product_2, 2, 2.0, 0.5);
         // march: Parallax occlusion (continued)
-        float march_sum_5 = dunes_product_13 - 0.04 + march_sum_3;
+        float march_sum_5 = dunes_slope_3.w * 0.08 - 0.04 + march_sum_3;
         bool march_test = march_sum_5 < 0.0;
         march_state_5 = march_test ? march_sum_3 : march_state_5;
         march_state_6 = march_test ? march_sum_5 : march_state_6;
@@ -212,32 +163,16 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     float march_difference_6 = march_state_6 - march_state_8;
     float march_choice = march_difference_6 != 0.0 ? march_state_6 / march_difference_6 : 0.0;
     float march_sum_6 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
-    vec2 march_product_6 = march_product_4 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
-    vec2 march_detail_uv = s.uv0 + march_product_6;
-    // dunes: Gradient noise (continued)
-    vec3 dunes_product_14 = vec3(march_detail_uv.x, march_detail_uv.y, 0.37) * 7.0;
-    vec3 dunes_noise_octave_slope = wrinkle_parallax_detail_noise_octave_slope(dunes_product_14,
-            dunes_greatest);
-    float dunes_product_15 = dunes_noise_octave_slope.x * dunes_product_2;
-    float dunes_sum_4 = dunes_product_15 + dunes_noise_octave_slope.y * dunes_product_3;
-    vec3 dunes_sum_5 = dunes_product_14 * 2.0 + vec3(19.19, 7.43, 31.71);
-    vec3 dunes_noise_octave_slope_2 = wrinkle_parallax_detail_noise_octave_slope(dunes_sum_5,
-            dunes_product_6);
-    float dunes_product_16 = dunes_noise_octave_slope_2.x * (dunes_product_2 * 2.0);
-    float dunes_sum_6 = dunes_product_16 + dunes_noise_octave_slope_2.y * (dunes_product_3 * 2.0);
-    float dunes_quotient = (dunes_sum_4 + dunes_sum_6 * 0.5) / 1.5;
-    float dunes_product_17 = dunes_noise_octave_slope.x * dunes_product_4;
-    float dunes_sum_7 = dunes_product_17 + dunes_noise_octave_slope.y * dunes_product_5;
-    float dunes_product_18 = dunes_noise_octave_slope_2.x * (dunes_product_4 * 2.0);
-    float dunes_sum_8 = dunes_product_18 + dunes_noise_octave_slope_2.y * (dunes_product_5 * 2.0);
-    float dunes_quotient_2 = (dunes_sum_7 + dunes_sum_8 * 0.5) / 1.5;
-    float dunes_noise_octave_4 = wrinkle_parallax_detail_noise_octave(dunes_product_14,
-            dunes_greatest);
-    float dunes_product_19 = wrinkle_parallax_detail_noise_octave(dunes_sum_5,
-            dunes_product_6) * 0.5;
+    vec2 march_product_5 = march_product_4 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
+    vec2 march_detail_uv = s.uv0 + march_product_5;
+    vec3 dunes_product_5 = vec3(march_detail_uv, 0.37) * 7.0;  // dunes: Gradient noise (continued)
+    vec4 dunes_slope_4 = wrinkle_parallax_detail_fbm_with_slope(dunes_product_5, dunes_product_2, 2,
+            2.0, 0.5);
+    vec2 dunes_product_6 = dunes_slope_4.x * (vec2(duv0_dx.x, duv0_dy.x) * 7.0);
+    vec2 dunes_sum = dunes_product_6 + dunes_slope_4.y * (vec2(duv0_dx.y, duv0_dy.y) * 7.0);
     // march: Parallax occlusion (continued)
-    vec2 march_product_7 = vec2(dunes_quotient, dunes_quotient_2) * march_product_5;
-    vec3 march_gradient = cross(normal, dpdx * march_product_7.y - dpdy * march_product_7.x);
+    vec2 march_product_6 = dunes_sum * (sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08);
+    vec3 march_gradient = cross(normal, dpdx * march_product_6.y - dpdy * march_product_6.x);
     vec3 relief_normal = normalize(march_product - march_gradient);  // relief: Resolve
     // march: Parallax occlusion (continued)
     float march_quotient_2 = march_magnitude / max(abs(dot(relief_normal, s.view)), 1.19e-15);
@@ -267,7 +202,6 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     float normal_difference = weave_depth - dot(relief_normal, normal_sum);
     WrinkleMaterial_parallax_detail m;
     m.normal = normalize(relief_normal * normal_difference + normal_sum);
-    // march: Parallax occlusion (continued)
-    m.height = (dunes_noise_octave_4 + dunes_product_19) / 1.5 * 0.08;
+    m.height = dunes_slope_4.w * 0.08;  // march: Parallax occlusion (continued)
     return m;
 }

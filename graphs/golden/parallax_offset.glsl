@@ -12,19 +12,18 @@ struct WrinkleMaterial_parallax_offset {
 };
 uniform sampler2D parallax_offset_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
 
-vec2 wrinkle_parallax_offset_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(parallax_offset_pebbles_image, a + b, 0.0);
-    float difference = texel.x - textureLod(parallax_offset_pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(parallax_offset_pebbles_image, a + vec2(b.x, -b.y), 0.0);
-    vec4 texel_3 = textureLod(parallax_offset_pebbles_image, a + vec2(-b.x, b.y), 0.0);
-    float difference_2 = texel_2.x - texel_3.x;
-    vec4 texel_4 = textureLod(parallax_offset_pebbles_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_5 = textureLod(parallax_offset_pebbles_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
-    vec4 texel_6 = textureLod(parallax_offset_pebbles_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_7 = textureLod(parallax_offset_pebbles_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
-    return vec2(sum, sum_2) * 0.125;
+vec2 wrinkle_parallax_offset_smooth_slope(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(parallax_offset_pebbles_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(parallax_offset_pebbles_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(parallax_offset_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 texel_4 = textureLod(parallax_offset_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
+    float difference_2 = texel_3.x - texel_4.x;
+    vec4 texel_5 = textureLod(parallax_offset_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_6 = textureLod(parallax_offset_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_7 = textureLod(parallax_offset_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_8 = textureLod(parallax_offset_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
 WrinkleMaterial_parallax_offset wrinkle_parallax_offset(WrinkleSurface_parallax_offset s) {
@@ -44,7 +43,7 @@ WrinkleMaterial_parallax_offset wrinkle_parallax_offset(WrinkleSurface_parallax_
     vec2 shift_sum = duv0_dx * dot(s.view, shift_cross_product) + shift_product;
     float shift_dot_product = dot(shift_difference_2, shift_cross_product);
     float shift_sign = shift_dot_product < 0.0 ? -1.0 : 1.0;
-    vec2 shift_negated = -(shift_sum * (shift_sign / max(abs(shift_dot_product), 1e-36)));
+    vec2 shift_product_2 = shift_sum * (shift_sign / max(abs(shift_dot_product), 1e-36));
     vec2 tile_uv = s.uv0 * 2.0;  // tile: UV transform
     vec2 tile_product = duv0_dx * 2.0;
     vec2 tile_product_2 = duv0_dy * 2.0;
@@ -57,23 +56,22 @@ WrinkleMaterial_parallax_offset wrinkle_parallax_offset(WrinkleSurface_parallax_
     float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
     vec2 pebbles_quotient = pebbles_root / pebbles_size;
     float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
-    vec2 shift_uv = s.uv0 + shift_negated * -pebbles_height;  // shift: Parallax offset (continued)
+    // shift: Parallax offset (continued)
+    vec2 shift_uv = s.uv0 - shift_product_2 * -pebbles_height;
     vec2 tile_product_3 = shift_uv * 2.0;  // tile: UV transform (continued)
     // pebbles: Height map (continued)
     vec2 pebbles_vector = vec2(tile_product_3.x + pebbles_quotient.x, tile_product_3.y);
     vec4 pebbles_texel = textureGrad(parallax_offset_pebbles_image, pebbles_vector, tile_product,
             tile_product_2);
-    vec4 pebbles_texel_2 = textureGrad(parallax_offset_pebbles_image, tile_product_3, tile_product,
-            tile_product_2);
-    float pebbles_difference = pebbles_texel.x - pebbles_texel_2.x;
     vec2 pebbles_vector_2 = vec2(tile_product_3.x, tile_product_3.y + pebbles_quotient.y);
-    vec4 pebbles_texel_3 = textureGrad(parallax_offset_pebbles_image, pebbles_vector_2,
+    vec4 pebbles_texel_2 = textureGrad(parallax_offset_pebbles_image, pebbles_vector_2,
             tile_product, tile_product_2);
-    vec2 pebbles_vector_3 = vec2(pebbles_difference, pebbles_texel_3.x - pebbles_texel_2.x);
-    vec2 pebbles_product_4 = pebbles_vector_3 * (1.0 / pebbles_root);
-    vec2 pebbles_smooth_slope = wrinkle_parallax_offset_smooth_slope(tile_product_3,
-            1.0 / pebbles_size);
-    vec2 pebbles_mixed = mix(pebbles_product_4, pebbles_smooth_slope, pebbles_clamped);
+    vec4 pebbles_texel_3 = textureGrad(parallax_offset_pebbles_image, tile_product_3, tile_product,
+            tile_product_2);
+    vec2 pebbles_difference = vec2(pebbles_texel.x, pebbles_texel_2.x) - pebbles_texel_3.x;
+    vec2 pebbles_product_4 = pebbles_difference * (1.0 / pebbles_root);
+    vec2 pebbles_slope = wrinkle_parallax_offset_smooth_slope(tile_product_3, 1.0 / pebbles_size);
+    vec2 pebbles_mixed = mix(pebbles_product_4, pebbles_slope, pebbles_clamped);
     float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_product_2);
     // normal: Resolve
     vec2 normal_vector = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_product_3));
@@ -82,6 +80,6 @@ WrinkleMaterial_parallax_offset wrinkle_parallax_offset(WrinkleSurface_parallax_
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_parallax_offset m;
     m.normal = normalize(pebbles_product - normal_gradient);
-    m.height = (pebbles_texel_2.x - 0.5) * 0.03;  // shift: Parallax offset (continued)
+    m.height = (pebbles_texel_3.x - 0.5) * 0.03;  // shift: Parallax offset (continued)
     return m;
 }

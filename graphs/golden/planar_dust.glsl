@@ -10,19 +10,18 @@ struct WrinkleMaterial_planar_dust {
 };
 uniform sampler2D planar_dust_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
 
-vec2 wrinkle_planar_dust_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(planar_dust_pebbles_image, a + b, 0.0);
-    float difference = texel.x - textureLod(planar_dust_pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(planar_dust_pebbles_image, a + vec2(b.x, -b.y), 0.0);
-    vec4 texel_3 = textureLod(planar_dust_pebbles_image, a + vec2(-b.x, b.y), 0.0);
-    float difference_2 = texel_2.x - texel_3.x;
-    vec4 texel_4 = textureLod(planar_dust_pebbles_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_5 = textureLod(planar_dust_pebbles_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
-    vec4 texel_6 = textureLod(planar_dust_pebbles_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_7 = textureLod(planar_dust_pebbles_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
-    return vec2(sum, sum_2) * 0.125;
+vec2 wrinkle_planar_dust_smooth_slope(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(planar_dust_pebbles_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(planar_dust_pebbles_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(planar_dust_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 texel_4 = textureLod(planar_dust_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
+    float difference_2 = texel_3.x - texel_4.x;
+    vec4 texel_5 = textureLod(planar_dust_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_6 = textureLod(planar_dust_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_7 = textureLod(planar_dust_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_8 = textureLod(planar_dust_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
 WrinkleMaterial_planar_dust wrinkle_planar_dust(WrinkleSurface_planar_dust s) {
@@ -33,9 +32,7 @@ WrinkleMaterial_planar_dust wrinkle_planar_dust(WrinkleSurface_planar_dust s) {
     vec2 from_above_uv = vec2(s.position.x, from_above_negated * s.position.z) * 1.5;
     vec2 from_above_product = vec2(dpdx.x, dpdx.z * from_above_negated) * 1.5;
     vec2 from_above_product_2 = vec2(dpdy.x, dpdy.z * from_above_negated) * 1.5;
-    float from_above_clamped = clamp((normal.y - 0.2) / 0.3, 0.0, 1.0);
-    float from_above_product_3 = from_above_clamped * from_above_clamped;
-    float from_above_weight = from_above_product_3 * (3.0 - 2.0 * from_above_clamped);
+    float from_above_weight = smoothstep(0.2, 0.5, normal.y);
     vec2 pebbles_size = vec2(textureSize(planar_dust_pebbles_image, 0));  // pebbles: Height map
     vec2 pebbles_product = from_above_product * pebbles_size;
     float pebbles_dot_product = dot(pebbles_product, pebbles_product);
@@ -44,16 +41,15 @@ WrinkleMaterial_planar_dust wrinkle_planar_dust(WrinkleSurface_planar_dust s) {
     float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
     vec2 pebbles_quotient = pebbles_root / pebbles_size;
     vec2 pebbles_vector = vec2(from_above_uv.x + pebbles_quotient.x, from_above_uv.y);
-    vec4 pebbles_texel = texture(planar_dust_pebbles_image, from_above_uv);
-    float pebbles_difference = texture(planar_dust_pebbles_image,
-            pebbles_vector).x - pebbles_texel.x;
+    vec4 pebbles_texel = texture(planar_dust_pebbles_image, pebbles_vector);
     vec2 pebbles_vector_2 = vec2(from_above_uv.x, from_above_uv.y + pebbles_quotient.y);
-    float pebbles_difference_2 = texture(planar_dust_pebbles_image,
-            pebbles_vector_2).x - pebbles_texel.x;
-    vec2 pebbles_product_3 = vec2(pebbles_difference, pebbles_difference_2) * (1.0 / pebbles_root);
-    vec2 pebbles_smooth_slope = wrinkle_planar_dust_smooth_slope(from_above_uv, 1.0 / pebbles_size);
+    vec4 pebbles_texel_2 = texture(planar_dust_pebbles_image, pebbles_vector_2);
+    vec4 pebbles_texel_3 = texture(planar_dust_pebbles_image, from_above_uv);
+    vec2 pebbles_difference = vec2(pebbles_texel.x, pebbles_texel_2.x) - pebbles_texel_3.x;
+    vec2 pebbles_product_3 = pebbles_difference * (1.0 / pebbles_root);
+    vec2 pebbles_slope = wrinkle_planar_dust_smooth_slope(from_above_uv, 1.0 / pebbles_size);
     float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed = mix(pebbles_product_3, pebbles_smooth_slope, pebbles_clamped);
+    vec2 pebbles_mixed = mix(pebbles_product_3, pebbles_slope, pebbles_clamped);
     float pebbles_product_4 = pebbles_mixed.y * (from_above_negated * 1.5 * pebbles_size.y);
     // g: Scale bump
     float g_product = pebbles_mixed.x * (1.5 * pebbles_size.x) * 0.06 * from_above_weight;

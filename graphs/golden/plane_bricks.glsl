@@ -10,19 +10,18 @@ struct WrinkleMaterial_plane_bricks {
 };
 uniform sampler2D plane_bricks_g_image;  // textures/bricks_height.png (linear, repeat)
 
-vec2 wrinkle_plane_bricks_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(plane_bricks_g_image, a + b, 0.0);
-    float difference = texel.x - textureLod(plane_bricks_g_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(plane_bricks_g_image, a + vec2(b.x, -b.y), 0.0);
-    vec4 texel_3 = textureLod(plane_bricks_g_image, a + vec2(-b.x, b.y), 0.0);
-    float difference_2 = texel_2.x - texel_3.x;
-    vec4 texel_4 = textureLod(plane_bricks_g_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_5 = textureLod(plane_bricks_g_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
-    vec4 texel_6 = textureLod(plane_bricks_g_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_7 = textureLod(plane_bricks_g_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
-    return vec2(sum, sum_2) * 0.125;
+vec2 wrinkle_plane_bricks_smooth_slope(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(plane_bricks_g_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(plane_bricks_g_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(plane_bricks_g_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 texel_4 = textureLod(plane_bricks_g_image, at + vec2(-texel.x, texel.y), 0.0);
+    float difference_2 = texel_3.x - texel_4.x;
+    vec4 texel_5 = textureLod(plane_bricks_g_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_6 = textureLod(plane_bricks_g_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_7 = textureLod(plane_bricks_g_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_8 = textureLod(plane_bricks_g_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
 WrinkleMaterial_plane_bricks wrinkle_plane_bricks(WrinkleSurface_plane_bricks s) {
@@ -42,16 +41,16 @@ WrinkleMaterial_plane_bricks wrinkle_plane_bricks(WrinkleSurface_plane_bricks s)
     float g_root = sqrt(max(max(dot(g_product, g_product), dot(g_product_2, g_product_2)), 1.0));
     vec2 g_quotient = g_root / g_size;
     vec2 g_vector = vec2(slant_uv.x + g_quotient.x, slant_uv.y);
-    vec4 g_texel = texture(plane_bricks_g_image, slant_uv);
-    float g_difference = texture(plane_bricks_g_image, g_vector).x - g_texel.x;
+    vec4 g_texel = texture(plane_bricks_g_image, g_vector);
     vec2 g_vector_2 = vec2(slant_uv.x, slant_uv.y + g_quotient.y);
-    float g_difference_2 = texture(plane_bricks_g_image, g_vector_2).x - g_texel.x;
-    vec2 g_product_3 = vec2(g_difference, g_difference_2) * (1.0 / g_root);
-    vec2 g_smooth_slope = wrinkle_plane_bricks_smooth_slope(slant_uv, 1.0 / g_size);
-    vec2 g_mixed = mix(g_product_3, g_smooth_slope, clamp((0.5 - log2(g_root)) / 0.45, 0.0, 1.0));
-    float g_product_4 = dot(g_mixed, vec2(1.3416408, -0.2738613) * g_size) * 0.03;
-    float g_product_5 = dot(g_mixed, vec2(-0.6708204, -0.5477226) * g_size) * 0.03;
-    vec3 g_gradient = vec3(g_product_4, g_mixed.y * (1.3693064 * g_size.y) * 0.03, g_product_5);
+    vec2 g_vector_3 = vec2(g_texel.x, texture(plane_bricks_g_image, g_vector_2).x);
+    vec2 g_product_3 = (g_vector_3 - texture(plane_bricks_g_image, slant_uv).x) * (1.0 / g_root);
+    vec2 g_slope = wrinkle_plane_bricks_smooth_slope(slant_uv, 1.0 / g_size);
+    vec2 g_mixed = mix(g_product_3, g_slope, clamp((0.5 - log2(g_root)) / 0.45, 0.0, 1.0));
+    float g_dot_product = dot(g_mixed, vec2(1.3416408, -0.2738613) * g_size);
+    float g_product_4 = g_mixed.y * (1.3693064 * g_size.y);
+    float g_dot_product_2 = dot(g_mixed, vec2(-0.6708204, -0.5477226) * g_size);
+    vec3 g_gradient = vec3(g_dot_product, g_product_4, g_dot_product_2) * 0.03;
     WrinkleMaterial_plane_bricks m;
     // normal: Resolve
     m.normal = normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);

@@ -21,88 +21,69 @@ WrinkleMaterial_rings wrinkle_rings(WrinkleSurface_rings s) {
     vec2 lengths_vector = place_vector * 2.0;  // lengths: Scale vec2
     vec2 lengths_product = dFdx(s.uv0) * 2.0;
     vec2 lengths_product_2 = dFdy(s.uv0) * 2.0;
-    // flat_place: Combine vec3
-    vec3 flat_place_vector = vec3(lengths_vector.x, lengths_vector.y, 0.0);
+    vec3 flat_place_vector = vec3(lengths_vector, 0.0);  // flat_place: Combine vec3
     // shifted: Subtract vec3
     vec3 shifted_vector = vec3(lengths_vector.x - 0.05, lengths_vector.y, 0.0);
     vec3 blended_vector = mix(flat_place_vector, shifted_vector, 0.5);  // blended: Mix vec3
     float radius_result = length(blended_vector);  // radius: Length
-    float radius_product = blended_vector.x * lengths_product.x;
-    float radius_sum = radius_product + blended_vector.y * lengths_product.y;
-    bool radius_test = radius_result > 0.0;
-    float radius_choice = radius_test ? radius_sum / radius_result : 0.0;
-    float radius_product_2 = blended_vector.x * lengths_product_2.x;
-    float radius_sum_2 = radius_product_2 + blended_vector.y * lengths_product_2.y;
-    float radius_choice_2 = radius_test ? radius_sum_2 / radius_result : 0.0;
     float squared_result = dot(blended_vector, blended_vector);  // squared: Dot product
-    float squared_product = lengths_product.x * blended_vector.x;
-    float squared_sum = squared_product + lengths_product.y * blended_vector.y;
-    float squared_product_2 = lengths_product_2.x * blended_vector.x;
-    float squared_sum_2 = squared_product_2 + lengths_product_2.y * blended_vector.y;
+    vec2 squared_vector = vec2(lengths_product.y, lengths_product_2.y);
     float root_result = sqrt(squared_result);  // root: Square root
     float root_choice = root_result > 0.0 ? 0.5 / root_result : 0.0;
     float least_result = min(radius_result, root_result);  // least: Minimum
-    bool least_test = root_result < radius_result;
-    float least_choice = least_test ? (squared_sum + radius_sum) * root_choice : radius_choice;
-    float least_choice_2 = least_test ? (squared_sum_2 + radius_sum_2) * root_choice :
-            radius_choice_2;
     float most_result = max(least_result, 0.1);  // most: Maximum
-    bool most_test = least_result < 0.1;
     float inside_result = clamp(most_result, 0.1, 0.9);  // inside: Clamp
-    bool inside_test = 0.9 < most_result;
-    bool inside_test_2 = most_result < 0.1;
-    float inside_choice = inside_test_2 ? 0.0 : most_test ? 0.0 : least_choice;
-    float inside_choice_2 = inside_test_2 ? 0.0 : most_test ? 0.0 : least_choice_2;
+    float edge_result = step(0.15, inside_result);  // edge: Step
     bool curve_test = inside_result > 0.0;  // curve: Power
     float curve_power = pow(inside_result, 1.5);
     float curve_choice = curve_test ? 1.5 * curve_power / inside_result : 0.0;
-    float curve_choice_2 = curve_test ? (inside_test ? 0.0 : inside_choice) * curve_choice : 0.0;
     float curve_result = curve_test ? curve_power : 0.0;
-    float curve_choice_3 = curve_test ? (inside_test ? 0.0 : inside_choice_2) * curve_choice : 0.0;
     float phase_result = curve_result * 40.0;  // phase: Multiply
-    float waves_cosine = cos(phase_result);  // waves: Sine
+    vec2 normal_vector = vec2(lengths_product.x, lengths_product_2.x);  // normal: Resolve
+    // radius: Length (continued)
+    vec2 radius_sum = blended_vector.x * normal_vector + blended_vector.y * squared_vector;
+    vec2 radius_choice = radius_result > 0.0 ? radius_sum / radius_result : vec2(0.0);
+    // squared: Dot product (continued)
+    vec2 squared_sum = normal_vector * blended_vector.x + squared_vector * blended_vector.y;
+    vec2 root_product = (squared_sum + radius_sum) * root_choice;  // root: Square root (continued)
+    // least: Minimum (continued)
+    vec2 least_choice = root_result < radius_result ? root_product : radius_choice;
+    vec2 most_choice = least_result < 0.1 ? vec2(0.0) : least_choice;  // most: Maximum (continued)
+    vec2 inside_choice = most_result < 0.1 ? vec2(0.0) : most_choice;  // inside: Clamp (continued)
+    // curve: Power (continued)
+    vec2 curve_product = (0.9 < most_result ? vec2(0.0) : inside_choice) * curve_choice;
+    // waves: Sine
+    vec2 waves_product = (curve_test ? curve_product : vec2(0.0)) * 40.0 * cos(phase_result);
     float waves_result = sin(phase_result);
-    float edge_result = step(0.15, inside_result);  // edge: Step
     // angle: Arctangent of y, x
     bool angle_test = abs(lengths_vector.x) + abs(lengths_vector.y) > 0.0;
-    float angle_product = lengths_product.y * lengths_vector.x;
-    float angle_difference = angle_product - lengths_product.x * lengths_vector.y;
-    float angle_product_2 = lengths_vector.y * lengths_vector.y;
-    float angle_sum = angle_product_2 + lengths_vector.x * lengths_vector.x;
-    float angle_choice = angle_sum > 0.0 ? 1.0 / angle_sum : 0.0;
+    vec2 angle_difference = squared_vector * lengths_vector.x - normal_vector * lengths_vector.y;
+    float angle_product = lengths_vector.y * lengths_vector.y;
+    float angle_sum = angle_product + lengths_vector.x * lengths_vector.x;
+    vec2 angle_product_2 = angle_difference * (angle_sum > 0.0 ? 1.0 / angle_sum : 0.0);
     float angle_result = angle_test ? atan(lengths_vector.y, lengths_vector.x) : 0.0;
-    float angle_product_3 = lengths_product_2.y * lengths_vector.x;
-    float angle_difference_2 = angle_product_3 - lengths_product_2.x * lengths_vector.y;
     float turns_result = angle_result / 1.0471976;  // turns: Divide
     float spoke_result = fract(turns_result);  // spoke: Fraction
     // from_middle: Negate
-    float from_middle_negated = -((angle_test ? angle_difference * angle_choice : 0.0) / 1.0471976);
+    vec2 from_middle_negated = -((angle_test ? angle_product_2 : vec2(0.0)) / 1.0471976);
     float from_middle_result = -spoke_result;
-    float from_middle_negated_2 = -((angle_test ? angle_difference_2 * angle_choice : 0.0) /
-            1.0471976);
     float centred_result = from_middle_result + 0.5;  // centred: Add
     float bend_result = tan(centred_result);  // bend: Tangent
-    float bend_sum = 1.0 + bend_result * bend_result;
+    vec2 bend_product = from_middle_negated * (1.0 + bend_result * bend_result);
     float whole_result = floor(turns_result);  // whole: Floor
     float odd_result = mod(whole_result, 2.0);  // odd: Modulo
-    float spokes_difference = 1.0 - odd_result;  // spokes: Mix
-    float spokes_result = mix(bend_result, 0.2, odd_result);
-    // spoked: Multiply
-    float spoked_product = from_middle_negated * bend_sum * spokes_difference * 0.01;
-    float spoked_product_2 = from_middle_negated_2 * bend_sum * spokes_difference * 0.01;
-    float spoked_result = spokes_result * 0.01;
     float relief_result = waves_result * 0.01;  // relief: Multiply
-    // ringed: Multiply
-    float ringed_product = curve_choice_2 * 40.0 * waves_cosine * 0.01 * edge_result;
-    float ringed_product_2 = curve_choice_3 * 40.0 * waves_cosine * 0.01 * edge_result;
-    float ringed_result = relief_result * edge_result;
-    // normal: Resolve
-    vec2 normal_vector = vec2(ringed_product + spoked_product, ringed_product_2 + spoked_product_2);
-    vec2 normal_product = normal_vector * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    float ringed_result = relief_result * edge_result;  // ringed: Multiply
+    float spokes_result = mix(bend_result, 0.2, odd_result);  // spokes: Mix
+    vec2 spoked_product = bend_product * (1.0 - odd_result) * 0.01;  // spoked: Multiply
+    float spoked_result = spokes_result * 0.01;
+    vec2 sum_sum = waves_product * 0.01 * edge_result + spoked_product;  // sum: Add heights
+    // normal: Resolve (continued)
+    vec2 normal_product = sum_sum * (sign(screen_area) / max(abs(screen_area), 1e-36));
     vec3 normal_gradient = cross(normal, dpdx * normal_product.y - dpdy * normal_product.x);
     WrinkleMaterial_rings m;
     m.normal = normalize(normal * s.facing - normal_gradient);
-    m.height = ringed_result + spoked_result;  // sum: Add heights
+    m.height = ringed_result + spoked_result;  // sum: Add heights (continued)
     m.front = s.position.z;
     return m;
 }

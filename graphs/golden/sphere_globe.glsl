@@ -19,60 +19,60 @@ WrinkleMaterial_sphere_globe wrinkle_sphere_globe(WrinkleSurface_sphere_globe s)
     // globe: Sphere UV
     float globe_negated = -(s.position.x * -0.70710677 + s.position.y * 0.70710677);
     bool globe_test = abs(s.position.z) + abs(globe_negated) > 0.0;
-    float globe_sum = (globe_test ? atan(globe_negated, s.position.z) : 0.0) / 6.2831855 + 0.5;
+    float globe_choice = globe_test ? atan(globe_negated, s.position.z) : 0.0;
     vec2 globe_vector = vec2(globe_negated, s.position.z);
     float globe_extent = length(globe_vector);
-    float globe_sum_2 = s.position.x * 0.70710677 + s.position.y * 0.70710677;
-    bool globe_test_2 = abs(globe_extent) + abs(globe_sum_2) > 0.0;
-    float globe_sum_3 = (globe_test_2 ? atan(globe_sum_2, globe_extent) : 0.0) / 3.1415927 + 0.5;
-    vec2 globe_uv = vec2(globe_sum, globe_sum_3);
+    float globe_sum = s.position.x * 0.70710677 + s.position.y * 0.70710677;
+    bool globe_test_2 = abs(globe_extent) + abs(globe_sum) > 0.0;
+    vec2 globe_vector_2 = vec2(globe_choice, globe_test_2 ? atan(globe_sum, globe_extent) : 0.0);
+    vec2 globe_uv = globe_vector_2 / vec2(6.2831855, 3.1415927) + 0.5;
     float globe_negated_2 = -(dpdx.x * -0.70710677 + dpdx.y * 0.70710677);
-    float globe_sum_4 = globe_negated * globe_negated + s.position.z * s.position.z;
-    float globe_choice = globe_sum_4 > 0.0 ? 1.0 / globe_sum_4 : 0.0;
-    float globe_product = (globe_negated_2 * s.position.z - dpdx.z * globe_negated) * globe_choice;
+    float globe_sum_2 = globe_negated * globe_negated + s.position.z * s.position.z;
+    float globe_choice_2 = globe_sum_2 > 0.0 ? 1.0 / globe_sum_2 : 0.0;
+    float globe_product = (globe_negated_2 * s.position.z - dpdx.z * globe_negated) *
+            globe_choice_2;
     float globe_product_2 = (dpdx.x * 0.70710677 + dpdx.y * 0.70710677) * globe_extent;
     bool globe_test_3 = globe_extent > 0.0;
     float globe_quotient = dot(globe_vector, vec2(globe_negated_2, dpdx.z)) / globe_extent;
-    float globe_difference = globe_product_2 - (globe_test_3 ? globe_quotient : 0.0) * globe_sum_2;
-    float globe_sum_5 = globe_sum_2 * globe_sum_2 + globe_extent * globe_extent;
-    float globe_choice_2 = globe_sum_5 > 0.0 ? 1.0 / globe_sum_5 : 0.0;
-    float globe_quotient_2 = (globe_test_2 ? globe_difference * globe_choice_2 : 0.0) / 3.1415927;
-    vec2 globe_vector_2 = vec2((globe_test ? globe_product : 0.0) / 6.2831855, globe_quotient_2);
+    float globe_difference = globe_product_2 - (globe_test_3 ? globe_quotient : 0.0) * globe_sum;
+    float globe_sum_3 = globe_sum * globe_sum + globe_extent * globe_extent;
+    float globe_choice_3 = globe_sum_3 > 0.0 ? 1.0 / globe_sum_3 : 0.0;
+    float globe_choice_4 = globe_test_2 ? globe_difference * globe_choice_3 : 0.0;
+    vec2 globe_vector_3 = vec2(globe_test ? globe_product : 0.0, globe_choice_4);
     float globe_negated_3 = -(dpdy.x * -0.70710677 + dpdy.y * 0.70710677);
     float globe_product_3 = (globe_negated_3 * s.position.z - dpdy.z * globe_negated) *
-            globe_choice;
+            globe_choice_2;
     float globe_product_4 = (dpdy.x * 0.70710677 + dpdy.y * 0.70710677) * globe_extent;
-    float globe_quotient_3 = dot(globe_vector, vec2(globe_negated_3, dpdy.z)) / globe_extent;
-    float globe_difference_2 = globe_product_4 - (globe_test_3 ? globe_quotient_3 : 0.0) *
-            globe_sum_2;
-    float globe_quotient_4 = (globe_test_2 ? globe_difference_2 * globe_choice_2 : 0.0) / 3.1415927;
-    vec2 globe_vector_3 = vec2((globe_test ? globe_product_3 : 0.0) / 6.2831855, globe_quotient_4);
+    float globe_quotient_2 = dot(globe_vector, vec2(globe_negated_3, dpdy.z)) / globe_extent;
+    float globe_difference_2 = globe_product_4 - (globe_test_3 ? globe_quotient_2 : 0.0) *
+            globe_sum;
+    float globe_choice_5 = globe_test_2 ? globe_difference_2 * globe_choice_3 : 0.0;
+    vec2 globe_vector_4 = vec2(globe_test ? globe_product_3 : 0.0, globe_choice_5);
     float globe_negated_4 = -(surface_dpdy.x * -0.70710677 + surface_dpdy.y * 0.70710677);
     float globe_difference_3 = globe_negated_4 * s.position.z - surface_dpdy.z * globe_negated;
-    float globe_quotient_5 = (globe_test ? globe_difference_3 * globe_choice : 0.0) / 6.2831855;
-    float globe_sum_6 = surface_dpdy.x * 0.70710677 + surface_dpdy.y * 0.70710677;
-    float globe_quotient_6 = dot(globe_vector, vec2(globe_negated_4,
+    float globe_choice_6 = globe_test ? globe_difference_3 * globe_choice_2 : 0.0;
+    float globe_sum_4 = surface_dpdy.x * 0.70710677 + surface_dpdy.y * 0.70710677;
+    float globe_quotient_3 = dot(globe_vector, vec2(globe_negated_4,
             surface_dpdy.z)) / globe_extent;
-    float globe_product_5 = (globe_test_3 ? globe_quotient_6 : 0.0) * globe_sum_2;
-    float globe_difference_4 = globe_sum_6 * globe_extent - globe_product_5;
-    float globe_quotient_7 = (globe_test_2 ? globe_difference_4 * globe_choice_2 : 0.0) / 3.1415927;
-    vec2 globe_vector_4 = vec2(globe_quotient_5, globe_quotient_7);
+    float globe_product_5 = (globe_test_3 ? globe_quotient_3 : 0.0) * globe_sum;
+    float globe_difference_4 = globe_sum_4 * globe_extent - globe_product_5;
+    vec2 globe_vector_5 = vec2(globe_choice_6,
+            globe_test_2 ? globe_difference_4 * globe_choice_3 : 0.0);
     float globe_negated_5 = -(surface_dpdx.x * -0.70710677 + surface_dpdx.y * 0.70710677);
     float globe_difference_5 = globe_negated_5 * s.position.z - surface_dpdx.z * globe_negated;
-    float globe_quotient_8 = (globe_test ? globe_difference_5 * globe_choice : 0.0) / 6.2831855;
-    float globe_sum_7 = surface_dpdx.x * 0.70710677 + surface_dpdx.y * 0.70710677;
-    float globe_quotient_9 = dot(globe_vector, vec2(globe_negated_5,
+    float globe_choice_7 = globe_test ? globe_difference_5 * globe_choice_2 : 0.0;
+    float globe_sum_5 = surface_dpdx.x * 0.70710677 + surface_dpdx.y * 0.70710677;
+    float globe_quotient_4 = dot(globe_vector, vec2(globe_negated_5,
             surface_dpdx.z)) / globe_extent;
-    float globe_product_6 = (globe_test_3 ? globe_quotient_9 : 0.0) * globe_sum_2;
-    float globe_difference_6 = globe_sum_7 * globe_extent - globe_product_6;
-    float globe_quotient_10 = (globe_test_2 ? globe_difference_6 * globe_choice_2 : 0.0) /
-            3.1415927;
-    vec2 globe_vector_5 = vec2(globe_quotient_8, globe_quotient_10);
+    float globe_product_6 = (globe_test_3 ? globe_quotient_4 : 0.0) * globe_sum;
+    float globe_difference_6 = globe_sum_5 * globe_extent - globe_product_6;
+    vec2 globe_vector_6 = vec2(globe_choice_7,
+            globe_test_2 ? globe_difference_6 * globe_choice_3 : 0.0);
     vec2 tile_uv = globe_uv * vec2(8.0, 4.0);  // tile: UV transform
-    vec2 tile_product = globe_vector_2 * vec2(8.0, 4.0);
-    vec2 tile_product_2 = globe_vector_3 * vec2(8.0, 4.0);
-    vec2 tile_product_3 = globe_vector_4 * vec2(8.0, 4.0);
-    vec2 tile_product_4 = globe_vector_5 * vec2(8.0, 4.0);
+    vec2 tile_product = globe_vector_3 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
+    vec2 tile_product_2 = globe_vector_4 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
+    vec2 tile_product_3 = globe_vector_5 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
+    vec2 tile_product_4 = globe_vector_6 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
     // g: Tangent normal map
     vec3 g_texel = textureGrad(sphere_globe_g_image, tile_uv, tile_product,
             tile_product_2).xyz - 0.5;

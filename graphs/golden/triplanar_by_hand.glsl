@@ -12,19 +12,18 @@ uniform sampler2D triplanar_by_hand_rivets_image;  // textures/rivets_normal.png
 uniform sampler2D triplanar_by_hand_weave_image;  // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D triplanar_by_hand_bricks_image;  // textures/bricks_height.png (linear, repeat)
 
-vec2 wrinkle_triplanar_by_hand_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(triplanar_by_hand_bricks_image, a + b, 0.0);
-    float difference = texel.x - textureLod(triplanar_by_hand_bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(triplanar_by_hand_bricks_image, a + vec2(b.x, -b.y), 0.0);
-    vec4 texel_3 = textureLod(triplanar_by_hand_bricks_image, a + vec2(-b.x, b.y), 0.0);
-    float difference_2 = texel_2.x - texel_3.x;
-    vec4 texel_4 = textureLod(triplanar_by_hand_bricks_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_5 = textureLod(triplanar_by_hand_bricks_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
-    vec4 texel_6 = textureLod(triplanar_by_hand_bricks_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_7 = textureLod(triplanar_by_hand_bricks_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
-    return vec2(sum, sum_2) * 0.125;
+vec2 wrinkle_triplanar_by_hand_smooth_slope(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(triplanar_by_hand_bricks_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(triplanar_by_hand_bricks_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(triplanar_by_hand_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 texel_4 = textureLod(triplanar_by_hand_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
+    float difference_2 = texel_3.x - texel_4.x;
+    vec4 texel_5 = textureLod(triplanar_by_hand_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_6 = textureLod(triplanar_by_hand_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_7 = textureLod(triplanar_by_hand_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_8 = textureLod(triplanar_by_hand_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
 WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_triplanar_by_hand s) {
@@ -35,17 +34,7 @@ WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_tripl
     vec2 side_uv = vec2(side_negated * s.position.z, s.position.y) * 2.0;
     float side_negated_2 = -(normal.y < 0.0 ? -1.0 : 1.0);
     float side_sign = normal.z < 0.0 ? -1.0 : 1.0;
-    // rivets: Tangent normal map
-    vec3 rivets_texel = texture(triplanar_by_hand_rivets_image, side_uv).xyz - 0.5;
-    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
-    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
-    vec2 rivets_texel_2 = rivets_texel.xy * 0.5;
     vec2 top_uv = vec2(s.position.x, side_negated_2 * s.position.z) * 4.0;  // top: Planar UV
-    // weave: Tangent normal map
-    vec3 weave_texel = texture(triplanar_by_hand_weave_image, top_uv).xyz - 0.5;
-    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
-    vec2 weave_texel_2 = weave_texel.xy * 0.25;
     vec3 weights_greatest = max(abs(normal) - 0.2, vec3(0.0));  // weights: Triplanar weights
     float weights_greatest_2 = max(weights_greatest.x, weights_greatest.y);
     float weights_greatest_3 = max(weights_greatest_2, weights_greatest.z);
@@ -56,6 +45,21 @@ WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_tripl
     float weights_sum = weights_product_2.x + weights_product_2.y + weights_product_2.z;
     vec3 weights_weights = weights_product_2 / max(weights_sum, 1e-36);
     vec2 front_uv = vec2(side_sign * s.position.x, s.position.y) * 2.0;  // front: Planar UV
+    // rivets: Tangent normal map
+    vec3 rivets_texel = texture(triplanar_by_hand_rivets_image, side_uv).xyz - 0.5;
+    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
+    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
+    vec2 rivets_texel_2 = rivets_texel.xy * 0.5;
+    // weave: Tangent normal map
+    vec3 weave_texel = texture(triplanar_by_hand_weave_image, top_uv).xyz - 0.5;
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
+    vec2 weave_texel_2 = weave_texel.xy * 0.25;
+    // rivets: Tangent normal map (continued)
+    vec3 rivets_magnitude = abs(vec3(rivets_texel.z, weave_texel.zz));
+    vec3 rivets_magnitude_2 = abs(vec3(rivets_texel.x, weave_texel.xx));
+    vec3 rivets_magnitude_3 = abs(vec3(rivets_texel.y, weave_texel.yy));
+    vec3 rivets_product = max(rivets_magnitude_2, rivets_magnitude_3) * 0.0078125;
+    vec3 rivets_greatest = max(max(rivets_magnitude, rivets_product), 5e-07);
     vec2 bricks_size = vec2(textureSize(triplanar_by_hand_bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = vec2(dpdx.x * side_sign, dpdx.y) * 2.0 * bricks_size;
     float bricks_dot_product = dot(bricks_product, bricks_product);
@@ -66,31 +70,29 @@ WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_tripl
     vec2 bricks_quotient = bricks_root / bricks_size;
     vec2 bricks_vector = vec2(front_uv.x + bricks_quotient.x, front_uv.y);
     vec4 bricks_texel = texture(triplanar_by_hand_bricks_image, bricks_vector);
-    vec4 bricks_texel_2 = texture(triplanar_by_hand_bricks_image, front_uv);
-    float bricks_difference = bricks_texel.x - bricks_texel_2.x;
     vec2 bricks_vector_2 = vec2(front_uv.x, front_uv.y + bricks_quotient.y);
-    vec4 bricks_texel_3 = texture(triplanar_by_hand_bricks_image, bricks_vector_2);
-    vec2 bricks_vector_3 = vec2(bricks_difference, bricks_texel_3.x - bricks_texel_2.x);
-    vec2 bricks_product_3 = bricks_vector_3 * (1.0 / bricks_root);
-    vec2 bricks_smooth_slope = wrinkle_triplanar_by_hand_smooth_slope(front_uv, 1.0 / bricks_size);
+    vec4 bricks_texel_2 = texture(triplanar_by_hand_bricks_image, bricks_vector_2);
+    vec4 bricks_texel_3 = texture(triplanar_by_hand_bricks_image, front_uv);
+    vec2 bricks_difference = vec2(bricks_texel.x, bricks_texel_2.x) - bricks_texel_3.x;
+    vec2 bricks_product_3 = bricks_difference * (1.0 / bricks_root);
+    vec2 bricks_slope = wrinkle_triplanar_by_hand_smooth_slope(front_uv, 1.0 / bricks_size);
     float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_product_3, bricks_smooth_slope, bricks_clamped);
-    float bricks_product_4 = bricks_mixed.x * (side_sign * 2.0 * bricks_size.x) * 0.02;
-    float bricks_product_5 = bricks_mixed.y * (2.0 * bricks_size.y) * 0.02;
-    // of_x: Scale bump
-    float of_x_product = rivets_texel_2.x * (side_negated * 2.0) * weights_weights.x;
-    // of_y: Scale bump
-    float of_y_product = weave_texel_2.y * (side_negated_2 * 4.0) * weights_weights.y;
-    float normal_product = rivets_depth * weave_depth;  // normal: Resolve
-    float normal_product_2 = weave_texel_2.x * 4.0 * weights_weights.y * rivets_depth;
+    vec2 bricks_mixed = mix(bricks_product_3, bricks_slope, bricks_clamped);
+    vec2 bricks_product_4 = bricks_mixed * (vec2(side_sign * 2.0, 2.0) * bricks_size);
+    vec3 bricks_vector_3 = vec3(bricks_product_4, weave_texel_2.y);
+    vec3 bricks_product_5 = bricks_vector_3 * vec3(0.02, 0.02, side_negated_2 * 4.0);
+    // normal: Resolve
+    float normal_product = rivets_depth * max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
+    vec3 normal_vector = vec3(weave_texel_2.x, rivets_texel_2.yx);
     float normal_negated = -normal_product;
-    float normal_sum = normal_product_2 + bricks_product_4 * weights_weights.z * normal_negated;
-    float normal_product_3 = rivets_texel_2.y * 2.0 * weights_weights.x * weave_depth;
-    float normal_sum_2 = normal_product_3 + bricks_product_5 * weights_weights.z * normal_negated;
-    float normal_sum_3 = of_x_product * weave_depth + of_y_product * rivets_depth;
-    vec3 normal_vector = vec3(normal_sum, normal_sum_2, normal_sum_3);
-    vec3 normal_product_4 = normal * (normal_product * s.facing - dot(normal, normal_vector));
+    // weave: Tangent normal map (continued)
+    vec3 weave_product = normal_vector * vec3(4.0, 2.0, side_negated * 2.0);
+    vec3 of_z_vector = vec3(normal_negated, normal_negated, rivets_depth);  // of_z: Scale bump
+    // normal: Resolve (continued)
+    vec3 normal_product_2 = weave_product * weights_weights.yxx * rivets_greatest;
+    vec3 normal_sum = normal_product_2 + bricks_product_5 * weights_weights.zzy * of_z_vector;
+    vec3 normal_product_3 = normal * (normal_product * s.facing - dot(normal, normal_sum));
     WrinkleMaterial_triplanar_by_hand m;
-    m.normal = normalize(normal_product_4 + normal_vector);
+    m.normal = normalize(normal_product_3 + normal_sum);
     return m;
 }

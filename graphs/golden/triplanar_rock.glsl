@@ -15,34 +15,32 @@ uniform sampler2D triplanar_rock_rivets_image;   // textures/rivets_normal.png (
 uniform sampler2D triplanar_rock_bricks_image;   // textures/bricks_height.png (linear, repeat)
 uniform sampler2D triplanar_rock_tint_image;     // textures/patches_mask.png (srgb, repeat)
 
-vec2 wrinkle_triplanar_rock_smooth_slope(vec2 a, vec2 b) {
-    vec4 texel = textureLod(triplanar_rock_pebbles_image, a + b, 0.0);
-    float difference = texel.x - textureLod(triplanar_rock_pebbles_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(triplanar_rock_pebbles_image, a + vec2(b.x, -b.y), 0.0);
-    vec4 texel_3 = textureLod(triplanar_rock_pebbles_image, a + vec2(-b.x, b.y), 0.0);
-    float difference_2 = texel_2.x - texel_3.x;
-    vec4 texel_4 = textureLod(triplanar_rock_pebbles_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_5 = textureLod(triplanar_rock_pebbles_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
-    vec4 texel_6 = textureLod(triplanar_rock_pebbles_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_7 = textureLod(triplanar_rock_pebbles_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
-    return vec2(sum, sum_2) * 0.125;
+vec2 wrinkle_triplanar_rock_smooth_slope(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(triplanar_rock_pebbles_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(triplanar_rock_pebbles_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(triplanar_rock_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 texel_4 = textureLod(triplanar_rock_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
+    float difference_2 = texel_3.x - texel_4.x;
+    vec4 texel_5 = textureLod(triplanar_rock_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_6 = textureLod(triplanar_rock_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_7 = textureLod(triplanar_rock_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_8 = textureLod(triplanar_rock_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
-vec2 wrinkle_triplanar_rock_smooth_slope_2(vec2 a, vec2 b) {
-    vec4 texel = textureLod(triplanar_rock_bricks_image, a + b, 0.0);
-    float difference = texel.x - textureLod(triplanar_rock_bricks_image, a - b, 0.0).x;
-    vec4 texel_2 = textureLod(triplanar_rock_bricks_image, a + vec2(b.x, -b.y), 0.0);
-    vec4 texel_3 = textureLod(triplanar_rock_bricks_image, a + vec2(-b.x, b.y), 0.0);
-    float difference_2 = texel_2.x - texel_3.x;
-    vec4 texel_4 = textureLod(triplanar_rock_bricks_image, vec2(a.x + b.x, a.y), 0.0);
-    vec4 texel_5 = textureLod(triplanar_rock_bricks_image, vec2(a.x - b.x, a.y), 0.0);
-    float sum = difference + difference_2 + 2.0 * (texel_4.x - texel_5.x);
-    vec4 texel_6 = textureLod(triplanar_rock_bricks_image, vec2(a.x, a.y + b.y), 0.0);
-    vec4 texel_7 = textureLod(triplanar_rock_bricks_image, vec2(a.x, a.y - b.y), 0.0);
-    float sum_2 = difference - difference_2 + 2.0 * (texel_6.x - texel_7.x);
-    return vec2(sum, sum_2) * 0.125;
+vec2 wrinkle_triplanar_rock_smooth_slope_2(vec2 at, vec2 texel) {
+    vec4 texel_2 = textureLod(triplanar_rock_bricks_image, at + texel, 0.0);
+    float difference = texel_2.x - textureLod(triplanar_rock_bricks_image, at - texel, 0.0).x;
+    vec4 texel_3 = textureLod(triplanar_rock_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 texel_4 = textureLod(triplanar_rock_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
+    float difference_2 = texel_3.x - texel_4.x;
+    vec4 texel_5 = textureLod(triplanar_rock_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 texel_6 = textureLod(triplanar_rock_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 texel_7 = textureLod(triplanar_rock_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 texel_8 = textureLod(triplanar_rock_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
+    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
 }
 
 WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_rock s) {
@@ -66,57 +64,55 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     float pebbles_product_6 = pebbles_negated * pebbles_product.z;
     vec2 pebbles_vector_3 = vec2(pebbles_product.x + pebbles_quotient.x, pebbles_product_6);
     vec4 pebbles_texel = texture(triplanar_rock_pebbles_image, pebbles_vector_3);
-    vec2 pebbles_vector_4 = vec2(pebbles_product.x, pebbles_product_6);
+    vec2 pebbles_vector_4 = vec2(pebbles_product.x, pebbles_product_6 + pebbles_quotient.y);
     vec4 pebbles_texel_2 = texture(triplanar_rock_pebbles_image, pebbles_vector_4);
-    float pebbles_difference = pebbles_texel.x - pebbles_texel_2.x;
-    vec2 pebbles_vector_5 = vec2(pebbles_product.x, pebbles_product_6 + pebbles_quotient.y);
+    vec2 pebbles_vector_5 = vec2(pebbles_product.x, pebbles_product_6);
     vec4 pebbles_texel_3 = texture(triplanar_rock_pebbles_image, pebbles_vector_5);
-    vec2 pebbles_vector_6 = vec2(pebbles_difference, pebbles_texel_3.x - pebbles_texel_2.x);
-    vec2 pebbles_product_7 = pebbles_vector_6 * (1.0 / pebbles_root);
+    vec2 pebbles_difference = vec2(pebbles_texel.x, pebbles_texel_2.x) - pebbles_texel_3.x;
+    vec2 pebbles_product_7 = pebbles_difference * (1.0 / pebbles_root);
     vec2 pebbles_quotient_2 = 1.0 / pebbles_size;
-    vec2 pebbles_smooth_slope = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_4,
-            pebbles_quotient_2);
+    vec2 pebbles_slope = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_5, pebbles_quotient_2);
     float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed = mix(pebbles_product_7, pebbles_smooth_slope, pebbles_clamped);
-    vec3 pebbles_greatest_2 = max(abs(normal) - 0.2, vec3(0.0));
-    vec3 pebbles_product_8 = pebbles_greatest_2 * pebbles_greatest_2 * pebbles_greatest_2;
-    float pebbles_sum = pebbles_product_8.x + pebbles_product_8.y + pebbles_product_8.z;
-    vec3 pebbles_quotient_3 = pebbles_product_8 / max(pebbles_sum, 1e-36);
-    float pebbles_product_9 = pebbles_mixed.x * (1.5 * pebbles_size.x) * pebbles_quotient_3.y;
-    float pebbles_sign_2 = normal.z < 0.0 ? -1.0 : 1.0;
-    float pebbles_product_10 = pebbles_sign_2 * pebbles_product.x;
-    vec2 pebbles_vector_7 = vec2(pebbles_product_2.x * pebbles_sign_2, pebbles_product_2.y);
-    vec2 pebbles_product_11 = pebbles_vector_7 * pebbles_size;
-    float pebbles_dot_product_2 = dot(pebbles_product_11, pebbles_product_11);
-    vec2 pebbles_vector_8 = vec2(pebbles_product_4.x * pebbles_sign_2, pebbles_product_4.y);
-    vec2 pebbles_product_12 = pebbles_vector_8 * pebbles_size;
-    float pebbles_greatest_3 = max(pebbles_dot_product_2, dot(pebbles_product_12,
-            pebbles_product_12));
-    float pebbles_root_2 = sqrt(max(pebbles_greatest_3, 1.0));
-    vec2 pebbles_quotient_4 = pebbles_root_2 / pebbles_size;
-    vec2 pebbles_vector_9 = vec2(pebbles_product_10 + pebbles_quotient_4.x, pebbles_product.y);
-    vec4 pebbles_texel_4 = texture(triplanar_rock_pebbles_image, pebbles_vector_9);
-    vec2 pebbles_vector_10 = vec2(pebbles_product_10, pebbles_product.y);
-    vec4 pebbles_texel_5 = texture(triplanar_rock_pebbles_image, pebbles_vector_10);
-    float pebbles_difference_2 = pebbles_texel_4.x - pebbles_texel_5.x;
-    vec2 pebbles_vector_11 = vec2(pebbles_product_10, pebbles_product.y + pebbles_quotient_4.y);
-    vec4 pebbles_texel_6 = texture(triplanar_rock_pebbles_image, pebbles_vector_11);
-    vec2 pebbles_vector_12 = vec2(pebbles_difference_2, pebbles_texel_6.x - pebbles_texel_5.x);
-    vec2 pebbles_product_13 = pebbles_vector_12 * (1.0 / pebbles_root_2);
-    vec2 pebbles_smooth_slope_2 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_10,
+    vec2 pebbles_mixed = mix(pebbles_product_7, pebbles_slope, pebbles_clamped);
+    float pebbles_sign_2 = normal.x < 0.0 ? -1.0 : 1.0;
+    float pebbles_negated_2 = -pebbles_sign_2;
+    float pebbles_product_8 = pebbles_negated_2 * pebbles_product.z;
+    vec2 pebbles_vector_6 = vec2(pebbles_product_2.z * pebbles_negated_2, pebbles_product_2.y);
+    vec2 pebbles_product_9 = pebbles_vector_6 * pebbles_size;
+    float pebbles_dot_product_2 = dot(pebbles_product_9, pebbles_product_9);
+    vec2 pebbles_vector_7 = vec2(pebbles_product_4.z * pebbles_negated_2, pebbles_product_4.y);
+    vec2 pebbles_product_10 = pebbles_vector_7 * pebbles_size;
+    float pebbles_greatest_2 = max(pebbles_dot_product_2, dot(pebbles_product_10,
+            pebbles_product_10));
+    float pebbles_root_2 = sqrt(max(pebbles_greatest_2, 1.0));
+    vec2 pebbles_quotient_3 = pebbles_root_2 / pebbles_size;
+    vec2 pebbles_vector_8 = vec2(pebbles_product_8 + pebbles_quotient_3.x, pebbles_product.y);
+    vec4 pebbles_texel_4 = texture(triplanar_rock_pebbles_image, pebbles_vector_8);
+    vec2 pebbles_vector_9 = vec2(pebbles_product_8, pebbles_product.y + pebbles_quotient_3.y);
+    vec4 pebbles_texel_5 = texture(triplanar_rock_pebbles_image, pebbles_vector_9);
+    vec2 pebbles_vector_10 = vec2(pebbles_product_8, pebbles_product.y);
+    vec4 pebbles_texel_6 = texture(triplanar_rock_pebbles_image, pebbles_vector_10);
+    vec2 pebbles_difference_2 = vec2(pebbles_texel_4.x, pebbles_texel_5.x) - pebbles_texel_6.x;
+    vec2 pebbles_product_11 = pebbles_difference_2 * (1.0 / pebbles_root_2);
+    vec2 pebbles_slope_2 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_10,
             pebbles_quotient_2);
     float pebbles_clamped_2 = clamp((0.5 - log2(pebbles_root_2)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed_2 = mix(pebbles_product_13, pebbles_smooth_slope_2, pebbles_clamped_2);
-    float pebbles_product_14 = pebbles_mixed_2.x * (1.5 * pebbles_sign_2 * pebbles_size.x);
-    float pebbles_product_15 = (pebbles_product_9 + pebbles_product_14 * pebbles_quotient_3.z) *
-            0.05;
-    float pebbles_sign_3 = normal.x < 0.0 ? -1.0 : 1.0;
-    float pebbles_negated_2 = -pebbles_sign_3;
-    float pebbles_product_16 = pebbles_negated_2 * pebbles_product.z;
-    vec2 pebbles_vector_13 = vec2(pebbles_product_2.z * pebbles_negated_2, pebbles_product_2.y);
+    vec2 pebbles_mixed_2 = mix(pebbles_product_11, pebbles_slope_2, pebbles_clamped_2);
+    vec3 pebbles_vector_11 = vec3(pebbles_mixed.x, pebbles_mixed_2.yx);
+    float pebbles_product_12 = 1.5 * pebbles_size.y;
+    float pebbles_product_13 = 1.5 * pebbles_negated_2 * pebbles_size.x;
+    vec3 pebbles_vector_12 = vec3(1.5 * pebbles_size.x, pebbles_product_12, pebbles_product_13);
+    vec3 pebbles_greatest_3 = max(abs(normal) - 0.2, vec3(0.0));
+    vec3 pebbles_product_14 = pebbles_greatest_3 * pebbles_greatest_3 * pebbles_greatest_3;
+    float pebbles_sum = pebbles_product_14.x + pebbles_product_14.y + pebbles_product_14.z;
+    vec3 pebbles_quotient_4 = pebbles_product_14 / max(pebbles_sum, 1e-36);
+    vec3 pebbles_product_15 = pebbles_vector_11 * pebbles_vector_12 * pebbles_quotient_4.yxx;
+    float pebbles_sign_3 = normal.z < 0.0 ? -1.0 : 1.0;
+    float pebbles_product_16 = pebbles_sign_3 * pebbles_product.x;
+    vec2 pebbles_vector_13 = vec2(pebbles_product_2.x * pebbles_sign_3, pebbles_product_2.y);
     vec2 pebbles_product_17 = pebbles_vector_13 * pebbles_size;
     float pebbles_dot_product_3 = dot(pebbles_product_17, pebbles_product_17);
-    vec2 pebbles_vector_14 = vec2(pebbles_product_4.z * pebbles_negated_2, pebbles_product_4.y);
+    vec2 pebbles_vector_14 = vec2(pebbles_product_4.x * pebbles_sign_3, pebbles_product_4.y);
     vec2 pebbles_product_18 = pebbles_vector_14 * pebbles_size;
     float pebbles_greatest_4 = max(pebbles_dot_product_3, dot(pebbles_product_18,
             pebbles_product_18));
@@ -124,53 +120,49 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec2 pebbles_quotient_5 = pebbles_root_3 / pebbles_size;
     vec2 pebbles_vector_15 = vec2(pebbles_product_16 + pebbles_quotient_5.x, pebbles_product.y);
     vec4 pebbles_texel_7 = texture(triplanar_rock_pebbles_image, pebbles_vector_15);
-    vec2 pebbles_vector_16 = vec2(pebbles_product_16, pebbles_product.y);
+    vec2 pebbles_vector_16 = vec2(pebbles_product_16, pebbles_product.y + pebbles_quotient_5.y);
     vec4 pebbles_texel_8 = texture(triplanar_rock_pebbles_image, pebbles_vector_16);
-    float pebbles_difference_3 = pebbles_texel_7.x - pebbles_texel_8.x;
-    vec2 pebbles_vector_17 = vec2(pebbles_product_16, pebbles_product.y + pebbles_quotient_5.y);
+    vec2 pebbles_vector_17 = vec2(pebbles_product_16, pebbles_product.y);
     vec4 pebbles_texel_9 = texture(triplanar_rock_pebbles_image, pebbles_vector_17);
-    vec2 pebbles_vector_18 = vec2(pebbles_difference_3, pebbles_texel_9.x - pebbles_texel_8.x);
-    vec2 pebbles_product_19 = pebbles_vector_18 * (1.0 / pebbles_root_3);
-    vec2 pebbles_smooth_slope_3 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_16,
+    vec2 pebbles_difference_3 = vec2(pebbles_texel_7.x, pebbles_texel_8.x) - pebbles_texel_9.x;
+    vec2 pebbles_product_19 = pebbles_difference_3 * (1.0 / pebbles_root_3);
+    vec2 pebbles_slope_3 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_17,
             pebbles_quotient_2);
     float pebbles_clamped_3 = clamp((0.5 - log2(pebbles_root_3)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed_3 = mix(pebbles_product_19, pebbles_smooth_slope_3, pebbles_clamped_3);
-    float pebbles_product_20 = 1.5 * pebbles_size.y;
-    float pebbles_product_21 = pebbles_mixed_3.y * pebbles_product_20 * pebbles_quotient_3.x;
-    float pebbles_product_22 = pebbles_mixed_2.y * pebbles_product_20 * pebbles_quotient_3.z;
-    float pebbles_product_23 = (pebbles_product_21 + pebbles_product_22) * 0.05;
-    float pebbles_product_24 = pebbles_mixed_3.x * (1.5 * pebbles_negated_2 * pebbles_size.x);
-    float pebbles_product_25 = pebbles_product_24 * pebbles_quotient_3.x;
-    float pebbles_product_26 = pebbles_mixed.y * (1.5 * pebbles_negated * pebbles_size.y);
-    float pebbles_product_27 = (pebbles_product_25 + pebbles_product_26 * pebbles_quotient_3.y) *
+    vec2 pebbles_mixed_3 = mix(pebbles_product_19, pebbles_slope_3, pebbles_clamped_3);
+    vec3 pebbles_vector_18 = vec3(pebbles_mixed_3, pebbles_mixed.y);
+    float pebbles_product_20 = 1.5 * pebbles_sign_3 * pebbles_size.x;
+    float pebbles_product_21 = 1.5 * pebbles_negated * pebbles_size.y;
+    vec3 pebbles_product_22 = pebbles_vector_18 * vec3(pebbles_product_20, pebbles_product_12,
+            pebbles_product_21);
+    vec3 pebbles_product_23 = (pebbles_product_15 + pebbles_product_22 * pebbles_quotient_4.zzy) *
             0.05;
     vec3 weave_product = s.position * 6.0;  // weave: Triplanar normal map
     vec2 weave_vector = vec2(weave_product.x, pebbles_negated * weave_product.z);
     vec3 weave_texel = texture(triplanar_rock_weave_image, weave_vector).xyz - 0.5;
-    vec3 weave_power = pow(pebbles_greatest_2, vec3(8.0));
+    vec3 weave_power = pow(pebbles_greatest_3, vec3(8.0));
     float weave_greatest = max(weave_power.x + weave_power.y + weave_power.z, 1e-36);
     vec3 weave_product_2 = weave_power / weave_greatest * 0.5;
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
     float weave_quotient = -weave_product_2.y / weave_depth;
     vec2 weave_product_3 = weave_texel.xy * weave_quotient;
-    vec2 weave_vector_2 = vec2(pebbles_sign_2 * weave_product.x, weave_product.y);
+    vec2 weave_vector_2 = vec2(pebbles_sign_3 * weave_product.x, weave_product.y);
     vec3 weave_texel_2 = texture(triplanar_rock_weave_image, weave_vector_2).xyz - 0.5;
     float weave_least_depth_2 = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
     float weave_depth_2 = max(max(abs(weave_texel_2.z), weave_least_depth_2), 5e-07);
     float weave_quotient_2 = -weave_product_2.z / weave_depth_2;
     vec2 weave_product_4 = weave_texel_2.xy * weave_quotient_2;
-    float weave_sum = weave_product_3.x + weave_product_4.x * pebbles_sign_2;
+    float weave_sum = weave_product_3.x + weave_product_4.x * pebbles_sign_3;
     vec2 weave_vector_3 = vec2(pebbles_negated_2 * weave_product.z, weave_product.y);
     vec3 weave_texel_3 = texture(triplanar_rock_weave_image, weave_vector_3).xyz - 0.5;
     float weave_least_depth_3 = max(abs(weave_texel_3.x), abs(weave_texel_3.y)) * 0.0078125;
     float weave_depth_3 = max(max(abs(weave_texel_3.z), weave_least_depth_3), 5e-07);
     float weave_quotient_3 = -weave_product_2.x / weave_depth_3;
     vec2 weave_product_5 = weave_texel_3.xy * weave_quotient_3;
-    float weave_negated = -(weave_product_5.x * pebbles_sign_3 + weave_product_3.y * pebbles_sign);
+    float weave_negated = -(weave_product_5.x * pebbles_sign_2 + weave_product_3.y * pebbles_sign);
     vec3 weave_volume = vec3(weave_sum, weave_product_5.y + weave_product_4.y, weave_negated);
-    // a: Add bumps
-    vec3 a_sum = vec3(pebbles_product_15, pebbles_product_23, pebbles_product_27) + weave_volume;
+    vec3 a_sum = pebbles_product_23 + weave_volume;  // a: Add bumps
     vec3 tint_product = s.position * 0.7;  // tint: Triplanar colour
     vec2 tint_vector = vec2(pebbles_negated_2 * tint_product.z, tint_product.y);
     vec4 tint_texel = texture(triplanar_rock_tint_image, tint_vector);
@@ -186,8 +178,8 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec3 tint_edge_2 = step(vec3(0.04045), tint_texel_2.xyz);
     vec3 tint_mixed_2 = mix(tint_texel_2.xyz / 12.92, tint_power_2, tint_edge_2);
     vec4 tint_vector_4 = vec4(tint_mixed_2, tint_texel_2.w);
-    vec4 tint_sum = tint_vector_2 * pebbles_quotient_3.x + tint_vector_4 * pebbles_quotient_3.y;
-    vec2 tint_vector_5 = vec2(pebbles_sign_2 * tint_product.x, tint_product.y);
+    vec4 tint_sum = tint_vector_2 * pebbles_quotient_4.x + tint_vector_4 * pebbles_quotient_4.y;
+    vec2 tint_vector_5 = vec2(pebbles_sign_3 * tint_product.x, tint_product.y);
     vec4 tint_texel_3 = texture(triplanar_rock_tint_image, tint_vector_5);
     vec3 tint_quotient_3 = (max(tint_texel_3.xyz, 0.0) + 0.055) / 1.055;
     vec3 tint_power_3 = pow(tint_quotient_3, vec3(2.4));
@@ -196,7 +188,7 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec4 tint_vector_6 = vec4(tint_mixed_3, tint_texel_3.w);
     vec3 slopes_product = s.position * 2.0;  // slopes: Triplanar slopes
     vec2 slopes_vector = vec2(slopes_product.x, pebbles_negated * slopes_product.z);
-    vec2 slopes_vector_2 = vec2(pebbles_sign_2 * slopes_product.x, slopes_product.y);
+    vec2 slopes_vector_2 = vec2(pebbles_sign_3 * slopes_product.x, slopes_product.y);
     vec2 slopes_vector_3 = vec2(pebbles_negated_2 * slopes_product.z, slopes_product.y);
     // rivets: Tangent normal map
     vec3 rivets_texel = texture(triplanar_rock_rivets_image, slopes_vector).xyz - 0.5;
@@ -207,13 +199,13 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     float rivets_least_depth_3 = max(abs(rivets_texel_3.x), abs(rivets_texel_3.y)) * 0.0078125;
     // slopes: Triplanar slopes (continued)
     float slopes_quotient = -1.0 / max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
-    vec2 slopes_product_2 = rivets_texel.xy * slopes_quotient * pebbles_quotient_3.y;
+    vec2 slopes_product_2 = rivets_texel.xy * slopes_quotient * pebbles_quotient_4.y;
     float slopes_quotient_2 = -1.0 / max(max(abs(rivets_texel_2.z), rivets_least_depth_2), 5e-07);
-    vec2 slopes_product_3 = rivets_texel_2.xy * slopes_quotient_2 * pebbles_quotient_3.z;
-    float slopes_sum = slopes_product_2.x + slopes_product_3.x * pebbles_sign_2;
+    vec2 slopes_product_3 = rivets_texel_2.xy * slopes_quotient_2 * pebbles_quotient_4.z;
+    float slopes_sum = slopes_product_2.x + slopes_product_3.x * pebbles_sign_3;
     float slopes_quotient_3 = -1.0 / max(max(abs(rivets_texel_3.z), rivets_least_depth_3), 5e-07);
-    vec2 slopes_product_4 = rivets_texel_3.xy * slopes_quotient_3 * pebbles_quotient_3.x;
-    float slopes_sum_2 = slopes_product_4.x * pebbles_sign_3 + slopes_product_2.y * pebbles_sign;
+    vec2 slopes_product_4 = rivets_texel_3.xy * slopes_quotient_3 * pebbles_quotient_4.x;
+    float slopes_sum_2 = slopes_product_4.x * pebbles_sign_2 + slopes_product_2.y * pebbles_sign;
     vec3 slopes_volume = vec3(slopes_sum, slopes_product_4.y + slopes_product_3.y, -slopes_sum_2);
     vec2 bricks_size = vec2(textureSize(triplanar_rock_bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = vec2(dpdx.x, dpdx.z * pebbles_negated) * bricks_size;
@@ -225,79 +217,73 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec2 bricks_quotient = bricks_root / bricks_size;
     vec2 bricks_quotient_2 = 1.0 / bricks_size;
     float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
-    vec2 bricks_product_3 = vec2(dpdx.x * pebbles_sign_2, dpdx.y) * bricks_size;
+    vec2 bricks_product_3 = vec2(dpdx.z * pebbles_negated_2, dpdx.y) * bricks_size;
     float bricks_dot_product_2 = dot(bricks_product_3, bricks_product_3);
-    vec2 bricks_product_4 = vec2(dpdy.x * pebbles_sign_2, dpdy.y) * bricks_size;
+    vec2 bricks_product_4 = vec2(dpdy.z * pebbles_negated_2, dpdy.y) * bricks_size;
     float bricks_greatest_2 = max(max(bricks_dot_product_2, dot(bricks_product_4,
             bricks_product_4)), 1.0);
     float bricks_root_2 = sqrt(bricks_greatest_2);
     vec2 bricks_quotient_3 = bricks_root_2 / bricks_size;
     float bricks_clamped_2 = clamp((0.5 - log2(bricks_root_2)) / 0.45, 0.0, 1.0);
-    vec2 bricks_product_5 = vec2(dpdx.z * pebbles_negated_2, dpdx.y) * bricks_size;
-    float bricks_dot_product_3 = dot(bricks_product_5, bricks_product_5);
-    vec2 bricks_product_6 = vec2(dpdy.z * pebbles_negated_2, dpdy.y) * bricks_size;
-    float bricks_greatest_3 = max(max(bricks_dot_product_3, dot(bricks_product_6,
-            bricks_product_6)), 1.0);
+    float bricks_product_5 = pebbles_negated_2 * bricks_size.x;
+    vec2 bricks_product_6 = vec2(dpdx.x * pebbles_sign_3, dpdx.y) * bricks_size;
+    float bricks_dot_product_3 = dot(bricks_product_6, bricks_product_6);
+    vec2 bricks_product_7 = vec2(dpdy.x * pebbles_sign_3, dpdy.y) * bricks_size;
+    float bricks_greatest_3 = max(max(bricks_dot_product_3, dot(bricks_product_7,
+            bricks_product_7)), 1.0);
     float bricks_root_3 = sqrt(bricks_greatest_3);
     vec2 bricks_quotient_4 = bricks_root_3 / bricks_size;
     float bricks_clamped_3 = clamp((0.5 - log2(bricks_root_3)) / 0.45, 0.0, 1.0);
+    float bricks_product_8 = pebbles_negated * bricks_size.y;
     float relief_product = pebbles_negated * s.position.z;  // relief: Triplanar height
     vec2 relief_vector = vec2(s.position.x, relief_product);
-    float relief_product_2 = pebbles_sign_2 * s.position.x;
+    float relief_product_2 = pebbles_negated_2 * s.position.z;
     vec2 relief_vector_2 = vec2(relief_product_2, s.position.y);
-    float relief_product_3 = pebbles_negated_2 * s.position.z;
+    float relief_product_3 = pebbles_sign_3 * s.position.x;
     vec2 relief_vector_3 = vec2(relief_product_3, s.position.y);
+    vec3 relief_vector_4 = vec3(pebbles_sign_3 * bricks_size.x, bricks_size.y, bricks_product_8);
     // bricks: Height map (continued)
     vec2 bricks_vector = vec2(s.position.x + bricks_quotient.x, relief_product);
-    vec4 bricks_texel = texture(triplanar_rock_bricks_image, relief_vector);
-    float bricks_difference = texture(triplanar_rock_bricks_image,
-            bricks_vector).x - bricks_texel.x;
+    vec4 bricks_texel = texture(triplanar_rock_bricks_image, bricks_vector);
     vec2 bricks_vector_2 = vec2(s.position.x, relief_product + bricks_quotient.y);
-    float bricks_difference_2 = texture(triplanar_rock_bricks_image,
-            bricks_vector_2).x - bricks_texel.x;
-    vec2 bricks_product_7 = vec2(bricks_difference, bricks_difference_2) * (1.0 / bricks_root);
-    vec2 bricks_smooth_slope = wrinkle_triplanar_rock_smooth_slope_2(relief_vector,
-            bricks_quotient_2);
-    vec2 bricks_mixed = mix(bricks_product_7, bricks_smooth_slope, bricks_clamped);
+    vec4 bricks_texel_2 = texture(triplanar_rock_bricks_image, bricks_vector_2);
+    vec4 bricks_texel_3 = texture(triplanar_rock_bricks_image, relief_vector);
+    vec2 bricks_difference = vec2(bricks_texel.x, bricks_texel_2.x) - bricks_texel_3.x;
+    vec2 bricks_product_9 = bricks_difference * (1.0 / bricks_root);
+    vec2 bricks_slope = wrinkle_triplanar_rock_smooth_slope_2(relief_vector, bricks_quotient_2);
+    vec2 bricks_mixed = mix(bricks_product_9, bricks_slope, bricks_clamped);
     vec2 bricks_vector_3 = vec2(relief_product_2 + bricks_quotient_3.x, s.position.y);
-    vec4 bricks_texel_2 = texture(triplanar_rock_bricks_image, relief_vector_2);
-    float bricks_difference_3 = texture(triplanar_rock_bricks_image,
-            bricks_vector_3).x - bricks_texel_2.x;
+    vec4 bricks_texel_4 = texture(triplanar_rock_bricks_image, bricks_vector_3);
     vec2 bricks_vector_4 = vec2(relief_product_2, s.position.y + bricks_quotient_3.y);
-    float bricks_difference_4 = texture(triplanar_rock_bricks_image,
-            bricks_vector_4).x - bricks_texel_2.x;
-    vec2 bricks_product_8 = vec2(bricks_difference_3, bricks_difference_4) * (1.0 / bricks_root_2);
-    vec2 bricks_smooth_slope_2 = wrinkle_triplanar_rock_smooth_slope_2(relief_vector_2,
-            bricks_quotient_2);
-    vec2 bricks_mixed_2 = mix(bricks_product_8, bricks_smooth_slope_2, bricks_clamped_2);
-    float bricks_product_9 = bricks_mixed_2.x * (pebbles_sign_2 * bricks_size.x) * 0.02;
+    vec4 bricks_texel_5 = texture(triplanar_rock_bricks_image, bricks_vector_4);
+    vec4 bricks_texel_6 = texture(triplanar_rock_bricks_image, relief_vector_2);
+    vec2 bricks_difference_2 = vec2(bricks_texel_4.x, bricks_texel_5.x) - bricks_texel_6.x;
+    vec2 bricks_product_10 = bricks_difference_2 * (1.0 / bricks_root_2);
+    vec2 bricks_slope_2 = wrinkle_triplanar_rock_smooth_slope_2(relief_vector_2, bricks_quotient_2);
+    vec2 bricks_mixed_2 = mix(bricks_product_10, bricks_slope_2, bricks_clamped_2);
     vec2 bricks_vector_5 = vec2(relief_product_3 + bricks_quotient_4.x, s.position.y);
-    vec4 bricks_texel_3 = texture(triplanar_rock_bricks_image, relief_vector_3);
-    float bricks_difference_5 = texture(triplanar_rock_bricks_image,
-            bricks_vector_5).x - bricks_texel_3.x;
+    vec4 bricks_texel_7 = texture(triplanar_rock_bricks_image, bricks_vector_5);
     vec2 bricks_vector_6 = vec2(relief_product_3, s.position.y + bricks_quotient_4.y);
-    float bricks_difference_6 = texture(triplanar_rock_bricks_image,
-            bricks_vector_6).x - bricks_texel_3.x;
-    vec2 bricks_product_10 = vec2(bricks_difference_5, bricks_difference_6) * (1.0 / bricks_root_3);
-    vec2 bricks_smooth_slope_3 = wrinkle_triplanar_rock_smooth_slope_2(relief_vector_3,
-            bricks_quotient_2);
-    vec2 bricks_mixed_3 = mix(bricks_product_10, bricks_smooth_slope_3, bricks_clamped_3);
-    float bricks_product_11 = bricks_mixed_3.x * (pebbles_negated_2 * bricks_size.x) * 0.02;
-    float bricks_product_12 = bricks_mixed.y * (pebbles_negated * bricks_size.y) * 0.02;
+    vec4 bricks_texel_8 = texture(triplanar_rock_bricks_image, bricks_vector_6);
+    vec4 bricks_texel_9 = texture(triplanar_rock_bricks_image, relief_vector_3);
+    vec2 bricks_difference_3 = vec2(bricks_texel_7.x, bricks_texel_8.x) - bricks_texel_9.x;
+    vec2 bricks_product_11 = bricks_difference_3 * (1.0 / bricks_root_3);
+    vec2 bricks_slope_3 = wrinkle_triplanar_rock_smooth_slope_2(relief_vector_3, bricks_quotient_2);
+    vec2 bricks_mixed_3 = mix(bricks_product_11, bricks_slope_3, bricks_clamped_3);
     // relief: Triplanar height (continued)
-    float relief_product_4 = bricks_mixed.x * bricks_size.x * 0.02 * pebbles_quotient_3.y;
-    float relief_sum = relief_product_4 + bricks_product_9 * pebbles_quotient_3.z;
-    float relief_product_5 = bricks_mixed_3.y * bricks_size.y * 0.02 * pebbles_quotient_3.x;
-    float relief_product_6 = bricks_mixed_2.y * bricks_size.y * 0.02 * pebbles_quotient_3.z;
-    float relief_product_7 = bricks_product_11 * pebbles_quotient_3.x;
-    float relief_sum_2 = relief_product_7 + bricks_product_12 * pebbles_quotient_3.y;
-    vec3 relief_vector_4 = vec3(relief_sum, relief_product_5 + relief_product_6, relief_sum_2);
-    vec3 g_gradient = (slopes_volume + relief_vector_4) * 0.3;  // g: Mix bumps
+    vec3 relief_vector_5 = vec3(bricks_mixed.x, bricks_mixed_2.yx);
+    vec3 relief_vector_6 = vec3(bricks_mixed_3, bricks_mixed.y);
+    vec3 relief_product_4 = relief_vector_6 * relief_vector_4 * 0.02 * pebbles_quotient_4.zzy;
+    // bricks: Height map (continued)
+    vec3 bricks_product_12 = relief_vector_5 * vec3(bricks_size, bricks_product_5);
+    // relief: Triplanar height (continued)
+    vec3 relief_sum = bricks_product_12 * 0.02 * pebbles_quotient_4.yxx + relief_product_4;
+    vec3 g_gradient = (slopes_volume + relief_sum) * 0.3;  // g: Mix bumps
     vec3 g_gradient_2 = a_sum * 0.7 + g_gradient;
     WrinkleMaterial_triplanar_rock m;
     // normal: Resolve
     m.normal = normalize(normal * (s.facing + dot(normal, g_gradient_2)) - g_gradient_2);
     // tint: Triplanar colour (continued)
-    m.color = (tint_sum + tint_vector_6 * pebbles_quotient_3.z).xyz;
+    m.color = (tint_sum + tint_vector_6 * pebbles_quotient_4.z).xyz;
     return m;
 }

@@ -15,9 +15,8 @@ WrinkleMaterial_material wrinkle_material(WrinkleSurface_material s) {
     vec2 march_uv = s.uv0;
     for (int i = 0; i < 32; ++i) {
         if (!(march_depth < textureLod(material_march_height, march_uv, 0.0).x)) break;
-        vec2 march_uv_next = march_uv + march_uv * march_depth;
-        march_depth = march_depth + march_product;
-        march_uv = march_uv_next;
+        march_uv += march_uv * march_depth;
+        march_depth += march_product;
     }
     WrinkleMaterial_material m;
     m.depth = march_depth;

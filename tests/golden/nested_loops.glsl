@@ -15,7 +15,7 @@ float wrinkle_material_spiral(float a) {
         float state_2 = state;
         for (int i_2 = 0; i_2 < 4; ++i_2) {
             if (!(state_2 < sine)) break;
-            state_2 = state_2 + product;
+            state_2 += product;
         }
         state = state_2;
     }

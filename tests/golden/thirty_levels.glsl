@@ -10,507 +10,365 @@ struct WrinkleMaterial_tower {
     vec3 normal;   // unit normal, object space
 };
 
-// 30 gives relief
-float wrinkle_tower_30(float relief) {
-    return -max(-relief, -0.001);
+uint wrinkle_tower_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
+    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
+    return product >> 22u ^ product;
 }
 
-// 29 gives relief
-float wrinkle_tower_29(float relief) {
+// 30_with_slope gives relief, relief_slope
+float wrinkle_tower_30_with_slope(float relief, out float out_relief_slope) {
+    float negated = -relief;
+    out_relief_slope = -(negated < -0.001 ? 0.0 : -1.0);
+    return -max(negated, -0.001);
+}
+
+// 29_with_slope gives relief, relief_slope
+float wrinkle_tower_29_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_30(height);
+    float slope;
+    float relief_2 = wrinkle_tower_30_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_30(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_30_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 28 gives relief
-float wrinkle_tower_28(float relief) {
+// 28_with_slope gives relief, relief_slope
+float wrinkle_tower_28_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_29(height);
+    float slope;
+    float relief_2 = wrinkle_tower_29_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_29(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_29_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 27 gives relief
-float wrinkle_tower_27(float relief) {
+// 27_with_slope gives relief, relief_slope
+float wrinkle_tower_27_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_28(height);
+    float slope;
+    float relief_2 = wrinkle_tower_28_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_28(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_28_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 26 gives relief
-float wrinkle_tower_26(float relief) {
+// 26_with_slope gives relief, relief_slope
+float wrinkle_tower_26_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_27(height);
+    float slope;
+    float relief_2 = wrinkle_tower_27_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_27(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_27_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 25 gives relief
-float wrinkle_tower_25(float relief) {
+// 25_with_slope gives relief, relief_slope
+float wrinkle_tower_25_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_26(height);
+    float slope;
+    float relief_2 = wrinkle_tower_26_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_26(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_26_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 24 gives relief
-float wrinkle_tower_24(float relief) {
+// 24_with_slope gives relief, relief_slope
+float wrinkle_tower_24_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_25(height);
+    float slope;
+    float relief_2 = wrinkle_tower_25_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_25(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_25_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 23 gives relief
-float wrinkle_tower_23(float relief) {
+// 23_with_slope gives relief, relief_slope
+float wrinkle_tower_23_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_24(height);
+    float slope;
+    float relief_2 = wrinkle_tower_24_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_24(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_24_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 22 gives relief
-float wrinkle_tower_22(float relief) {
+// 22_with_slope gives relief, relief_slope
+float wrinkle_tower_22_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_23(height);
+    float slope;
+    float relief_2 = wrinkle_tower_23_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_23(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_23_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 21 gives relief
-float wrinkle_tower_21(float relief) {
+// 21_with_slope gives relief, relief_slope
+float wrinkle_tower_21_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_22(height);
+    float slope;
+    float relief_2 = wrinkle_tower_22_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_22(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_22_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 20 gives relief
-float wrinkle_tower_20(float relief) {
+// 20_with_slope gives relief, relief_slope
+float wrinkle_tower_20_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_21(height);
+    float slope;
+    float relief_2 = wrinkle_tower_21_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_21(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_21_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 19 gives relief
-float wrinkle_tower_19(float relief) {
+// 19_with_slope gives relief, relief_slope
+float wrinkle_tower_19_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_20(height);
+    float slope;
+    float relief_2 = wrinkle_tower_20_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_20(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_20_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 18 gives relief
-float wrinkle_tower_18(float relief) {
+// 18_with_slope gives relief, relief_slope
+float wrinkle_tower_18_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_19(height);
+    float slope;
+    float relief_2 = wrinkle_tower_19_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_19(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_19_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 17 gives relief
-float wrinkle_tower_17(float relief) {
+// 17_with_slope gives relief, relief_slope
+float wrinkle_tower_17_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_18(height);
+    float slope;
+    float relief_2 = wrinkle_tower_18_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_18(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_18_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 16 gives relief
-float wrinkle_tower_16(float relief) {
+// 16_with_slope gives relief, relief_slope
+float wrinkle_tower_16_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_17(height);
+    float slope;
+    float relief_2 = wrinkle_tower_17_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_17(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_17_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 15 gives relief
-float wrinkle_tower_15(float relief) {
+// 15_with_slope gives relief, relief_slope
+float wrinkle_tower_15_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_16(height);
+    float slope;
+    float relief_2 = wrinkle_tower_16_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_16(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_16_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 14 gives relief
-float wrinkle_tower_14(float relief) {
+// 14_with_slope gives relief, relief_slope
+float wrinkle_tower_14_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_15(height);
+    float slope;
+    float relief_2 = wrinkle_tower_15_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_15(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_15_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 13 gives relief
-float wrinkle_tower_13(float relief) {
+// 13_with_slope gives relief, relief_slope
+float wrinkle_tower_13_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_14(height);
+    float slope;
+    float relief_2 = wrinkle_tower_14_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_14(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_14_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 12 gives relief
-float wrinkle_tower_12(float relief) {
+// 12_with_slope gives relief, relief_slope
+float wrinkle_tower_12_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_13(height);
+    float slope;
+    float relief_2 = wrinkle_tower_13_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_13(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_13_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 11 gives relief
-float wrinkle_tower_11(float relief) {
+// 11_with_slope gives relief, relief_slope
+float wrinkle_tower_11_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_12(height);
+    float slope;
+    float relief_2 = wrinkle_tower_12_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_12(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_12_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 10 gives relief
-float wrinkle_tower_10(float relief) {
+// 10_with_slope gives relief, relief_slope
+float wrinkle_tower_10_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_11(height);
+    float slope;
+    float relief_2 = wrinkle_tower_11_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_11(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_11_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 9 gives relief
-float wrinkle_tower_9(float relief) {
+// 9_with_slope gives relief, relief_slope
+float wrinkle_tower_9_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_10(height);
+    float slope;
+    float relief_2 = wrinkle_tower_10_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_10(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_10_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 8 gives relief
-float wrinkle_tower_8(float relief) {
+// 8_with_slope gives relief, relief_slope
+float wrinkle_tower_8_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_9(height);
+    float slope;
+    float relief_2 = wrinkle_tower_9_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_9(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_9_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 7 gives relief
-float wrinkle_tower_7(float relief) {
+// 7_with_slope gives relief, relief_slope
+float wrinkle_tower_7_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_8(height);
+    float slope;
+    float relief_2 = wrinkle_tower_8_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_8(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_8_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 6 gives relief
-float wrinkle_tower_6(float relief) {
+// 6_with_slope gives relief, relief_slope
+float wrinkle_tower_6_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_7(height);
+    float slope;
+    float relief_2 = wrinkle_tower_7_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_7(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_7_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 5 gives relief
-float wrinkle_tower_5(float relief) {
+// 5_with_slope gives relief, relief_slope
+float wrinkle_tower_5_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_6(height);
+    float slope;
+    float relief_2 = wrinkle_tower_6_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_6(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_6_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 4 gives relief
-float wrinkle_tower_4(float relief) {
+// 4_with_slope gives relief, relief_slope
+float wrinkle_tower_4_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_5(height);
+    float slope;
+    float relief_2 = wrinkle_tower_5_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_5(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_5_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 3 gives relief
-float wrinkle_tower_3(float relief) {
+// 3_with_slope gives relief, relief_slope
+float wrinkle_tower_3_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_4(height);
+    float slope;
+    float relief_2 = wrinkle_tower_4_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_4(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_4_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 2 gives relief
-float wrinkle_tower_2(float relief) {
+// 2_with_slope gives relief, relief_slope
+float wrinkle_tower_2_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_3(height);
+    float slope;
+    float relief_2 = wrinkle_tower_3_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_3(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_3_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 1 gives relief
-float wrinkle_tower_1(float relief) {
+// 1_with_slope gives relief, relief_slope
+float wrinkle_tower_1_with_slope(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float relief_2 = wrinkle_tower_2(height);
+    float slope;
+    float relief_2 = wrinkle_tower_2_with_slope(height, slope);
     float height_2 = relief * 0.75;
-    float relief_3 = wrinkle_tower_2(height_2);
+    float slope_2;
+    float relief_3 = wrinkle_tower_2_with_slope(height_2, slope_2);
+    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
     return relief_2 + relief_3;
-}
-
-// 30_change gives relief_change
-float wrinkle_tower_30_change(float relief, float relief_change) {
-    return -(-relief < -0.001 ? 0.0 : -relief_change);
-}
-
-// 29_change gives relief_change
-float wrinkle_tower_29_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n30_change = wrinkle_tower_30_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_30_change(height, relief_change * 0.5) + n30_change;
-}
-
-// 28_change gives relief_change
-float wrinkle_tower_28_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n29_change = wrinkle_tower_29_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_29_change(height, relief_change * 0.5) + n29_change;
-}
-
-// 27_change gives relief_change
-float wrinkle_tower_27_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n28_change = wrinkle_tower_28_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_28_change(height, relief_change * 0.5) + n28_change;
-}
-
-// 26_change gives relief_change
-float wrinkle_tower_26_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n27_change = wrinkle_tower_27_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_27_change(height, relief_change * 0.5) + n27_change;
-}
-
-// 25_change gives relief_change
-float wrinkle_tower_25_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n26_change = wrinkle_tower_26_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_26_change(height, relief_change * 0.5) + n26_change;
-}
-
-// 24_change gives relief_change
-float wrinkle_tower_24_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n25_change = wrinkle_tower_25_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_25_change(height, relief_change * 0.5) + n25_change;
-}
-
-// 23_change gives relief_change
-float wrinkle_tower_23_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n24_change = wrinkle_tower_24_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_24_change(height, relief_change * 0.5) + n24_change;
-}
-
-// 22_change gives relief_change
-float wrinkle_tower_22_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n23_change = wrinkle_tower_23_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_23_change(height, relief_change * 0.5) + n23_change;
-}
-
-// 21_change gives relief_change
-float wrinkle_tower_21_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n22_change = wrinkle_tower_22_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_22_change(height, relief_change * 0.5) + n22_change;
-}
-
-// 20_change gives relief_change
-float wrinkle_tower_20_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n21_change = wrinkle_tower_21_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_21_change(height, relief_change * 0.5) + n21_change;
-}
-
-// 19_change gives relief_change
-float wrinkle_tower_19_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n20_change = wrinkle_tower_20_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_20_change(height, relief_change * 0.5) + n20_change;
-}
-
-// 18_change gives relief_change
-float wrinkle_tower_18_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n19_change = wrinkle_tower_19_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_19_change(height, relief_change * 0.5) + n19_change;
-}
-
-// 17_change gives relief_change
-float wrinkle_tower_17_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n18_change = wrinkle_tower_18_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_18_change(height, relief_change * 0.5) + n18_change;
-}
-
-// 16_change gives relief_change
-float wrinkle_tower_16_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n17_change = wrinkle_tower_17_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_17_change(height, relief_change * 0.5) + n17_change;
-}
-
-// 15_change gives relief_change
-float wrinkle_tower_15_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n16_change = wrinkle_tower_16_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_16_change(height, relief_change * 0.5) + n16_change;
-}
-
-// 14_change gives relief_change
-float wrinkle_tower_14_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n15_change = wrinkle_tower_15_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_15_change(height, relief_change * 0.5) + n15_change;
-}
-
-// 13_change gives relief_change
-float wrinkle_tower_13_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n14_change = wrinkle_tower_14_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_14_change(height, relief_change * 0.5) + n14_change;
-}
-
-// 12_change gives relief_change
-float wrinkle_tower_12_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n13_change = wrinkle_tower_13_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_13_change(height, relief_change * 0.5) + n13_change;
-}
-
-// 11_change gives relief_change
-float wrinkle_tower_11_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n12_change = wrinkle_tower_12_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_12_change(height, relief_change * 0.5) + n12_change;
-}
-
-// 10_change gives relief_change
-float wrinkle_tower_10_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n11_change = wrinkle_tower_11_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_11_change(height, relief_change * 0.5) + n11_change;
-}
-
-// 9_change gives relief_change
-float wrinkle_tower_9_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n10_change = wrinkle_tower_10_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_10_change(height, relief_change * 0.5) + n10_change;
-}
-
-// 8_change gives relief_change
-float wrinkle_tower_8_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n9_change = wrinkle_tower_9_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_9_change(height, relief_change * 0.5) + n9_change;
-}
-
-// 7_change gives relief_change
-float wrinkle_tower_7_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n8_change = wrinkle_tower_8_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_8_change(height, relief_change * 0.5) + n8_change;
-}
-
-// 6_change gives relief_change
-float wrinkle_tower_6_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n7_change = wrinkle_tower_7_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_7_change(height, relief_change * 0.5) + n7_change;
-}
-
-// 5_change gives relief_change
-float wrinkle_tower_5_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n6_change = wrinkle_tower_6_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_6_change(height, relief_change * 0.5) + n6_change;
-}
-
-// 4_change gives relief_change
-float wrinkle_tower_4_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n5_change = wrinkle_tower_5_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_5_change(height, relief_change * 0.5) + n5_change;
-}
-
-// 3_change gives relief_change
-float wrinkle_tower_3_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n4_change = wrinkle_tower_4_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_4_change(height, relief_change * 0.5) + n4_change;
-}
-
-// 2_change gives relief_change
-float wrinkle_tower_2_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n3_change = wrinkle_tower_3_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_3_change(height, relief_change * 0.5) + n3_change;
-}
-
-// 1_change gives relief_change
-float wrinkle_tower_1_change(float relief, float relief_change) {
-    float height = relief * 0.5;
-    float height_2 = relief * 0.75;
-    float n2_change = wrinkle_tower_2_change(height_2, relief_change * 0.75);
-    return wrinkle_tower_2_change(height, relief_change * 0.5) + n2_change;
 }
 
 WrinkleMaterial_tower wrinkle_tower(WrinkleSurface_tower s) {
@@ -520,71 +378,81 @@ WrinkleMaterial_tower wrinkle_tower(WrinkleSurface_tower s) {
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    // waves: Waves
-    float waves_fraction = fract(dot(s.uv0 * 4.0, vec2(0.79703534, -0.6039327)) + 0.91080195);
-    float waves_product = waves_fraction * 6.2831855;
-    vec2 waves_product_2 = duv0_dx * 4.0;
-    vec2 waves_product_3 = duv0_dy * 4.0;
-    float waves_greatest = max(length(waves_product_2), length(waves_product_3));
-    float waves_difference = 1.0 - smoothstep(0.25, 0.75, waves_greatest);
-    float waves_product_4 = sin(waves_product) * waves_difference;
-    float waves_fraction_2 = fract(dot(s.uv0 * 5.2, vec2(0.96242577, -0.2715449)) + 0.6936357);
-    float waves_product_5 = waves_fraction_2 * 6.2831855;
-    vec2 waves_product_6 = duv0_dx * 5.2;
-    vec2 waves_product_7 = duv0_dy * 5.2;
-    float waves_greatest_2 = max(length(waves_product_6), length(waves_product_7));
-    float waves_product_8 = 0.8 * (1.0 - smoothstep(0.25, 0.75, waves_greatest_2));
-    float waves_sum = waves_product_4 + sin(waves_product_5) * waves_product_8;
-    float waves_fraction_3 = fract(dot(s.uv0 * 6.76, vec2(0.84690297, -0.53174746)) + 0.87379307);
-    float waves_product_9 = waves_fraction_3 * 6.2831855;
-    vec2 waves_product_10 = duv0_dx * 6.76;
-    vec2 waves_product_11 = duv0_dy * 6.76;
-    float waves_greatest_3 = max(length(waves_product_10), length(waves_product_11));
-    float waves_product_12 = 0.64 * (1.0 - smoothstep(0.25, 0.75, waves_greatest_3));
-    float waves_sum_2 = waves_sum + sin(waves_product_9) * waves_product_12;
-    float waves_fraction_4 = fract(dot(s.uv0 * 8.788, vec2(0.6053601, 0.7959517)) + 0.51955295);
-    float waves_product_13 = waves_fraction_4 * 6.2831855;
-    vec2 waves_product_14 = duv0_dx * 8.788;
-    vec2 waves_product_15 = duv0_dy * 8.788;
-    float waves_greatest_4 = max(length(waves_product_14), length(waves_product_15));
-    float waves_product_16 = 0.512 * (1.0 - smoothstep(0.25, 0.75, waves_greatest_4));
-    float waves_value = (waves_sum_2 + sin(waves_product_13) * waves_product_16) / 2.952;
+    uint waves_hash = wrinkle_tower_hash(0u);  // waves: Waves
+    float waves_difference = float(wrinkle_tower_hash(waves_hash) >> 8u) * 5.9604645e-08 - 0.5;
+    float waves_product = 120.0 * waves_difference * 0.017453292;
+    vec2 waves_vector = vec2(cos(waves_product), sin(waves_product));
+    uint waves_hash_2 = wrinkle_tower_hash(1u);
+    float waves_product_2 = float(wrinkle_tower_hash(waves_hash_2) >> 8u) * 5.9604645e-08;
+    float waves_fraction = fract(dot(s.uv0 * 4.0, waves_vector) + waves_product_2);
+    float waves_product_3 = waves_fraction * 6.2831855;
+    vec2 waves_product_4 = duv0_dx * 4.0;
+    vec2 waves_product_5 = duv0_dy * 4.0;
+    float waves_greatest = max(length(waves_product_4), length(waves_product_5));
+    float waves_difference_2 = 1.0 - smoothstep(0.25, 0.75, waves_greatest);
+    float waves_product_6 = sin(waves_product_3) * waves_difference_2;
+    float waves_difference_3 = float(wrinkle_tower_hash(1u + waves_hash) >> 8u) * 5.9604645e-08 -
+            0.5;
+    float waves_product_7 = 120.0 * waves_difference_3 * 0.017453292;
+    vec2 waves_vector_2 = vec2(cos(waves_product_7), sin(waves_product_7));
+    float waves_product_8 = float(wrinkle_tower_hash(1u + waves_hash_2) >> 8u) * 5.9604645e-08;
+    float waves_sum = dot(s.uv0 * 5.2, waves_vector_2) + waves_product_8;
+    float waves_product_9 = fract(waves_sum) * 6.2831855;
+    vec2 waves_product_10 = duv0_dx * 5.2;
+    vec2 waves_product_11 = duv0_dy * 5.2;
+    float waves_greatest_2 = max(length(waves_product_10), length(waves_product_11));
+    float waves_product_12 = 0.8 * (1.0 - smoothstep(0.25, 0.75, waves_greatest_2));
+    float waves_sum_2 = waves_product_6 + sin(waves_product_9) * waves_product_12;
+    float waves_difference_4 = float(wrinkle_tower_hash(2u + waves_hash) >> 8u) * 5.9604645e-08 -
+            0.5;
+    float waves_product_13 = 120.0 * waves_difference_4 * 0.017453292;
+    vec2 waves_vector_3 = vec2(cos(waves_product_13), sin(waves_product_13));
+    float waves_product_14 = float(wrinkle_tower_hash(2u + waves_hash_2) >> 8u) * 5.9604645e-08;
+    float waves_sum_3 = dot(s.uv0 * 6.76, waves_vector_3) + waves_product_14;
+    float waves_product_15 = fract(waves_sum_3) * 6.2831855;
+    vec2 waves_product_16 = duv0_dx * 6.76;
+    vec2 waves_product_17 = duv0_dy * 6.76;
+    float waves_greatest_3 = max(length(waves_product_16), length(waves_product_17));
+    float waves_product_18 = 0.64 * (1.0 - smoothstep(0.25, 0.75, waves_greatest_3));
+    float waves_sum_4 = waves_sum_2 + sin(waves_product_15) * waves_product_18;
+    float waves_difference_5 = float(wrinkle_tower_hash(3u + waves_hash) >> 8u) * 5.9604645e-08 -
+            0.5;
+    float waves_product_19 = 120.0 * waves_difference_5 * 0.017453292;
+    vec2 waves_vector_4 = vec2(cos(waves_product_19), sin(waves_product_19));
+    float waves_product_20 = float(wrinkle_tower_hash(3u + waves_hash_2) >> 8u) * 5.9604645e-08;
+    float waves_sum_5 = dot(s.uv0 * 8.788, waves_vector_4) + waves_product_20;
+    float waves_product_21 = fract(waves_sum_5) * 6.2831855;
+    vec2 waves_product_22 = duv0_dx * 8.788;
+    vec2 waves_product_23 = duv0_dy * 8.788;
+    float waves_greatest_4 = max(length(waves_product_22), length(waves_product_23));
+    float waves_product_24 = 0.512 * (1.0 - smoothstep(0.25, 0.75, waves_greatest_4));
+    float waves_value = (waves_sum_4 + sin(waves_product_21) * waves_product_24) / 2.952;
     float waves_height = waves_value * 0.01;
-    float waves_product_17 = dot(waves_product_2, vec2(0.79703534, -0.6039327)) * 6.2831855;
-    float waves_cosine = cos(waves_product);
-    float waves_product_18 = waves_product_17 * waves_cosine * waves_difference;
-    float waves_product_19 = dot(waves_product_6, vec2(0.96242577, -0.2715449)) * 6.2831855;
-    float waves_cosine_2 = cos(waves_product_5);
-    float waves_sum_3 = waves_product_18 + waves_product_19 * waves_cosine_2 * waves_product_8;
-    float waves_product_20 = dot(waves_product_10, vec2(0.84690297, -0.53174746)) * 6.2831855;
-    float waves_cosine_3 = cos(waves_product_9);
-    float waves_sum_4 = waves_sum_3 + waves_product_20 * waves_cosine_3 * waves_product_12;
-    float waves_product_21 = dot(waves_product_14, vec2(0.6053601, 0.7959517)) * 6.2831855;
-    float waves_cosine_4 = cos(waves_product_13);
-    float waves_quotient = (waves_sum_4 + waves_product_21 * waves_cosine_4 * waves_product_16) /
-            2.952;
-    float waves_product_22 = waves_quotient * 0.01;
-    float waves_product_23 = dot(waves_product_3, vec2(0.79703534, -0.6039327)) * 6.2831855;
-    float waves_product_24 = waves_product_23 * waves_cosine * waves_difference;
-    float waves_product_25 = dot(waves_product_7, vec2(0.96242577, -0.2715449)) * 6.2831855;
-    float waves_sum_5 = waves_product_24 + waves_product_25 * waves_cosine_2 * waves_product_8;
-    float waves_product_26 = dot(waves_product_11, vec2(0.84690297, -0.53174746)) * 6.2831855;
-    float waves_sum_6 = waves_sum_5 + waves_product_26 * waves_cosine_3 * waves_product_12;
-    float waves_product_27 = dot(waves_product_15, vec2(0.6053601, 0.7959517)) * 6.2831855;
-    float waves_quotient_2 = (waves_sum_6 + waves_product_27 * waves_cosine_4 * waves_product_16) /
-            2.952;
-    float waves_product_28 = waves_quotient_2 * 0.01;
+    vec2 waves_vector_5 = vec2(dot(waves_product_10, waves_vector_2), dot(waves_product_11,
+            waves_vector_2));
+    vec2 waves_product_25 = waves_vector_5 * 6.2831855 * cos(waves_product_9) * waves_product_12;
+    vec2 waves_vector_6 = vec2(dot(waves_product_16, waves_vector_3), dot(waves_product_17,
+            waves_vector_3));
+    vec2 waves_product_26 = waves_vector_6 * 6.2831855 * cos(waves_product_15) * waves_product_18;
+    vec2 waves_vector_7 = vec2(dot(waves_product_22, waves_vector_4), dot(waves_product_23,
+            waves_vector_4));
+    vec2 waves_product_27 = waves_vector_7 * 6.2831855 * cos(waves_product_21) * waves_product_24;
     float low_height = waves_height * 0.5;  // low: Scale height
-    float left_relief = wrinkle_tower_1(low_height);  // left: 1
+    // left: 1
+    float left_slope;
+    float left_relief = wrinkle_tower_1_with_slope(low_height, left_slope);
     float high_height = waves_height * 0.75;  // high: Scale height
-    float right_relief = wrinkle_tower_1(high_height);  // right: 1
-    float right_1_change = wrinkle_tower_1_change(high_height, waves_product_22 * 0.75);
-    float right_1_change_2 = wrinkle_tower_1_change(high_height, waves_product_28 * 0.75);
-    // both: Add heights
-    float both_sum = wrinkle_tower_1_change(low_height, waves_product_22 * 0.5) + right_1_change;
-    float both_sum_2 = wrinkle_tower_1_change(low_height,
-            waves_product_28 * 0.5) + right_1_change_2;
-    vec2 product = vec2(both_sum, both_sum_2) * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    // right: 1
+    float right_slope;
+    float right_relief = wrinkle_tower_1_with_slope(high_height, right_slope);
+    vec2 vector = vec2(dot(waves_product_4, waves_vector), dot(waves_product_5, waves_vector));
+    // waves: Waves (continued)
+    vec2 waves_product_28 = vector * 6.2831855 * cos(waves_product_3) * waves_difference_2;
+    vec2 waves_sum_6 = waves_product_28 + waves_product_25 + waves_product_26 + waves_product_27;
+    vec2 waves_product_29 = waves_sum_6 / 2.952 * 0.01;
+    vec2 right_product = right_slope * (waves_product_29 * 0.75);  // right: 1 (continued)
+    vec2 both_sum = left_slope * (waves_product_29 * 0.5) + right_product;  // both: Add heights
+    vec2 product = both_sum * (sign(screen_area) / max(abs(screen_area), 1e-36));
     vec3 gradient = cross(normal, dpdx * product.y - dpdy * product.x);
     WrinkleMaterial_tower m;
     m.height = left_relief + right_relief;  // both: Add heights (continued)

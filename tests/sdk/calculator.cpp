@@ -33,6 +33,11 @@ double scalar(uint32_t op, double a, double b, double c) {
             return std::min(std::max(a, b), c);
         case WR_OP_step:
             return b < a ? 0 : 1;
+        case WR_OP_smoothstep: {
+            if (!(a < b)) return NAN;
+            const double t = std::clamp((c - a) / (b - a), 0.0, 1.0);
+            return t * t * (3 - 2 * t);
+        }
         case WR_OP_sqrt:
             return std::sqrt(a);
         case WR_OP_inversesqrt:

@@ -84,12 +84,6 @@ V mix(V a, V b, std::type_identity_t<V> t) {
 inline Float step(Float edge, Float x) {
     return Float(emit(WR_OP_step, {edge.id, x.id}));
 }
-inline Float smoothstep(Float low, Float high, Float x);
-inline Float smoothstep(double low, double high, Float x) {
-    if (low == high) return step(low, x);
-    if (low > high) return smoothstep(Float(low), Float(high), x);
-    return Float(emit(WR_OP_smoothstep, {Float(low).id, Float(high).id, x.id}));
-}
 
 // A function of Floats by components.
 template <class F>
@@ -139,8 +133,11 @@ T mod(T x, Float y) {
 
 // Between equal edges a step, and between edges in falling order the mirrored curve.
 inline Float smoothstep(Float low, Float high, Float x) {
-    const Float t = saturate(select(low == high, step(low, x), divide(x - low, high - low)));
-    return t * t * (3 - 2 * t);
+    const auto rise = [&](Float from, Float to) {
+        return Float(emit(WR_OP_smoothstep, {from.id, to.id, x.id}));
+    };
+    return select(low < high, rise(low, high),
+                  select(high < low, 1 - rise(high, low), step(low, x)));
 }
 
 template <FloatType T>
@@ -230,26 +227,6 @@ inline Float radians(Float degrees) {
 }
 inline Float degrees(Float radians) {
     return radians * 57.29577951308232;
-}
-
-// A well mixed integer of one to three integers (the PCG permutation, M. O'Neill 2014), the same on
-// every machine; and a number in [0, 1) of its upper 24 bits.
-inline Uint hash(Uint x) {
-    const Uint state = x * 747796405u + 2891336453u;
-    const Uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return (word >> 22u) ^ word;
-}
-inline Uint hash(Int x) {
-    return hash(Uint(x));
-}
-inline Uint hash(Int x, Int y) {
-    return hash(Uint(x) + hash(Uint(y)));
-}
-inline Uint hash(Int x, Int y, Int z) {
-    return hash(Uint(x) + hash(Uint(y) + hash(Uint(z))));
-}
-inline Float unit_float(Uint bits) {
-    return Float(bits >> 8u) * (1.0 / 16777216.0);
 }
 
 }  // namespace wrinkle::sdk

@@ -25,6 +25,7 @@
 #pragma once
 
 #include "wrinkle/body.h"
+#include "wrinkle/hash.h"
 #include "wrinkle/region.h"
 
 namespace wrinkle::sdk {

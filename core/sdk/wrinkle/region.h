@@ -1,7 +1,7 @@
 // Loops and functions in the generated shader. A body is recorded once; it may use values from
 // outside.
 //
-//   auto noise = function("noise", [](vec3 p) { return ...; });  // one function in the shader
+//   auto noise = function("noise(p)", [](vec3 p) { return ...; });  // one function in the shader
 //   Float sum = noise(p) + noise(2 * p);                         // called twice
 //
 //   auto [t, h] = loop(64, std::tuple{t0, h0}, [&](Float t, Float h) {
@@ -127,7 +127,8 @@ private:
     wr_region region_;
 };
 
-// `name`, in lower_snake_case, is the name in the generated shader.
+// `name` is the name in the generated shader, in lower_snake_case, and may name the parameters:
+// "noise(point, width)".
 template <class Body>
 auto function(const char* name, Body body) {
     using Signature = detail::Signature<Body>;
@@ -139,21 +140,26 @@ auto function(const char* name, Body body) {
     return Function<typename Signature::Result, Arguments>(detail::end(recording, results, 0));
 }
 
-// Returns the last state. `max`: greatest number of iterations, up to 65536.
+// Returns the last state. `max`: greatest number of iterations, up to 65536. `name` may name the
+// members of the state: "loop(k, sum)".
 template <class... State, class Body>
-std::tuple<State...> loop(uint32_t max, std::tuple<State...> initial, Body body) {
+std::tuple<State...> loop(const char* name, uint32_t max, std::tuple<State...> initial, Body body) {
     using Next = std::tuple<Bool, State...>;
     static_assert(std::is_convertible_v<std::invoke_result_t<Body, State...>, Next>,
                   "a loop's body takes the state and returns a tuple of Bool (go on) and the next "
                   "state");
     const uint32_t types[] = {State::type...};
     wr_value ids[sizeof...(State)] = {};
-    detail::Recording recording(WR_REGION_LOOP, "loop", types, sizeof...(State), ids);
+    detail::Recording recording(WR_REGION_LOOP, name, types, sizeof...(State), ids);
     const Next next = std::apply(body, detail::values<std::tuple<State...>>(ids));
     const wr_region region = detail::end(recording, next, max);
     std::apply([&](const State&... s) { detail::run(region, ids, sizeof...(State), s...); },
                initial);
     return detail::values<std::tuple<State...>>(ids);
+}
+template <class... State, class Body>
+std::tuple<State...> loop(uint32_t max, std::tuple<State...> initial, Body body) {
+    return loop("loop", max, initial, body);
 }
 
 }  // namespace wrinkle::sdk

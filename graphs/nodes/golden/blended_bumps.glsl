@@ -12,72 +12,72 @@ struct WrinkleMaterial_blended_bumps {
     vec3 naive;
 };
 
-vec3 wrinkle_blended_bumps_noise_direction(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_blended_bumps_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
-    float number = float(2237013u >> product_4 & 3u);
-    float number_2 = float(5573130u >> product_4 & 3u);
-    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
+    return product >> 22u ^ product;
 }
 
-vec3 wrinkle_blended_bumps_gradient_noise_slope(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 noise_direction = wrinkle_blended_bumps_noise_direction(whole, whole_2, whole_3);
-    int sum = whole + 1;
-    vec3 noise_direction_2 = wrinkle_blended_bumps_noise_direction(sum, whole_2, whole_3);
-    vec3 difference = a - floored;
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_3 = wrinkle_blended_bumps_noise_direction(whole, sum_3, whole_3);
-    vec3 noise_direction_4 = wrinkle_blended_bumps_noise_direction(sum, sum_3, whole_3);
-    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
-    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_5 = wrinkle_blended_bumps_noise_direction(whole, whole_2, sum_4);
-    vec3 noise_direction_6 = wrinkle_blended_bumps_noise_direction(sum, whole_2, sum_4);
-    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
-    vec3 noise_direction_7 = wrinkle_blended_bumps_noise_direction(whole, sum_3, sum_4);
-    vec3 noise_direction_8 = wrinkle_blended_bumps_noise_direction(sum, sum_3, sum_4);
-    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+vec3 wrinkle_blended_bumps_noise_direction(vec3 corner) {
+    uint sum = uint(int(corner.y)) + wrinkle_blended_bumps_hash(uint(int(corner.z)));
+    uint sum_2 = uint(int(corner.x)) + wrinkle_blended_bumps_hash(sum);
+    uint hash = wrinkle_blended_bumps_hash(sum_2);
+    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
+    float number = float(2237013u >> product & 3u);
+    float number_2 = float(5573130u >> product & 3u);
+    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+}
+
+vec4 wrinkle_blended_bumps_gradient_corner(vec3 cell, vec3 from, vec3 corner) {
+    vec3 direction = wrinkle_blended_bumps_noise_direction(cell + corner);
+    return vec4(direction, dot(direction, from - corner));
+}
+
+vec4 wrinkle_blended_bumps_gradient_noise(vec3 p) {
+    vec3 floored = floor(p);
+    vec3 difference = p - floored;
+    vec4 corner = wrinkle_blended_bumps_gradient_corner(floored, difference, vec3(0.0));
+    vec4 corner_2 = wrinkle_blended_bumps_gradient_corner(floored, difference, vec3(1.0, 0.0, 0.0));
+    vec3 sum = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum;
+    vec4 mixed = mix(corner, corner_2, product.x);
+    vec4 corner_3 = wrinkle_blended_bumps_gradient_corner(floored, difference, vec3(0.0, 1.0, 0.0));
+    vec4 corner_4 = wrinkle_blended_bumps_gradient_corner(floored, difference, vec3(1.0, 1.0, 0.0));
+    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
+    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
+    vec4 corner_5 = wrinkle_blended_bumps_gradient_corner(floored, difference, vec3(0.0, 0.0, 1.0));
+    vec4 corner_6 = wrinkle_blended_bumps_gradient_corner(floored, difference, vec3(1.0, 0.0, 1.0));
+    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
+    vec4 corner_7 = wrinkle_blended_bumps_gradient_corner(floored, difference, vec3(0.0, 1.0, 1.0));
+    vec4 corner_8 = wrinkle_blended_bumps_gradient_corner(floored, difference, vec3(1.0));
+    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
+    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
+    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float difference_3 = difference.x - 1.0;
-    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
-    float dot_product_2 = dot(noise_direction, difference);
-    float difference_4 = difference.y - 1.0;
-    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
-    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
-    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float difference_5 = difference.z - 1.0;
-    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
-    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
-    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
-    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
-    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
-    float mixed_9 = mix(dot_product_2, dot_product, product.x);
-    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
-    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
-    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
-    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
+    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
+    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
+    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
+    vec3 vector = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
+    vec3 sum_2 = mixed_7.xyz + product_2 * vector;
+    return vec4(sum_2, mixed_7.w);
 }
 
-vec3 wrinkle_blended_bumps_noise_octave_slope(vec3 a, float b) {
-    vec3 gradient_noise_slope = wrinkle_blended_bumps_gradient_noise_slope(a);
-    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
+vec3 wrinkle_blended_bumps_fbm_slope(vec3 point, float width, int octaves, float lacunarity,
+        float gain) {
+    float frequency = 1.0;
+    float weight = 1.0;
+    float total = 0.0;
+    vec3 sum_slope = vec3(0.0);
+    for (int i = 0; i < min(octaves, 8); ++i) {
+        vec3 sum = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 product = wrinkle_blended_bumps_gradient_noise(sum).xyz * frequency;
+        total += weight;
+        sum_slope += product * (1.0 - smoothstep(0.25, 0.75, width * frequency)) * weight;
+        frequency *= lacunarity;
+        weight *= gain;
+    }
+    return sum_slope / total;
 }
 
 WrinkleMaterial_blended_bumps wrinkle_blended_bumps(WrinkleSurface_blended_bumps s) {
@@ -88,91 +88,63 @@ WrinkleMaterial_blended_bumps wrinkle_blended_bumps(WrinkleSurface_blended_bumps
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 bitangent = cross(s.normal, s.tangent.xyz);
     float handedness = s.tangent.w > 0.0 ? 1.0 : -1.0;
-    vec3 grain_product = s.position * 14.0;  // grain: Gradient noise
-    float grain_greatest = max(length(dpdx * 14.0), length(dpdy * 14.0));
-    vec3 grain_noise_octave_slope = wrinkle_blended_bumps_noise_octave_slope(grain_product,
-            grain_greatest);
-    vec3 grain_product_2 = grain_product * 2.0;
-    vec3 grain_sum = grain_product_2 + vec3(19.19, 7.43, 31.71);
-    float grain_product_3 = grain_greatest * 2.0;
-    vec3 grain_noise_octave_slope_2 = wrinkle_blended_bumps_noise_octave_slope(grain_sum,
-            grain_product_3);
-    float grain_product_4 = grain_noise_octave_slope_2.x * 28.0 * 0.5;
-    float grain_sum_2 = grain_noise_octave_slope.x * 14.0 + grain_product_4;
-    vec3 grain_product_5 = grain_product_2 * 2.0;
-    vec3 grain_sum_3 = grain_product_5 + vec3(38.38, 14.86, 63.42);
-    float grain_product_6 = grain_product_3 * 2.0;
-    vec3 grain_noise_octave_slope_3 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_3,
-            grain_product_6);
-    float grain_sum_4 = grain_sum_2 + grain_noise_octave_slope_3.x * 56.0 * 0.25;
-    vec3 grain_sum_5 = grain_product_5 * 2.0 + vec3(57.57, 22.29, 95.13);
-    float grain_product_7 = grain_product_6 * 2.0;
-    vec3 grain_noise_octave_slope_4 = wrinkle_blended_bumps_noise_octave_slope(grain_sum_5,
-            grain_product_7);
-    float grain_quotient = (grain_sum_4 + grain_noise_octave_slope_4.x * 112.0 * 0.125) / 1.875;
-    float grain_product_8 = grain_noise_octave_slope_2.y * 28.0 * 0.5;
-    float grain_sum_6 = grain_noise_octave_slope.y * 14.0 + grain_product_8;
-    float grain_sum_7 = grain_sum_6 + grain_noise_octave_slope_3.y * 56.0 * 0.25;
-    float grain_quotient_2 = (grain_sum_7 + grain_noise_octave_slope_4.y * 112.0 * 0.125) / 1.875;
-    float grain_product_9 = grain_noise_octave_slope_2.z * 28.0 * 0.5;
-    float grain_sum_8 = grain_noise_octave_slope.z * 14.0 + grain_product_9;
-    float grain_sum_9 = grain_sum_8 + grain_noise_octave_slope_3.z * 56.0 * 0.25;
-    float grain_quotient_3 = (grain_sum_9 + grain_noise_octave_slope_4.z * 112.0 * 0.125) / 1.875;
-    // sum: Add bumps
-    vec3 sum_gradient = vec3(grain_quotient * 0.03, grain_quotient_2 * 0.03,
-            grain_quotient_3 * 0.03);
-    vec2 knobs_product = s.uv0 * 6.0;  // knobs: Domes
-    float knobs_difference = knobs_product.y - floor(knobs_product.y) - 0.5;
-    vec2 knobs_vector = vec2(fract(knobs_product.x) - 0.5, knobs_difference);
-    float knobs_quotient = dot(knobs_vector, knobs_vector) / 0.1225;
-    float knobs_difference_2 = 1.0 - 0.64 * min(knobs_quotient, 1.0);
-    bool knobs_test = knobs_difference_2 < 0.0;
-    bool knobs_test_2 = 1.0 < knobs_quotient;
-    vec2 knobs_product_2 = dFdx(s.uv0) * 6.0;
-    float knobs_sum = dot(knobs_product_2, knobs_vector) + dot(knobs_vector, knobs_product_2);
-    float knobs_negated = -((knobs_test_2 ? 0.0 : knobs_sum / 0.1225) * 0.64);
-    float knobs_root = sqrt(max(knobs_difference_2, 0.0));
-    float knobs_choice = knobs_root > 0.0 ? 0.5 / knobs_root : 0.0;
-    float knobs_quotient_2 = (knobs_test ? 0.0 : knobs_negated) * knobs_choice / 0.4;
-    vec2 knobs_product_3 = dFdy(s.uv0) * 6.0;
-    float knobs_greatest = max(length(knobs_product_2), length(knobs_product_3));
-    float knobs_difference_3 = 1.0 - smoothstep(0.25, 0.75, knobs_greatest);
-    float knobs_product_4 = knobs_quotient_2 * knobs_difference_3;
-    float knobs_sum_2 = dot(knobs_product_3, knobs_vector) + dot(knobs_vector, knobs_product_3);
-    float knobs_negated_2 = -((knobs_test_2 ? 0.0 : knobs_sum_2 / 0.1225) * 0.64);
-    float knobs_quotient_3 = (knobs_test ? 0.0 : knobs_negated_2) * knobs_choice / 0.4;
-    float normal_dot_product = dot(normal, sum_gradient);  // normal: Resolve
+    float grain_product = max(length(dpdx), length(dpdy)) * 14.0;  // grain: Gradient noise
+    vec3 grain_slope = wrinkle_blended_bumps_fbm_slope(s.position * 14.0, grain_product, 4, 2.0,
+            0.5);
+    vec3 grain_gradient = grain_slope * 14.0 * 0.03;
+    float normal_dot_product = dot(normal, grain_gradient);  // normal: Resolve
     vec3 normal_product = normal * (s.facing + normal_dot_product);
     float normal_product_2 = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08;
-    vec2 normal_product_3 = vec2(knobs_product_4,
-            knobs_quotient_3 * knobs_difference_3) * normal_product_2;
+    vec2 knobs_product = s.uv0 * 6.0;  // knobs: Domes
+    float knobs_difference = knobs_product.y - floor(knobs_product.y);
+    vec2 knobs_difference_2 = vec2(fract(knobs_product.x), knobs_difference) - 0.5;
+    float knobs_quotient = dot(knobs_difference_2, knobs_difference_2) / 0.1225;
+    float knobs_difference_3 = 1.0 - 0.64 * min(knobs_quotient, 1.0);
+    vec2 knobs_product_2 = dFdx(s.uv0) * 6.0;
+    float knobs_dot_product = dot(knobs_product_2, knobs_difference_2);
+    vec2 knobs_product_3 = dFdy(s.uv0) * 6.0;
+    float knobs_dot_product_2 = dot(knobs_difference_2, knobs_product_2);
+    float knobs_root = sqrt(max(knobs_difference_3, 0.0));
+    float knobs_greatest = max(length(knobs_product_2), length(knobs_product_3));
+    // normal: Resolve (continued)
+    vec2 normal_vector = vec2(knobs_dot_product, dot(knobs_product_3, knobs_difference_2));
+    vec2 normal_vector_2 = vec2(knobs_dot_product_2, dot(knobs_difference_2, knobs_product_3));
+    vec2 knobs_quotient_2 = (normal_vector + normal_vector_2) / 0.1225;  // knobs: Domes (continued)
+    vec2 knobs_product_4 = (1.0 < knobs_quotient ? vec2(0.0) : knobs_quotient_2) * 0.64;
+    vec2 knobs_choice = knobs_difference_3 < 0.0 ? vec2(0.0) : -knobs_product_4;
+    vec2 knobs_quotient_3 = knobs_choice * (knobs_root > 0.0 ? 0.5 / knobs_root : 0.0) / 0.4;
+    vec2 knobs_product_5 = knobs_quotient_3 * (1.0 - smoothstep(0.25, 0.75, knobs_greatest));
+    vec2 normal_product_3 = knobs_product_5 * normal_product_2;  // normal: Resolve (continued)
     vec3 normal_gradient = cross(normal, dpdx * normal_product_3.y - dpdy * normal_product_3.x);
     // blend: Wrong: bumps blended as normals
     vec3 blend_along_u = s.tangent.xyz * inverse_normal_length;
     float blend_negated = -dot(blend_along_u, normal_gradient);
     vec3 blend_along_v = bitangent * (handedness * inverse_normal_length);
-    float blend_negated_2 = -dot(blend_along_v, normal_gradient);
-    float blend_sum = blend_negated * blend_negated + blend_negated_2 * blend_negated_2 + 1.0;
+    float blend_dot_product = dot(blend_along_v, normal_gradient);
+    float blend_negated_2 = -blend_dot_product;
+    float blend_difference = blend_negated * blend_negated - blend_dot_product * blend_negated_2;
     vec3 blend_unit = normalize(vec3(blend_negated, blend_negated_2, 1.0));
-    vec3 blend_choice = blend_sum > 0.0 ? blend_unit : vec3(0.0);
-    vec3 blend_sum_2 = sum_gradient + normal * -normal_dot_product;
-    float blend_negated_3 = -dot(blend_along_u, blend_sum_2);
-    float blend_negated_4 = -dot(blend_along_v, blend_sum_2);
-    float blend_sum_3 = blend_negated_3 * blend_negated_3 + blend_negated_4 * blend_negated_4 + 1.0;
+    vec3 blend_choice = blend_difference + 1.0 > 0.0 ? blend_unit : vec3(0.0);
+    vec3 blend_sum = grain_gradient + normal * -normal_dot_product;
+    float blend_negated_3 = -dot(blend_along_u, blend_sum);
+    float blend_dot_product_2 = dot(blend_along_v, blend_sum);
+    float blend_negated_4 = -blend_dot_product_2;
+    float blend_difference_2 = blend_negated_3 * blend_negated_3 - blend_dot_product_2 *
+            blend_negated_4;
     vec3 blend_unit_2 = normalize(vec3(blend_negated_3, blend_negated_4, 1.0));
-    vec2 blend_sum_4 = blend_choice.xy + (blend_sum_3 > 0.0 ? blend_unit_2 : vec3(0.0)).xy;
-    vec3 blend_vector = vec3(blend_sum_4, blend_choice.z);
+    vec3 blend_choice_2 = blend_difference_2 + 1.0 > 0.0 ? blend_unit_2 : vec3(0.0);
+    vec3 blend_vector = vec3(blend_choice.xy + blend_choice_2.xy, blend_choice.z);
     bool blend_test = dot(blend_vector, blend_vector) > 0.0;
-    vec3 blend_choice_2 = blend_test ? normalize(blend_vector) : vec3(0.0);
-    float blend_least_depth = max(abs(blend_choice_2.x), abs(blend_choice_2.y)) * 0.0078125;
+    vec3 blend_choice_3 = blend_test ? normalize(blend_vector) : vec3(0.0);
+    float blend_least_depth = max(abs(blend_choice_3.x), abs(blend_choice_3.y)) * 0.0078125;
     // blended: Resolve
-    float blended_product = max(max(abs(blend_choice_2.z), blend_least_depth), 1e-06) * s.facing;
-    vec3 blended_along_v = bitangent * (blend_choice_2.y * handedness);
-    vec3 blended_gradient = s.tangent.xyz * blend_choice_2.x + blended_along_v;
+    float blended_product = max(max(abs(blend_choice_3.z), blend_least_depth), 1e-06) * s.facing;
+    vec3 blended_along_v = bitangent * (blend_choice_3.y * handedness);
+    vec3 blended_gradient = s.tangent.xyz * blend_choice_3.x + blended_along_v;
     vec3 blended_bumped = s.normal * blended_product + blended_gradient;
     WrinkleMaterial_blended_bumps m;
     // normal: Resolve (continued)
-    m.normal = normalize(normal_product - (normal_gradient + sum_gradient));
+    m.normal = normalize(normal_product - (normal_gradient + grain_gradient));
     // blended: Resolve (continued)
     m.naive = normalize(vec3(blended_bumped.xy, blended_bumped.z + 1e-18));
     return m;

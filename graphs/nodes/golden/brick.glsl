@@ -29,27 +29,20 @@ WrinkleMaterial_brick wrinkle_brick(WrinkleSurface_brick s) {
     float relief_difference_4 = 0.5 * (relief_greatest_2 + 0.21) - min(relief_product_4,
             relief_difference_3);
     float relief_quotient = relief_difference_4 / relief_greatest_2;
-    bool relief_test = relief_least < max(relief_quotient, 0.0);
-    bool relief_test_2 = relief_quotient < 0.0;
-    bool relief_test_3 = relief_difference_3 < relief_product_4;
-    float relief_sign = sign(relief_difference_2);
-    float relief_sign_2 = sign(relief_difference);
-    float relief_product_5 = -(relief_product.x / 2.5 * relief_sign_2) * 2.5;
-    float relief_choice = relief_test_3 ? -(relief_product.y * relief_sign) : relief_product_5;
-    float relief_quotient_2 = -relief_choice / relief_greatest_2;
-    float relief_negated = -(relief_test ? 0.0 : relief_test_2 ? 0.0 : relief_quotient_2);
+    vec2 relief_product_5 = vec2(relief_product.y, relief_product_2.y) * sign(relief_difference_2);
+    vec2 relief_quotient_2 = vec2(relief_product.x, relief_product_2.x) / 2.5;
+    vec2 relief_product_6 = -(relief_quotient_2 * sign(relief_difference)) * 2.5;
+    vec2 relief_choice = relief_difference_3 < relief_product_4 ? -relief_product_5 :
+            relief_product_6;
+    vec2 relief_negated = -relief_choice;
+    vec2 relief_choice_2 = relief_quotient < 0.0 ? vec2(0.0) : relief_negated / relief_greatest_2;
+    vec2 relief_choice_3 = relief_least < max(relief_quotient, 0.0) ? vec2(0.0) : relief_choice_2;
     float relief_difference_5 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product_6 = relief_negated * relief_difference_5;
-    float relief_product_7 = -(relief_product_2.x / 2.5 * relief_sign_2) * 2.5;
-    float relief_choice_2 = relief_test_3 ? -(relief_product_2.y * relief_sign) : relief_product_7;
-    float relief_quotient_3 = -relief_choice_2 / relief_greatest_2;
-    float relief_negated_2 = -(relief_test ? 0.0 : relief_test_2 ? 0.0 : relief_quotient_3);
     float relief_difference_6 = 1.0 - clamp(relief_quotient, 0.0, relief_least);
     float relief_value = mix(0.72364, relief_difference_6, relief_difference_5);
     // normal: Resolve
-    vec2 normal_vector = vec2(relief_product_6, relief_negated_2 * relief_difference_5);
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    vec2 normal_product_2 = normal_vector * normal_product;
+    vec2 normal_product_2 = -relief_choice_3 * relief_difference_5 * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_brick m;
     m.normal = normalize(normal * s.facing - normal_gradient);

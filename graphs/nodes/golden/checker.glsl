@@ -29,20 +29,18 @@ WrinkleMaterial_checker wrinkle_checker(WrinkleSurface_checker s) {
     vec2 relief_sign_2 = sign(relief_difference_2);
     vec2 relief_difference_3 = relief_product_2 * relief_sign - relief_product_2 * relief_sign_2;
     vec2 relief_quotient = relief_difference_3 / relief_greatest;
-    vec2 relief_quotient_2 = (abs(relief_difference) - abs(relief_difference_2)) / relief_greatest;
-    float relief_product_8 = relief_quotient.x * 0.5 * relief_quotient_2.y;
-    float relief_product_9 = 0.5 * relief_quotient_2.x;
-    float relief_sum = relief_product_8 + relief_quotient.y * relief_product_9;
-    vec2 relief_product_10 = relief_product_4 * 0.5 * 2.0;
-    vec2 relief_difference_4 = relief_product_10 * relief_sign - relief_product_10 * relief_sign_2;
-    vec2 relief_quotient_3 = relief_difference_4 / relief_greatest;
-    float relief_product_11 = relief_quotient_3.x * 0.5 * relief_quotient_2.y;
-    float relief_value = 0.5 + relief_product_9 * relief_quotient_2.y;
+    vec2 relief_product_8 = relief_product_4 * 0.5 * 2.0;
+    vec2 relief_difference_4 = relief_product_8 * relief_sign - relief_product_8 * relief_sign_2;
+    vec2 relief_quotient_2 = relief_difference_4 / relief_greatest;
+    vec2 relief_product_9 = vec2(relief_quotient.x, relief_quotient_2.x) * 0.5;
+    vec2 relief_quotient_3 = (abs(relief_difference) - abs(relief_difference_2)) / relief_greatest;
+    float relief_product_10 = 0.5 * relief_quotient_3.x;
+    vec2 relief_product_11 = vec2(relief_quotient.y, relief_quotient_2.y) * relief_product_10;
+    float relief_value = 0.5 + relief_product_10 * relief_quotient_3.y;
     // normal: Resolve
-    vec2 normal_vector = vec2(relief_sum,
-            relief_product_11 + relief_quotient_3.y * relief_product_9);
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    vec2 normal_product_2 = normal_vector * normal_product;
+    vec2 normal_product_2 = (relief_product_9 * relief_quotient_3.y + relief_product_11) *
+            normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_checker m;
     m.normal = normalize(normal * s.facing - normal_gradient);

@@ -10,173 +10,82 @@ struct WrinkleMaterial_fbm {
     float height;  // outwards, in length units
 };
 
-vec3 wrinkle_fbm_noise_direction(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_fbm_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
-    float number = float(2237013u >> product_4 & 3u);
-    float number_2 = float(5573130u >> product_4 & 3u);
-    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
+    return product >> 22u ^ product;
 }
 
-vec3 wrinkle_fbm_simplex_noise_slope(vec3 a) {
-    vec3 sum = a + (a.x + a.y + a.z) * 0.33333334;
+vec3 wrinkle_fbm_noise_direction(vec3 corner) {
+    uint hash = wrinkle_fbm_hash(uint(int(corner.y)) + wrinkle_fbm_hash(uint(int(corner.z))));
+    uint sum = uint(int(corner.x)) + hash;
+    uint hash_2 = wrinkle_fbm_hash(sum);
+    uint product = (((hash_2 >> 8u) * 3u >> 24u) * 4u + (hash_2 & 3u)) * 2u;
+    float number = float(2237013u >> product & 3u);
+    float number_2 = float(5573130u >> product & 3u);
+    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+}
+
+vec4 wrinkle_fbm_simplex_corner(vec3 corner, vec3 from) {
+    float greatest = max(0.5 - dot(from, from), 0.0);
+    float product = greatest * greatest * greatest;
+    vec3 direction = wrinkle_fbm_noise_direction(corner);
+    float dot_product = dot(direction, from);
+    vec3 product_2 = product * (greatest * direction - 8.0 * dot_product * from);
+    return vec4(product_2, product * greatest * dot_product);
+}
+
+vec4 wrinkle_fbm_simplex_noise(vec3 p) {
+    vec3 sum = p + (p.x + p.y + p.z) * 0.33333334;
     vec3 floored = floor(sum);
     vec3 difference = sum - floored;
     float product = (difference.x + difference.y + difference.z) * 0.16666667;
     vec3 difference_2 = difference - product;
-    float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
-    int whole = int(floored.x);
-    vec3 noise_direction = wrinkle_fbm_noise_direction(whole, int(floored.y), int(floored.z));
-    vec3 product_2 = 8.0 * dot(noise_direction, difference_2) * difference_2;
-    vec3 difference_3 = greatest * noise_direction - product_2;
-    vec3 product_3 = greatest * greatest * greatest * difference_3;
     float number = float(difference.x >= difference.y);
     float number_2 = float(difference.x >= difference.z);
     float number_3 = float(difference.y >= difference.z);
     vec3 vector = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
     vec3 clamped = clamp(vector - 1.0, 0.0, 1.0);
     vec3 sum_2 = difference_2 - clamped + 0.16666667;
-    float greatest_2 = max(0.5 - dot(sum_2, sum_2), 0.0);
-    vec3 sum_3 = floored + clamped;
-    vec3 noise_direction_2 = wrinkle_fbm_noise_direction(int(sum_3.x), int(sum_3.y), int(sum_3.z));
-    vec3 difference_4 = greatest_2 * noise_direction_2 - 8.0 * dot(noise_direction_2,
-            sum_2) * sum_2;
-    vec3 sum_4 = product_3 + greatest_2 * greatest_2 * greatest_2 * difference_4;
+    vec4 corner = wrinkle_fbm_simplex_corner(floored + clamped, sum_2);
+    vec4 sum_3 = wrinkle_fbm_simplex_corner(floored, difference_2) + corner;
     vec3 clamped_2 = clamp(vector, 0.0, 1.0);
-    vec3 sum_5 = difference_2 - clamped_2 + 0.33333334;
-    float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
-    vec3 sum_6 = floored + clamped_2;
-    vec3 noise_direction_3 = wrinkle_fbm_noise_direction(int(sum_6.x), int(sum_6.y), int(sum_6.z));
-    vec3 difference_5 = greatest_3 * noise_direction_3 - 8.0 * dot(noise_direction_3,
-            sum_5) * sum_5;
-    vec3 sum_7 = sum_4 + greatest_3 * greatest_3 * greatest_3 * difference_5;
-    vec3 difference_6 = difference_2 - 0.5;
-    float greatest_4 = max(0.5 - dot(difference_6, difference_6), 0.0);
-    vec3 sum_8 = floored + 1.0;
-    vec3 noise_direction_4 = wrinkle_fbm_noise_direction(int(sum_8.x), int(sum_8.y), int(sum_8.z));
-    vec3 product_4 = 8.0 * dot(noise_direction_4, difference_6) * difference_6;
-    vec3 difference_7 = greatest_4 * noise_direction_4 - product_4;
-    return (sum_7 + greatest_4 * greatest_4 * greatest_4 * difference_7) * 76.0;
+    vec3 sum_4 = difference_2 - clamped_2 + 0.33333334;
+    vec4 corner_2 = wrinkle_fbm_simplex_corner(floored + 1.0, difference_2 - 0.5);
+    return (sum_3 + wrinkle_fbm_simplex_corner(floored + clamped_2, sum_4) + corner_2) * 76.0;
 }
 
-vec3 wrinkle_fbm_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_fbm_simplex_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
-}
-
-float wrinkle_fbm_simplex_noise(vec3 a) {
-    vec3 sum = a + (a.x + a.y + a.z) * 0.33333334;
-    vec3 floored = floor(sum);
-    vec3 difference = sum - floored;
-    float product = (difference.x + difference.y + difference.z) * 0.16666667;
-    vec3 difference_2 = difference - product;
-    float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
-    float product_2 = greatest * greatest * greatest * greatest;
-    int whole = int(floored.x);
-    vec3 noise_direction = wrinkle_fbm_noise_direction(whole, int(floored.y), int(floored.z));
-    float product_3 = product_2 * dot(noise_direction, difference_2);
-    float number = float(difference.x >= difference.y);
-    float number_2 = float(difference.x >= difference.z);
-    float number_3 = float(difference.y >= difference.z);
-    vec3 vector = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
-    vec3 clamped = clamp(vector - 1.0, 0.0, 1.0);
-    vec3 sum_2 = difference_2 - clamped + 0.16666667;
-    float greatest_2 = max(0.5 - dot(sum_2, sum_2), 0.0);
-    float product_4 = greatest_2 * greatest_2 * greatest_2 * greatest_2;
-    vec3 sum_3 = floored + clamped;
-    vec3 noise_direction_2 = wrinkle_fbm_noise_direction(int(sum_3.x), int(sum_3.y), int(sum_3.z));
-    float sum_4 = product_3 + product_4 * dot(noise_direction_2, sum_2);
-    vec3 clamped_2 = clamp(vector, 0.0, 1.0);
-    vec3 sum_5 = difference_2 - clamped_2 + 0.33333334;
-    float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
-    float product_5 = greatest_3 * greatest_3 * greatest_3 * greatest_3;
-    vec3 sum_6 = floored + clamped_2;
-    vec3 noise_direction_3 = wrinkle_fbm_noise_direction(int(sum_6.x), int(sum_6.y), int(sum_6.z));
-    vec3 difference_3 = difference_2 - 0.5;
-    float greatest_4 = max(0.5 - dot(difference_3, difference_3), 0.0);
-    float product_6 = greatest_4 * greatest_4 * greatest_4 * greatest_4;
-    vec3 sum_7 = floored + 1.0;
-    vec3 noise_direction_4 = wrinkle_fbm_noise_direction(int(sum_7.x), int(sum_7.y), int(sum_7.z));
-    float product_7 = product_6 * dot(noise_direction_4, difference_3);
-    return (sum_4 + product_5 * dot(noise_direction_3, sum_5) + product_7) * 76.0;
-}
-
-float wrinkle_fbm_noise_octave(vec3 a, float b) {
-    return wrinkle_fbm_simplex_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
+vec4 wrinkle_fbm_fbm_with_slope(vec3 point, float width, int octaves, float lacunarity,
+        float gain) {
+    float frequency = 1.0;
+    float weight = 1.0;
+    float total = 0.0;
+    float sum = 0.0;
+    vec3 sum_slope = vec3(0.0);
+    for (int i = 0; i < min(octaves, 8); ++i) {
+        vec4 noise = wrinkle_fbm_simplex_noise(point * frequency + vec3(19.19, 7.43,
+                31.71) * float(i));
+        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        total += weight;
+        sum += noise.w * difference * weight;
+        sum_slope += noise.xyz * frequency * difference * weight;
+        frequency *= lacunarity;
+        weight *= gain;
+    }
+    vec4 vector = vec4(sum_slope, sum);
+    return vector / total;
 }
 
 WrinkleMaterial_fbm wrinkle_fbm(WrinkleSurface_fbm s) {
     vec3 normal = normalize(s.normal);
-    vec3 relief_product = s.position * 3.0;  // relief: Fractal noise
-    float relief_extent = length(dFdx(s.position_relative) * 3.0);
-    float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 3.0));
-    vec3 relief_noise_octave_slope = wrinkle_fbm_noise_octave_slope(relief_product,
-            relief_greatest);
-    vec3 relief_product_2 = relief_product * 2.0;
-    vec3 relief_sum = relief_product_2 + vec3(19.19, 7.43, 31.71);
-    float relief_product_3 = relief_greatest * 2.0;
-    vec3 relief_noise_octave_slope_2 = wrinkle_fbm_noise_octave_slope(relief_sum, relief_product_3);
-    float relief_product_4 = relief_noise_octave_slope_2.x * 6.0 * 0.5;
-    float relief_sum_2 = relief_noise_octave_slope.x * 3.0 + relief_product_4;
-    vec3 relief_product_5 = relief_product_2 * 2.0;
-    vec3 relief_sum_3 = relief_product_5 + vec3(38.38, 14.86, 63.42);
-    float relief_product_6 = relief_product_3 * 2.0;
-    vec3 relief_noise_octave_slope_3 = wrinkle_fbm_noise_octave_slope(relief_sum_3,
-            relief_product_6);
-    float relief_sum_4 = relief_sum_2 + relief_noise_octave_slope_3.x * 12.0 * 0.25;
-    vec3 relief_product_7 = relief_product_5 * 2.0;
-    vec3 relief_sum_5 = relief_product_7 + vec3(57.57, 22.29, 95.13);
-    float relief_product_8 = relief_product_6 * 2.0;
-    vec3 relief_noise_octave_slope_4 = wrinkle_fbm_noise_octave_slope(relief_sum_5,
-            relief_product_8);
-    float relief_sum_6 = relief_sum_4 + relief_noise_octave_slope_4.x * 24.0 * 0.125;
-    vec3 relief_product_9 = relief_product_7 * 2.0;
-    vec3 relief_sum_7 = relief_product_9 + vec3(76.76, 29.72, 126.84);
-    float relief_product_10 = relief_product_8 * 2.0;
-    vec3 relief_noise_octave_slope_5 = wrinkle_fbm_noise_octave_slope(relief_sum_7,
-            relief_product_10);
-    float relief_sum_8 = relief_sum_6 + relief_noise_octave_slope_5.x * 48.0 * 0.0625;
-    vec3 relief_sum_9 = relief_product_9 * 2.0 + vec3(95.95, 37.15, 158.55);
-    float relief_product_11 = relief_product_10 * 2.0;
-    vec3 relief_noise_octave_slope_6 = wrinkle_fbm_noise_octave_slope(relief_sum_9,
-            relief_product_11);
-    float relief_sum_10 = relief_sum_8 + relief_noise_octave_slope_6.x * 96.0 * 0.03125;
-    float relief_product_12 = relief_sum_10 / 1.96875 * 0.06;
-    float relief_product_13 = relief_noise_octave_slope_2.y * 6.0 * 0.5;
-    float relief_sum_11 = relief_noise_octave_slope.y * 3.0 + relief_product_13;
-    float relief_sum_12 = relief_sum_11 + relief_noise_octave_slope_3.y * 12.0 * 0.25;
-    float relief_sum_13 = relief_sum_12 + relief_noise_octave_slope_4.y * 24.0 * 0.125;
-    float relief_sum_14 = relief_sum_13 + relief_noise_octave_slope_5.y * 48.0 * 0.0625;
-    float relief_sum_15 = relief_sum_14 + relief_noise_octave_slope_6.y * 96.0 * 0.03125;
-    float relief_product_14 = relief_sum_15 / 1.96875 * 0.06;
-    float relief_product_15 = relief_noise_octave_slope_2.z * 6.0 * 0.5;
-    float relief_sum_16 = relief_noise_octave_slope.z * 3.0 + relief_product_15;
-    float relief_sum_17 = relief_sum_16 + relief_noise_octave_slope_3.z * 12.0 * 0.25;
-    float relief_sum_18 = relief_sum_17 + relief_noise_octave_slope_4.z * 24.0 * 0.125;
-    float relief_sum_19 = relief_sum_18 + relief_noise_octave_slope_5.z * 48.0 * 0.0625;
-    float relief_sum_20 = relief_sum_19 + relief_noise_octave_slope_6.z * 96.0 * 0.03125;
-    float relief_product_16 = wrinkle_fbm_noise_octave(relief_sum, relief_product_3) * 0.5;
-    float relief_sum_21 = wrinkle_fbm_noise_octave(relief_product,
-            relief_greatest) + relief_product_16;
-    float relief_sum_22 = relief_sum_21 + wrinkle_fbm_noise_octave(relief_sum_3,
-            relief_product_6) * 0.25;
-    float relief_sum_23 = relief_sum_22 + wrinkle_fbm_noise_octave(relief_sum_5,
-            relief_product_8) * 0.125;
-    float relief_sum_24 = relief_sum_23 + wrinkle_fbm_noise_octave(relief_sum_7,
-            relief_product_10) * 0.0625;
-    float relief_product_17 = wrinkle_fbm_noise_octave(relief_sum_9, relief_product_11) * 0.03125;
-    float relief_value = (relief_sum_24 + relief_product_17) / 1.96875;
+    float relief_extent = length(dFdx(s.position_relative));  // relief: Fractal noise
+    float relief_product = max(relief_extent, length(dFdy(s.position_relative))) * 3.0;
+    vec4 relief_slope = wrinkle_fbm_fbm_with_slope(s.position * 3.0, relief_product, 6, 2.0, 0.5);
+    vec3 relief_gradient = relief_slope.xyz * 3.0 * 0.06;
     // normal: Resolve
-    vec3 normal_gradient = vec3(relief_product_12, relief_product_14,
-            relief_sum_20 / 1.96875 * 0.06);
-    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    vec3 normal_difference = normal * (s.facing + dot(normal, relief_gradient)) - relief_gradient;
     WrinkleMaterial_fbm m;
     m.normal = normalize(normal_difference);
-    m.height = relief_value * 0.06;  // relief: Fractal noise (continued)
+    m.height = relief_slope.w * 0.06;  // relief: Fractal noise (continued)
     return m;
 }

@@ -10,170 +10,82 @@ struct WrinkleMaterial_scratches {
     float height;  // outwards, in length units
 };
 
-float wrinkle_scratches_scratch(vec2 a, vec2 b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_scratches_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(int(a.y)) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(int(a.x)) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint sum_4 = (bits ^ 2654435769u) * 747796405u + 2891336453u;
-    uint product_4 = (sum_4 >> (sum_4 >> 28u) + 4u ^ sum_4) * 277803737u;
-    uint bits_2 = product_4 >> 22u ^ product_4;
-    uint sum_5 = bits_2 * 747796405u + 2891336453u;
-    uint product_5 = (sum_5 >> (sum_5 >> 28u) + 4u ^ sum_5) * 277803737u;
-    bool test = float((product_5 >> 22u ^ product_5) >> 8u) * 5.9604645e-08 < 0.7;
-    float product_6 = float(bits >> 8u) * 5.9604645e-08;
-    uint sum_6 = bits * 747796405u + 2891336453u;
-    uint product_7 = (sum_6 >> (sum_6 >> 28u) + 4u ^ sum_6) * 277803737u;
-    uint bits_3 = product_7 >> 22u ^ product_7;
-    vec2 difference = b - vec2(product_6, float(bits_3 >> 8u) * 5.9604645e-08);
-    uint sum_7 = bits_3 * 747796405u + 2891336453u;
-    uint product_8 = (sum_7 >> (sum_7 >> 28u) + 4u ^ sum_7) * 277803737u;
-    float difference_2 = float((product_8 >> 22u ^ product_8) >> 8u) * 5.9604645e-08 - 0.5;
-    float product_9 = difference_2 * 6.2831855;
-    vec2 vector = vec2(cos(product_9), sin(product_9));
-    float product_10 = 1.4 * (0.25 + 0.25 * (float(bits_2 >> 8u) * 5.9604645e-08));
-    float clamped = clamp(dot(difference, vector), -product_10, product_10);
-    float clamped_2 = clamp(1.0 - length(difference - vector * clamped) / 0.04, 0.0, 1.0);
-    float choice = product_10 != 0.0 ? clamped / product_10 : 0.0;
-    float product_11 = clamped_2 * clamped_2 * (3.0 - 2.0 * clamped_2) * (1.0 - choice * choice);
-    return test ? product_11 : 0.0;
+    return product >> 22u ^ product;
 }
 
-vec2 wrinkle_scratches_deepest_scratch(vec2 a, vec2 b, int c) {
-    float relief_state = 0.0;
-    float relief_state_2 = 0.0;
-    vec2 state = vec2(0.0);
-    for (int i = 0; i < 9; ++i) {
-        float sum = relief_state + 0.5;
-        float floored = floor(sum);
-        float difference = floored - 3.0 * floor((floored + 0.5) * 0.33333334) - 1.0;
-        float floored_2 = floor(sum * 0.33333334);
-        vec2 vector = vec2(difference, floored_2 - 3.0 * floor((floored_2 + 0.5) * 0.33333334) -
-                1.0);
-        float scratch = wrinkle_scratches_scratch(a + vector, b - vector, c);
-        vec2 state_next = relief_state_2 < scratch ? vector : state;
-        relief_state = relief_state + 1.0;
-        relief_state_2 = max(relief_state_2, scratch);
-        state = state_next;
-    }
-    return state;
-}
-
-float wrinkle_scratches_scratch_change(vec2 a, vec2 b, int c, vec2 d) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(int(a.y)) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(int(a.x)) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint sum_4 = (bits ^ 2654435769u) * 747796405u + 2891336453u;
-    uint product_4 = (sum_4 >> (sum_4 >> 28u) + 4u ^ sum_4) * 277803737u;
-    uint bits_2 = product_4 >> 22u ^ product_4;
-    uint sum_5 = bits_2 * 747796405u + 2891336453u;
-    uint product_5 = (sum_5 >> (sum_5 >> 28u) + 4u ^ sum_5) * 277803737u;
-    bool test = float((product_5 >> 22u ^ product_5) >> 8u) * 5.9604645e-08 < 0.7;
-    float product_6 = float(bits >> 8u) * 5.9604645e-08;
-    uint sum_6 = bits * 747796405u + 2891336453u;
-    uint product_7 = (sum_6 >> (sum_6 >> 28u) + 4u ^ sum_6) * 277803737u;
-    uint bits_3 = product_7 >> 22u ^ product_7;
-    vec2 difference = b - vec2(product_6, float(bits_3 >> 8u) * 5.9604645e-08);
-    uint sum_7 = bits_3 * 747796405u + 2891336453u;
-    uint product_8 = (sum_7 >> (sum_7 >> 28u) + 4u ^ sum_7) * 277803737u;
-    float difference_2 = float((product_8 >> 22u ^ product_8) >> 8u) * 5.9604645e-08 - 0.5;
-    float product_9 = difference_2 * 6.2831855;
-    vec2 vector = vec2(cos(product_9), sin(product_9));
+vec3 wrinkle_scratches_scratch_with_slope(vec2 p, int index, float density, vec2 size,
+        vec2 angles) {
+    float number = float(index);
+    float floored = floor((number + 0.5) * 0.11111111);
+    vec2 sum = p + vec2(0.37, 0.61) * floored;
+    float sum_2 = number - 9.0 * floored + 0.5;
+    vec2 floored_2 = floor(vec2(sum_2, sum_2 * 0.33333334));
+    vec2 sum_3 = floor(sum) + (floored_2 - 3.0 * floor((floored_2 + 0.5) * 0.33333334) - 1.0);
+    uint sum_4 = uint(int(sum_3.y)) + wrinkle_scratches_hash(uint(int(floored)));
+    uint sum_5 = uint(int(sum_3.x)) + wrinkle_scratches_hash(sum_4);
+    uint hash = wrinkle_scratches_hash(sum_5);
+    uint hash_2 = wrinkle_scratches_hash(hash ^ 2654435769u);
+    bool test = float(wrinkle_scratches_hash(hash_2) >> 8u) * 5.9604645e-08 < density;
+    uint hash_3 = wrinkle_scratches_hash(hash);
+    float product = (float(wrinkle_scratches_hash(hash_3) >> 8u) * 5.9604645e-08 - 0.5) * angles.y;
+    float sum_6 = angles.x + product;
+    float sine = sin(sum_6);
+    float cosine = cos(sum_6);
+    vec2 vector = vec2(sine, -cosine);
+    vec2 difference = sum - sum_3 - vec2(float(hash >> 8u), float(hash_3 >> 8u)) * 5.9604645e-08;
     float dot_product = dot(difference, vector);
-    float product_10 = 1.4 * (0.25 + 0.25 * (float(bits_2 >> 8u) * 5.9604645e-08));
-    float negated = -product_10;
-    float clamped = clamp(dot_product, negated, product_10);
-    vec2 difference_3 = difference - vector * clamped;
-    float extent = length(difference_3);
-    float difference_4 = 1.0 - extent / 0.04;
-    float choice = dot_product < negated ? 0.0 : dot(d, vector);
-    float choice_2 = product_10 < max(dot_product, negated) ? 0.0 : choice;
-    float choice_3 = extent > 0.0 ? dot(difference_3, d - choice_2 * vector) / extent : 0.0;
-    float quotient = choice_3 / 0.04;
-    float choice_4 = 1.0 < max(difference_4, 0.0) ? 0.0 : difference_4 < 0.0 ? 0.0 : -quotient;
-    float clamped_2 = clamp(difference_4, 0.0, 1.0);
-    float product_11 = choice_4 * clamped_2;
-    float difference_5 = 3.0 - 2.0 * clamped_2;
-    float product_12 = clamped_2 * clamped_2;
-    float sum_8 = (product_11 + product_11) * difference_5 + -(choice_4 * 2.0) * product_12;
-    bool test_2 = product_10 != 0.0;
-    float choice_5 = test_2 ? clamped / product_10 : 0.0;
-    float product_13 = (test_2 ? choice_2 / product_10 : 0.0) * choice_5;
-    float product_14 = -(product_13 + product_13) * (product_12 * difference_5);
-    float sum_9 = sum_8 * (1.0 - choice_5 * choice_5) + product_14;
-    return test ? sum_9 : 0.0;
+    vec2 negated = -(vector * sign(dot_product) / size.y);
+    float difference_2 = 1.0 - abs(dot_product) / size.y;
+    float clamped = clamp(difference_2, 0.0, 1.0);
+    float product_2 = size.x * (0.25 + 0.25 * (float(hash_2 >> 8u) * 5.9604645e-08));
+    bool test_2 = product_2 != 0.0;
+    vec2 vector_2 = vec2(cosine, sine);
+    float choice = test_2 ? dot(difference, vector_2) / product_2 : 0.0;
+    float difference_3 = 1.0 - choice * choice;
+    float greatest = max(difference_3, 0.0);
+    vec2 product_3 = (test_2 ? vector_2 / product_2 : vec2(0.0)) * choice;
+    float ramp = smoothstep(0.0, 1.0, difference_2);
+    vec2 product_4 = (difference_3 < 0.0 ? vec2(0.0) : -(product_3 + product_3)) * ramp;
+    vec2 sum_7 = negated * (clamped * (1.0 - clamped) * 6.0) * greatest + product_4;
+    vec3 vector_3 = vec3(sum_7, ramp * greatest);
+    return test ? vector_3 : vec3(0.0);
+}
+
+vec3 wrinkle_scratches_scratches_with_slope(vec2 p, float width, int layers, float density,
+        vec2 size, vec2 angles) {
+    int product = layers * 9;
+    float deepest = 0.0;
+    int found = 0;
+    for (int i = 0; i < min(product, 36); ++i) {
+        vec3 slope = wrinkle_scratches_scratch_with_slope(p, i, density, size, angles);
+        found = deepest < slope.z ? i : found;
+        deepest = max(deepest, slope.z);
+    }
+    vec3 slope_2 = wrinkle_scratches_scratch_with_slope(p, found, density, size, angles);
+    float difference = 1.0 - smoothstep(0.25, 0.75, width / (4.0 * size.y));
+    float clamped = clamp(size.x * size.y * density * (0.5 * float(layers)), 0.0, 1.0);
+    return vec3(slope_2.xy * difference, mix(clamped, slope_2.z, difference));
 }
 
 WrinkleMaterial_scratches wrinkle_scratches(WrinkleSurface_scratches s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
+    vec2 duv0_dx = dFdx(s.uv0);
+    vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = s.uv0 * 5.0;  // relief: Scratches
-    vec2 relief_floored = floor(relief_product);
-    vec2 relief_difference = relief_product - relief_floored;
-    vec2 relief_deepest_scratch = wrinkle_scratches_deepest_scratch(relief_floored,
-            relief_difference, 0);
-    vec2 relief_sum = relief_floored + relief_deepest_scratch;
-    vec2 relief_difference_2 = relief_difference - relief_deepest_scratch;
-    float relief_scratch = wrinkle_scratches_scratch(relief_sum, relief_difference_2, 0);
-    float relief_greatest = max(0.0, relief_scratch);
-    vec2 relief_sum_2 = relief_product + vec2(0.37, 0.61);
-    vec2 relief_floored_2 = floor(relief_sum_2);
-    vec2 relief_difference_3 = relief_sum_2 - relief_floored_2;
-    vec2 relief_deepest_scratch_2 = wrinkle_scratches_deepest_scratch(relief_floored_2,
-            relief_difference_3, 1);
-    vec2 relief_sum_3 = relief_floored_2 + relief_deepest_scratch_2;
-    vec2 relief_difference_4 = relief_difference_3 - relief_deepest_scratch_2;
-    float relief_scratch_2 = wrinkle_scratches_scratch(relief_sum_3, relief_difference_4, 1);
-    float relief_greatest_2 = max(relief_greatest, relief_scratch_2);
-    vec2 relief_sum_4 = relief_product + vec2(0.74, 1.22);
-    vec2 relief_floored_3 = floor(relief_sum_4);
-    vec2 relief_difference_5 = relief_sum_4 - relief_floored_3;
-    vec2 relief_deepest_scratch_3 = wrinkle_scratches_deepest_scratch(relief_floored_3,
-            relief_difference_5, 2);
-    vec2 relief_sum_5 = relief_floored_3 + relief_deepest_scratch_3;
-    vec2 relief_difference_6 = relief_difference_5 - relief_deepest_scratch_3;
-    float relief_scratch_3 = wrinkle_scratches_scratch(relief_sum_5, relief_difference_6, 2);
-    bool relief_test = relief_greatest_2 < relief_scratch_3;
-    vec2 relief_product_2 = dFdx(s.uv0) * 5.0;
-    float relief_scratch_change = wrinkle_scratches_scratch_change(relief_sum_5,
-            relief_difference_6, 2, relief_product_2);
-    bool relief_test_2 = relief_greatest < relief_scratch_2;
-    float relief_scratch_change_2 = wrinkle_scratches_scratch_change(relief_sum_3,
-            relief_difference_4, 1, relief_product_2);
-    bool relief_test_3 = 0.0 < relief_scratch;
-    float relief_scratch_change_3 = wrinkle_scratches_scratch_change(relief_sum,
-            relief_difference_2, 0, relief_product_2);
-    float relief_choice = relief_test_3 ? relief_scratch_change_3 : 0.0;
-    float relief_choice_2 = relief_test_2 ? relief_scratch_change_2 : relief_choice;
-    float relief_choice_3 = relief_test ? relief_scratch_change : relief_choice_2;
-    vec2 relief_product_3 = dFdy(s.uv0) * 5.0;
-    float relief_quotient = max(length(relief_product_2), length(relief_product_3)) / 0.16;
-    float relief_difference_7 = 1.0 - smoothstep(0.25, 0.75, relief_quotient);
-    float relief_negated = -(relief_choice_3 * relief_difference_7);
-    float relief_scratch_change_4 = wrinkle_scratches_scratch_change(relief_sum_5,
-            relief_difference_6, 2, relief_product_3);
-    float relief_scratch_change_5 = wrinkle_scratches_scratch_change(relief_sum_3,
-            relief_difference_4, 1, relief_product_3);
-    float relief_scratch_change_6 = wrinkle_scratches_scratch_change(relief_sum,
-            relief_difference_2, 0, relief_product_3);
-    float relief_choice_4 = relief_test_3 ? relief_scratch_change_6 : 0.0;
-    float relief_choice_5 = relief_test_2 ? relief_scratch_change_5 : relief_choice_4;
-    float relief_choice_6 = relief_test ? relief_scratch_change_4 : relief_choice_5;
-    float relief_negated_2 = -(relief_choice_6 * relief_difference_7);
-    float relief_value = -mix(0.0588, max(relief_greatest_2, relief_scratch_3),
-            relief_difference_7);
+    float relief_product_2 = max(length(duv0_dx), length(duv0_dy)) * 5.0;
+    vec3 relief_slope = wrinkle_scratches_scratches_with_slope(relief_product, relief_product_2, 3,
+            0.7, vec2(1.4, 0.04), vec2(0.0, 6.2831855));
+    float relief_value = -relief_slope.z;
     // normal: Resolve
+    vec2 normal_vector = vec2(dot(relief_slope.xy, duv0_dx), dot(relief_slope.xy, duv0_dy));
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.006;
-    vec2 normal_product_2 = vec2(relief_negated, relief_negated_2) * normal_product;
+    vec2 normal_product_2 = -(normal_vector * 5.0) * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_scratches m;
     m.normal = normalize(normal * s.facing - normal_gradient);

@@ -10,128 +10,69 @@ struct WrinkleMaterial_simplex_noise {
     float height;  // outwards, in length units
 };
 
-vec3 wrinkle_simplex_noise_noise_direction(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_simplex_noise_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
-    float number = float(2237013u >> product_4 & 3u);
-    float number_2 = float(5573130u >> product_4 & 3u);
-    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
+    return product >> 22u ^ product;
 }
 
-vec3 wrinkle_simplex_noise_simplex_noise_slope(vec3 a) {
-    vec3 sum = a + (a.x + a.y + a.z) * 0.33333334;
+vec3 wrinkle_simplex_noise_noise_direction(vec3 corner) {
+    uint sum = uint(int(corner.y)) + wrinkle_simplex_noise_hash(uint(int(corner.z)));
+    uint sum_2 = uint(int(corner.x)) + wrinkle_simplex_noise_hash(sum);
+    uint hash = wrinkle_simplex_noise_hash(sum_2);
+    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
+    float number = float(2237013u >> product & 3u);
+    float number_2 = float(5573130u >> product & 3u);
+    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+}
+
+vec4 wrinkle_simplex_noise_simplex_corner(vec3 corner, vec3 from) {
+    float greatest = max(0.5 - dot(from, from), 0.0);
+    float product = greatest * greatest * greatest;
+    vec3 direction = wrinkle_simplex_noise_noise_direction(corner);
+    float dot_product = dot(direction, from);
+    vec3 product_2 = product * (greatest * direction - 8.0 * dot_product * from);
+    return vec4(product_2, product * greatest * dot_product);
+}
+
+vec4 wrinkle_simplex_noise_simplex_noise(vec3 p) {
+    vec3 sum = p + (p.x + p.y + p.z) * 0.33333334;
     vec3 floored = floor(sum);
     vec3 difference = sum - floored;
     float product = (difference.x + difference.y + difference.z) * 0.16666667;
     vec3 difference_2 = difference - product;
-    float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    vec3 noise_direction = wrinkle_simplex_noise_noise_direction(whole, whole_2, int(floored.z));
-    vec3 product_2 = 8.0 * dot(noise_direction, difference_2) * difference_2;
-    vec3 difference_3 = greatest * noise_direction - product_2;
-    vec3 product_3 = greatest * greatest * greatest * difference_3;
     float number = float(difference.x >= difference.y);
     float number_2 = float(difference.x >= difference.z);
     float number_3 = float(difference.y >= difference.z);
     vec3 vector = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
     vec3 clamped = clamp(vector - 1.0, 0.0, 1.0);
     vec3 sum_2 = difference_2 - clamped + 0.16666667;
-    float greatest_2 = max(0.5 - dot(sum_2, sum_2), 0.0);
-    vec3 sum_3 = floored + clamped;
-    int whole_3 = int(sum_3.x);
-    vec3 noise_direction_2 = wrinkle_simplex_noise_noise_direction(whole_3, int(sum_3.y),
-            int(sum_3.z));
-    vec3 difference_4 = greatest_2 * noise_direction_2 - 8.0 * dot(noise_direction_2,
-            sum_2) * sum_2;
-    vec3 sum_4 = product_3 + greatest_2 * greatest_2 * greatest_2 * difference_4;
+    vec4 corner = wrinkle_simplex_noise_simplex_corner(floored + clamped, sum_2);
+    vec4 sum_3 = wrinkle_simplex_noise_simplex_corner(floored, difference_2) + corner;
     vec3 clamped_2 = clamp(vector, 0.0, 1.0);
-    vec3 sum_5 = difference_2 - clamped_2 + 0.33333334;
-    float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
-    vec3 sum_6 = floored + clamped_2;
-    int whole_4 = int(sum_6.x);
-    vec3 noise_direction_3 = wrinkle_simplex_noise_noise_direction(whole_4, int(sum_6.y),
-            int(sum_6.z));
-    vec3 difference_5 = greatest_3 * noise_direction_3 - 8.0 * dot(noise_direction_3,
-            sum_5) * sum_5;
-    vec3 sum_7 = sum_4 + greatest_3 * greatest_3 * greatest_3 * difference_5;
-    vec3 difference_6 = difference_2 - 0.5;
-    float greatest_4 = max(0.5 - dot(difference_6, difference_6), 0.0);
-    vec3 sum_8 = floored + 1.0;
-    int whole_5 = int(sum_8.x);
-    vec3 noise_direction_4 = wrinkle_simplex_noise_noise_direction(whole_5, int(sum_8.y),
-            int(sum_8.z));
-    vec3 product_4 = 8.0 * dot(noise_direction_4, difference_6) * difference_6;
-    vec3 difference_7 = greatest_4 * noise_direction_4 - product_4;
-    return (sum_7 + greatest_4 * greatest_4 * greatest_4 * difference_7) * 76.0;
+    vec3 sum_4 = difference_2 - clamped_2 + 0.33333334;
+    vec4 sum_5 = sum_3 + wrinkle_simplex_noise_simplex_corner(floored + clamped_2, sum_4);
+    vec4 corner_2 = wrinkle_simplex_noise_simplex_corner(floored + 1.0, difference_2 - 0.5);
+    return (sum_5 + corner_2) * 76.0;
 }
 
-float wrinkle_simplex_noise_simplex_noise(vec3 a) {
-    vec3 sum = a + (a.x + a.y + a.z) * 0.33333334;
-    vec3 floored = floor(sum);
-    vec3 difference = sum - floored;
-    float product = (difference.x + difference.y + difference.z) * 0.16666667;
-    vec3 difference_2 = difference - product;
-    float greatest = max(0.5 - dot(difference_2, difference_2), 0.0);
-    float product_2 = greatest * greatest * greatest * greatest;
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    vec3 noise_direction = wrinkle_simplex_noise_noise_direction(whole, whole_2, int(floored.z));
-    float product_3 = product_2 * dot(noise_direction, difference_2);
-    float number = float(difference.x >= difference.y);
-    float number_2 = float(difference.x >= difference.z);
-    float number_3 = float(difference.y >= difference.z);
-    vec3 vector = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
-    vec3 clamped = clamp(vector - 1.0, 0.0, 1.0);
-    vec3 sum_2 = difference_2 - clamped + 0.16666667;
-    float greatest_2 = max(0.5 - dot(sum_2, sum_2), 0.0);
-    float product_4 = greatest_2 * greatest_2 * greatest_2 * greatest_2;
-    vec3 sum_3 = floored + clamped;
-    int whole_3 = int(sum_3.x);
-    vec3 noise_direction_2 = wrinkle_simplex_noise_noise_direction(whole_3, int(sum_3.y),
-            int(sum_3.z));
-    float sum_4 = product_3 + product_4 * dot(noise_direction_2, sum_2);
-    vec3 clamped_2 = clamp(vector, 0.0, 1.0);
-    vec3 sum_5 = difference_2 - clamped_2 + 0.33333334;
-    float greatest_3 = max(0.5 - dot(sum_5, sum_5), 0.0);
-    float product_5 = greatest_3 * greatest_3 * greatest_3 * greatest_3;
-    vec3 sum_6 = floored + clamped_2;
-    int whole_4 = int(sum_6.x);
-    vec3 noise_direction_3 = wrinkle_simplex_noise_noise_direction(whole_4, int(sum_6.y),
-            int(sum_6.z));
-    vec3 difference_3 = difference_2 - 0.5;
-    float greatest_4 = max(0.5 - dot(difference_3, difference_3), 0.0);
-    float product_6 = greatest_4 * greatest_4 * greatest_4 * greatest_4;
-    vec3 sum_7 = floored + 1.0;
-    int whole_5 = int(sum_7.x);
-    vec3 noise_direction_4 = wrinkle_simplex_noise_noise_direction(whole_5, int(sum_7.y),
-            int(sum_7.z));
-    float product_7 = product_6 * dot(noise_direction_4, difference_3);
-    return (sum_4 + product_5 * dot(noise_direction_3, sum_5) + product_7) * 76.0;
+vec4 wrinkle_simplex_noise_filtered_noise_with_slope(vec3 p, float width) {
+    vec4 noise = wrinkle_simplex_noise_simplex_noise(p);
+    return noise * (1.0 - smoothstep(0.25, 0.75, width));
 }
 
 WrinkleMaterial_simplex_noise wrinkle_simplex_noise(WrinkleSurface_simplex_noise s) {
     vec3 normal = normalize(s.normal);
     vec3 relief_product = s.position * 8.0;  // relief: Simplex noise
-    vec3 relief_simplex_noise_slope = wrinkle_simplex_noise_simplex_noise_slope(relief_product);
-    float relief_extent = length(dFdx(s.position_relative) * 8.0);
-    float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 8.0));
-    float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product_2 = relief_simplex_noise_slope.x * 8.0 * relief_difference * 0.02;
-    float relief_product_3 = relief_simplex_noise_slope.y * 8.0 * relief_difference * 0.02;
-    float relief_product_4 = relief_simplex_noise_slope.z * 8.0 * relief_difference * 0.02;
-    float relief_value = wrinkle_simplex_noise_simplex_noise(relief_product) * relief_difference;
+    float relief_extent = length(dFdx(s.position_relative));
+    float relief_product_2 = max(relief_extent, length(dFdy(s.position_relative))) * 8.0;
+    vec4 relief_slope = wrinkle_simplex_noise_filtered_noise_with_slope(relief_product,
+            relief_product_2);
+    vec3 relief_gradient = relief_slope.xyz * 8.0 * 0.02;
     // normal: Resolve
-    vec3 normal_gradient = vec3(relief_product_2, relief_product_3, relief_product_4);
-    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    vec3 normal_difference = normal * (s.facing + dot(normal, relief_gradient)) - relief_gradient;
     WrinkleMaterial_simplex_noise m;
     m.normal = normalize(normal_difference);
-    m.height = relief_value * 0.02;  // relief: Simplex noise (continued)
+    m.height = relief_slope.w * 0.02;  // relief: Simplex noise (continued)
     return m;
 }

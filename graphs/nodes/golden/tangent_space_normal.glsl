@@ -11,133 +11,95 @@ struct WrinkleMaterial_tangent_space_normal {
     vec3 color;  // base color, linear
 };
 
-vec3 wrinkle_tangent_space_normal_noise_direction(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_tangent_space_normal_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
-    float number = float(2237013u >> product_4 & 3u);
-    float number_2 = float(5573130u >> product_4 & 3u);
-    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
+    return product >> 22u ^ product;
 }
 
-float wrinkle_tangent_space_normal_gradient_noise(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 noise_direction = wrinkle_tangent_space_normal_noise_direction(whole, whole_2, whole_3);
-    vec3 difference = a - floored;
-    int sum = whole + 1;
-    vec3 noise_direction_2 = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, whole_3);
-    float difference_2 = difference.x - 1.0;
-    float dot_product = dot(noise_direction_2, vec3(difference_2, difference.y, difference.z));
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    float mixed = mix(dot(noise_direction, difference), dot_product, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_3 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, whole_3);
-    float difference_3 = difference.y - 1.0;
-    float dot_product_2 = dot(noise_direction_3, vec3(difference.x, difference_3, difference.z));
-    vec3 noise_direction_4 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, whole_3);
-    float dot_product_3 = dot(noise_direction_4, vec3(difference_2, difference_3, difference.z));
-    float mixed_2 = mix(mixed, mix(dot_product_2, dot_product_3, product.x), product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_5 = wrinkle_tangent_space_normal_noise_direction(whole, whole_2, sum_4);
-    float difference_4 = difference.z - 1.0;
-    float dot_product_4 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_4));
-    vec3 noise_direction_6 = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, sum_4);
-    float dot_product_5 = dot(noise_direction_6, vec3(difference_2, difference.y, difference_4));
-    float mixed_3 = mix(dot_product_4, dot_product_5, product.x);
-    vec3 noise_direction_7 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, sum_4);
-    float dot_product_6 = dot(noise_direction_7, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_8 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float mixed_4 = mix(mixed_3, mix(dot_product_6, dot_product_7, product.x), product.y);
-    return mix(mixed_2, mixed_4, product.z);
+vec3 wrinkle_tangent_space_normal_noise_direction(vec3 corner) {
+    uint sum = uint(int(corner.y)) + wrinkle_tangent_space_normal_hash(uint(int(corner.z)));
+    uint sum_2 = uint(int(corner.x)) + wrinkle_tangent_space_normal_hash(sum);
+    uint hash = wrinkle_tangent_space_normal_hash(sum_2);
+    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
+    float number = float(2237013u >> product & 3u);
+    float number_2 = float(5573130u >> product & 3u);
+    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
 }
 
-float wrinkle_tangent_space_normal_billow(vec3 a, float b) {
-    float magnitude = abs(wrinkle_tangent_space_normal_gradient_noise(a));
-    return mix(0.22, magnitude, 1.0 - smoothstep(0.25, 0.75, b));
+vec4 wrinkle_tangent_space_normal_gradient_corner(vec3 cell, vec3 from, vec3 corner) {
+    vec3 direction = wrinkle_tangent_space_normal_noise_direction(cell + corner);
+    return vec4(direction, dot(direction, from - corner));
 }
 
-vec3 wrinkle_tangent_space_normal_gradient_noise_slope(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 noise_direction = wrinkle_tangent_space_normal_noise_direction(whole, whole_2, whole_3);
-    int sum = whole + 1;
-    vec3 noise_direction_2 = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, whole_3);
-    vec3 difference = a - floored;
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_3 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, whole_3);
-    vec3 noise_direction_4 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, whole_3);
-    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
-    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_5 = wrinkle_tangent_space_normal_noise_direction(whole, whole_2, sum_4);
-    vec3 noise_direction_6 = wrinkle_tangent_space_normal_noise_direction(sum, whole_2, sum_4);
-    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
-    vec3 noise_direction_7 = wrinkle_tangent_space_normal_noise_direction(whole, sum_3, sum_4);
-    vec3 noise_direction_8 = wrinkle_tangent_space_normal_noise_direction(sum, sum_3, sum_4);
-    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+vec4 wrinkle_tangent_space_normal_gradient_noise(vec3 p) {
+    vec3 floored = floor(p);
+    vec3 difference = p - floored;
+    vec4 corner = wrinkle_tangent_space_normal_gradient_corner(floored, difference, vec3(0.0));
+    vec4 corner_2 = wrinkle_tangent_space_normal_gradient_corner(floored, difference, vec3(1.0, 0.0,
+            0.0));
+    vec3 sum = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum;
+    vec4 mixed = mix(corner, corner_2, product.x);
+    vec4 corner_3 = wrinkle_tangent_space_normal_gradient_corner(floored, difference, vec3(0.0, 1.0,
+            0.0));
+    vec4 corner_4 = wrinkle_tangent_space_normal_gradient_corner(floored, difference, vec3(1.0, 1.0,
+            0.0));
+    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
+    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
+    vec4 corner_5 = wrinkle_tangent_space_normal_gradient_corner(floored, difference, vec3(0.0, 0.0,
+            1.0));
+    vec4 corner_6 = wrinkle_tangent_space_normal_gradient_corner(floored, difference, vec3(1.0, 0.0,
+            1.0));
+    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
+    vec4 corner_7 = wrinkle_tangent_space_normal_gradient_corner(floored, difference, vec3(0.0, 1.0,
+            1.0));
+    vec4 corner_8 = wrinkle_tangent_space_normal_gradient_corner(floored, difference, vec3(1.0));
+    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
+    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
+    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float difference_3 = difference.x - 1.0;
-    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
-    float dot_product_2 = dot(noise_direction, difference);
-    float difference_4 = difference.y - 1.0;
-    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
-    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
-    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float difference_5 = difference.z - 1.0;
-    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
-    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
-    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
-    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
-    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
-    float mixed_9 = mix(dot_product_2, dot_product, product.x);
-    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
-    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
-    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
-    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
+    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
+    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
+    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
+    vec3 vector = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
+    vec3 sum_2 = mixed_7.xyz + product_2 * vector;
+    return vec4(sum_2, mixed_7.w);
 }
 
-vec3 wrinkle_tangent_space_normal_billow_slope(vec3 a, float b) {
-    vec3 gradient_noise_slope = wrinkle_tangent_space_normal_gradient_noise_slope(a);
-    float sign_2 = sign(wrinkle_tangent_space_normal_gradient_noise(a));
-    return gradient_noise_slope * (sign_2 * (1.0 - smoothstep(0.25, 0.75, b)));
+vec4 wrinkle_tangent_space_normal_billows_with_slope(vec3 point, float width, int octaves,
+        float lacunarity, float gain) {
+    float frequency = 1.0;
+    float weight = 1.0;
+    float total = 0.0;
+    float sum = 0.0;
+    vec3 sum_slope = vec3(0.0);
+    for (int i = 0; i < min(octaves, 8); ++i) {
+        vec3 sum_2 = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec4 noise = wrinkle_tangent_space_normal_gradient_noise(sum_2);
+        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        total += weight;
+        sum += mix(0.22, abs(noise.w), difference) * weight;
+        sum_slope += noise.xyz * frequency * sign(noise.w) * difference * weight;
+        frequency *= lacunarity;
+        weight *= gain;
+    }
+    vec4 vector = vec4(sum_slope, sum);
+    return vector / total;
 }
 
-float wrinkle_tangent_space_normal_thread(vec2 a, float b, float c) {
-    float floored = floor(a.x);
-    float quotient = (2.0 * (a.x - floored) - 1.0) / c;
-    float product = 0.325 * (b * cos(mod(a.y - 0.5 + floored, 2.0) * 3.1415927));
-    return max(1.0 - quotient * quotient, 0.0) * (0.675 + product);
-}
-
-float wrinkle_tangent_space_normal_thread_change(vec2 a, float b, float c, vec2 d) {
-    float floored = floor(a.x);
-    float quotient = (2.0 * (a.x - floored) - 1.0) / c;
+vec3 wrinkle_tangent_space_normal_thread_with_slope(vec2 p, float side, float width) {
+    float floored = floor(p.x);
+    float quotient = (2.0 * (p.x - floored) - 1.0) / width;
     float difference = 1.0 - quotient * quotient;
-    float product = d.x * 2.0 / c * quotient;
+    float product = 2.0 / width * quotient;
     float choice = difference < 0.0 ? 0.0 : -(product + product);
-    float product_2 = mod(a.y - 0.5 + floored, 2.0) * 3.1415927;
-    float product_3 = choice * (0.675 + 0.325 * (b * cos(product_2)));
-    float product_4 = -(d.y * 3.1415927 * sin(product_2)) * b * 0.325;
-    return product_3 + product_4 * max(difference, 0.0);
+    float product_2 = mod(p.y - 0.5 + floored, 2.0) * 3.1415927;
+    float greatest = max(difference, 0.0);
+    vec3 vector = vec3(choice, -(3.1415927 * sin(product_2)) * side * 0.325, greatest);
+    float sum = 0.675 + 0.325 * (side * cos(product_2));
+    return vector * vec3(sum, greatest, sum);
 }
 
 WrinkleMaterial_tangent_space_normal wrinkle_tangent_space_normal(WrinkleSurface_tangent_space_normal s) {
@@ -145,70 +107,52 @@ WrinkleMaterial_tangent_space_normal wrinkle_tangent_space_normal(WrinkleSurface
     vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
+    vec2 duv0_dx = dFdx(s.uv0);
+    vec2 duv0_dy = dFdy(s.uv0);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    float inverse_area = sign(screen_area) / max(abs(screen_area), 1e-36);
-    vec3 dents_product = s.position * 3.0;  // dents: Dents
-    float dents_greatest = max(length(dpdx * 3.0), length(dpdy * 3.0));
-    float dents_billow = wrinkle_tangent_space_normal_billow(dents_product, dents_greatest);
-    vec3 dents_sum = dents_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float dents_product_2 = dents_greatest * 2.0;
-    float dents_product_3 = wrinkle_tangent_space_normal_billow(dents_sum, dents_product_2) * 0.5;
-    float dents_quotient = ((dents_billow + dents_product_3) / 1.5 - 0.15) / 0.85;
-    float dents_clamped = clamp(dents_quotient, 0.0, 1.0);
-    bool dents_test = dents_clamped > 0.0;
-    bool dents_test_2 = 1.0 < max(dents_quotient, 0.0);
-    bool dents_test_3 = dents_quotient < 0.0;
-    vec3 dents_billow_slope = wrinkle_tangent_space_normal_billow_slope(dents_product,
-            dents_greatest);
-    vec3 dents_product_4 = (dpdx - normal * dot(normal, dpdx)) * 3.0;
-    vec3 dents_billow_slope_2 = wrinkle_tangent_space_normal_billow_slope(dents_sum,
-            dents_product_2);
-    float dents_product_5 = dot(dents_billow_slope_2, dents_product_4 * 2.0) * 0.5;
-    float dents_quotient_2 = (dot(dents_billow_slope,
-            dents_product_4) + dents_product_5) / 1.5 / 0.85;
-    float dents_choice = dents_test_3 ? 0.0 : dents_quotient_2;
-    float dents_choice_2 = dents_test ? 1.5 * pow(dents_clamped, 1.5) / dents_clamped : 0.0;
-    float dents_negated = -(dents_test ? (dents_test_2 ? 0.0 : dents_choice) * dents_choice_2 :
-            0.0);
-    vec3 dents_product_6 = (dpdy - normal * dot(normal, dpdy)) * 3.0;
-    float dents_product_7 = dot(dents_billow_slope_2, dents_product_6 * 2.0) * 0.5;
-    float dents_quotient_3 = (dot(dents_billow_slope,
-            dents_product_6) + dents_product_7) / 1.5 / 0.85;
-    float dents_choice_3 = dents_test_3 ? 0.0 : dents_quotient_3;
-    float dents_negated_2 = -(dents_test ? (dents_test_2 ? 0.0 : dents_choice_3) * dents_choice_2 :
-            0.0);
-    vec2 cloth_product = s.uv0 * 12.0;  // cloth: Weave
-    float cloth_thread = wrinkle_tangent_space_normal_thread(cloth_product.yx, -1.0, 0.9);
-    bool cloth_test = wrinkle_tangent_space_normal_thread(cloth_product, 1.0, 0.9) < cloth_thread;
-    vec2 cloth_product_2 = dFdx(s.uv0) * 12.0;
-    float cloth_thread_change = wrinkle_tangent_space_normal_thread_change(cloth_product.yx, -1.0,
-            0.9, cloth_product_2.yx);
-    float cloth_thread_change_2 = wrinkle_tangent_space_normal_thread_change(cloth_product, 1.0,
-            0.9, cloth_product_2);
-    float cloth_choice = cloth_test ? cloth_thread_change : cloth_thread_change_2;
-    vec2 cloth_product_3 = dFdy(s.uv0) * 12.0;
-    float cloth_greatest = max(length(cloth_product_2), length(cloth_product_3));
-    float cloth_difference = 1.0 - smoothstep(0.25, 0.75, cloth_greatest);
-    float cloth_thread_change_3 = wrinkle_tangent_space_normal_thread_change(cloth_product.yx, -1.0,
-            0.9, cloth_product_3.yx);
-    float cloth_thread_change_4 = wrinkle_tangent_space_normal_thread_change(cloth_product, 1.0,
-            0.9, cloth_product_3);
-    float cloth_choice_2 = cloth_test ? cloth_thread_change_3 : cloth_thread_change_4;
-    // sum: Add heights
-    float sum_sum = dents_negated * 0.15 + cloth_choice * cloth_difference * 0.02;
-    float sum_sum_2 = dents_negated_2 * 0.15 + cloth_choice_2 * cloth_difference * 0.02;
-    vec3 resolved_product = normal * s.facing;  // resolved: Resolve
-    vec2 resolved_product_2 = vec2(sum_sum, sum_sum_2) * inverse_area;
-    vec3 resolved_gradient = cross(normal,
-            dpdx * resolved_product_2.y - dpdy * resolved_product_2.x);
-    vec3 resolved_normal = normalize(resolved_product - resolved_gradient);
     // map: Normal in tangent space
     float map_slope_v = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
     vec3 map_along_v = cross(s.normal, s.tangent.xyz) * map_slope_v;
-    float map_dot_product = dot(cross(map_along_v, resolved_product), resolved_normal);
     vec3 map_along_u = s.tangent.xyz * inverse_normal_length;
-    float map_dot_product_2 = dot(cross(resolved_product, map_along_u), resolved_normal);
     vec3 map_cross_product = cross(map_along_u, map_along_v);
+    vec3 resolved_product = normal * s.facing;  // resolved: Resolve
+    vec3 dents_product = s.position * 3.0;  // dents: Dents
+    float dents_product_2 = max(length(dpdx), length(dpdy)) * 3.0;
+    vec4 dents_slope = wrinkle_tangent_space_normal_billows_with_slope(dents_product,
+            dents_product_2, 2, 2.0, 0.5);
+    float dents_quotient = (dents_slope.w - 0.15) / 0.85;
+    float dents_clamped = clamp(dents_quotient, 0.0, 1.0);
+    bool dents_test = dents_clamped > 0.0;
+    float dents_dot_product = dot(dents_slope.xyz, dpdx - normal * dot(normal, dpdx));
+    float dents_dot_product_2 = dot(dents_slope.xyz, dpdy - normal * dot(normal, dpdy));
+    vec2 dents_quotient_2 = vec2(dents_dot_product, dents_dot_product_2) * 3.0 / 0.85;
+    vec2 dents_choice = dents_quotient < 0.0 ? vec2(0.0) : dents_quotient_2;
+    vec2 dents_choice_2 = 1.0 < max(dents_quotient, 0.0) ? vec2(0.0) : dents_choice;
+    float dents_choice_3 = dents_test ? 1.5 * pow(dents_clamped, 1.5) / dents_clamped : 0.0;
+    vec2 dents_negated = -(dents_test ? dents_choice_2 * dents_choice_3 : vec2(0.0));
+    vec2 cloth_product = s.uv0 * 12.0;  // cloth: Weave
+    vec3 cloth_slope = wrinkle_tangent_space_normal_thread_with_slope(cloth_product, 1.0, 0.9);
+    vec3 cloth_slope_2 = wrinkle_tangent_space_normal_thread_with_slope(cloth_product.yx, -1.0,
+            0.9);
+    vec2 cloth_product_2 = duv0_dx * 12.0;
+    float cloth_dot_product = dot(cloth_slope_2.xy, cloth_product_2.yx);
+    vec2 cloth_product_3 = duv0_dy * 12.0;
+    float cloth_greatest = max(length(cloth_product_2), length(cloth_product_3));
+    // dents: Dents (continued)
+    vec2 dents_vector = vec2(cloth_dot_product, dot(cloth_slope_2.xy, cloth_product_3.yx));
+    vec2 dents_vector_2 = vec2(dot(cloth_slope.xy, duv0_dx), dot(cloth_slope.xy, duv0_dy));
+    // cloth: Weave (continued)
+    vec2 cloth_choice = cloth_slope.z < cloth_slope_2.z ? dents_vector : dents_vector_2 * 12.0;
+    vec2 cloth_product_4 = cloth_choice * (1.0 - smoothstep(0.25, 0.75, cloth_greatest)) * 0.02;
+    vec2 sum_sum = dents_negated * 0.15 + cloth_product_4;  // sum: Add heights
+    // resolved: Resolve (continued)
+    vec2 resolved_product_2 = sum_sum * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec3 resolved_gradient = cross(normal,
+            dpdx * resolved_product_2.y - dpdy * resolved_product_2.x);
+    vec3 resolved_normal = normalize(resolved_product - resolved_gradient);
+    // map: Normal in tangent space (continued)
+    float map_dot_product = dot(cross(map_along_v, resolved_product), resolved_normal);
+    float map_dot_product_2 = dot(cross(resolved_product, map_along_u), resolved_normal);
     float map_dot_product_3 = dot(map_cross_product, resolved_normal);
     float map_sign = dot(map_cross_product, resolved_product) < 0.0 ? -1.0 : 1.0;
     vec3 map_product = vec3(map_dot_product, map_dot_product_2, map_dot_product_3) * map_sign;

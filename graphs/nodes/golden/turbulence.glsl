@@ -10,164 +10,90 @@ struct WrinkleMaterial_turbulence {
     float height;  // outwards, in length units
 };
 
-vec3 wrinkle_turbulence_noise_direction(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_turbulence_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
-    float number = float(2237013u >> product_4 & 3u);
-    float number_2 = float(5573130u >> product_4 & 3u);
-    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
+    return product >> 22u ^ product;
 }
 
-vec3 wrinkle_turbulence_gradient_noise_slope(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 noise_direction = wrinkle_turbulence_noise_direction(whole, whole_2, whole_3);
-    int sum = whole + 1;
-    vec3 noise_direction_2 = wrinkle_turbulence_noise_direction(sum, whole_2, whole_3);
-    vec3 difference = a - floored;
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_3 = wrinkle_turbulence_noise_direction(whole, sum_3, whole_3);
-    vec3 noise_direction_4 = wrinkle_turbulence_noise_direction(sum, sum_3, whole_3);
-    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
-    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_5 = wrinkle_turbulence_noise_direction(whole, whole_2, sum_4);
-    vec3 noise_direction_6 = wrinkle_turbulence_noise_direction(sum, whole_2, sum_4);
-    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
-    vec3 noise_direction_7 = wrinkle_turbulence_noise_direction(whole, sum_3, sum_4);
-    vec3 noise_direction_8 = wrinkle_turbulence_noise_direction(sum, sum_3, sum_4);
-    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+vec3 wrinkle_turbulence_noise_direction(vec3 corner) {
+    uint sum = uint(int(corner.y)) + wrinkle_turbulence_hash(uint(int(corner.z)));
+    uint sum_2 = uint(int(corner.x)) + wrinkle_turbulence_hash(sum);
+    uint hash = wrinkle_turbulence_hash(sum_2);
+    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
+    float number = float(2237013u >> product & 3u);
+    float number_2 = float(5573130u >> product & 3u);
+    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+}
+
+vec4 wrinkle_turbulence_gradient_corner(vec3 cell, vec3 from, vec3 corner) {
+    vec3 direction = wrinkle_turbulence_noise_direction(cell + corner);
+    return vec4(direction, dot(direction, from - corner));
+}
+
+vec4 wrinkle_turbulence_gradient_noise(vec3 p) {
+    vec3 floored = floor(p);
+    vec3 difference = p - floored;
+    vec4 corner = wrinkle_turbulence_gradient_corner(floored, difference, vec3(0.0));
+    vec4 corner_2 = wrinkle_turbulence_gradient_corner(floored, difference, vec3(1.0, 0.0, 0.0));
+    vec3 sum = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum;
+    vec4 mixed = mix(corner, corner_2, product.x);
+    vec4 corner_3 = wrinkle_turbulence_gradient_corner(floored, difference, vec3(0.0, 1.0, 0.0));
+    vec4 corner_4 = wrinkle_turbulence_gradient_corner(floored, difference, vec3(1.0, 1.0, 0.0));
+    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
+    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
+    vec4 corner_5 = wrinkle_turbulence_gradient_corner(floored, difference, vec3(0.0, 0.0, 1.0));
+    vec4 corner_6 = wrinkle_turbulence_gradient_corner(floored, difference, vec3(1.0, 0.0, 1.0));
+    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
+    vec4 corner_7 = wrinkle_turbulence_gradient_corner(floored, difference, vec3(0.0, 1.0, 1.0));
+    vec4 corner_8 = wrinkle_turbulence_gradient_corner(floored, difference, vec3(1.0));
+    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
+    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
+    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float difference_3 = difference.x - 1.0;
-    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
-    float dot_product_2 = dot(noise_direction, difference);
-    float difference_4 = difference.y - 1.0;
-    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
-    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
-    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float difference_5 = difference.z - 1.0;
-    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
-    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
-    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
-    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
-    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
-    float mixed_9 = mix(dot_product_2, dot_product, product.x);
-    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
-    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
-    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
-    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
+    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
+    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
+    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
+    vec3 vector = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
+    vec3 sum_2 = mixed_7.xyz + product_2 * vector;
+    return vec4(sum_2, mixed_7.w);
 }
 
-float wrinkle_turbulence_gradient_noise(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 difference = a - floored;
-    float dot_product = dot(wrinkle_turbulence_noise_direction(whole, whole_2, whole_3),
-            difference);
-    int sum = whole + 1;
-    vec3 noise_direction = wrinkle_turbulence_noise_direction(sum, whole_2, whole_3);
-    float difference_2 = difference.x - 1.0;
-    float dot_product_2 = dot(noise_direction, vec3(difference_2, difference.y, difference.z));
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    float mixed = mix(dot_product, dot_product_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_2 = wrinkle_turbulence_noise_direction(whole, sum_3, whole_3);
-    float difference_3 = difference.y - 1.0;
-    float dot_product_3 = dot(noise_direction_2, vec3(difference.x, difference_3, difference.z));
-    vec3 noise_direction_3 = wrinkle_turbulence_noise_direction(sum, sum_3, whole_3);
-    float dot_product_4 = dot(noise_direction_3, vec3(difference_2, difference_3, difference.z));
-    float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_4 = wrinkle_turbulence_noise_direction(whole, whole_2, sum_4);
-    float difference_4 = difference.z - 1.0;
-    float dot_product_5 = dot(noise_direction_4, vec3(difference.x, difference.y, difference_4));
-    vec3 noise_direction_5 = wrinkle_turbulence_noise_direction(sum, whole_2, sum_4);
-    float dot_product_6 = dot(noise_direction_5, vec3(difference_2, difference.y, difference_4));
-    float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 noise_direction_6 = wrinkle_turbulence_noise_direction(whole, sum_3, sum_4);
-    float dot_product_7 = dot(noise_direction_6, vec3(difference.x, difference_3, difference_4));
-    vec3 noise_direction_7 = wrinkle_turbulence_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction_7, difference - 1.0);
-    float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
-    return mix(mixed_2, mixed_4, product.z);
-}
-
-vec3 wrinkle_turbulence_billow_slope(vec3 a, float b) {
-    vec3 gradient_noise_slope = wrinkle_turbulence_gradient_noise_slope(a);
-    float sign_2 = sign(wrinkle_turbulence_gradient_noise(a));
-    return gradient_noise_slope * (sign_2 * (1.0 - smoothstep(0.25, 0.75, b)));
-}
-
-float wrinkle_turbulence_billow(vec3 a, float b) {
-    float magnitude = abs(wrinkle_turbulence_gradient_noise(a));
-    return mix(0.22, magnitude, 1.0 - smoothstep(0.25, 0.75, b));
+vec4 wrinkle_turbulence_billows_with_slope(vec3 point, float width, int octaves, float lacunarity,
+        float gain) {
+    float frequency = 1.0;
+    float weight = 1.0;
+    float total = 0.0;
+    float sum = 0.0;
+    vec3 sum_slope = vec3(0.0);
+    for (int i = 0; i < min(octaves, 8); ++i) {
+        vec4 noise = wrinkle_turbulence_gradient_noise(point * frequency + vec3(19.19, 7.43,
+                31.71) * float(i));
+        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        total += weight;
+        sum += mix(0.22, abs(noise.w), difference) * weight;
+        sum_slope += noise.xyz * frequency * sign(noise.w) * difference * weight;
+        frequency *= lacunarity;
+        weight *= gain;
+    }
+    vec4 vector = vec4(sum_slope, sum);
+    return vector / total;
 }
 
 WrinkleMaterial_turbulence wrinkle_turbulence(WrinkleSurface_turbulence s) {
     vec3 normal = normalize(s.normal);
     vec3 relief_product = s.position * 2.5;  // relief: Turbulence
-    float relief_extent = length(dFdx(s.position_relative) * 2.5);
-    float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 2.5));
-    vec3 relief_billow_slope = wrinkle_turbulence_billow_slope(relief_product, relief_greatest);
-    vec3 relief_product_2 = relief_product * 2.0;
-    vec3 relief_sum = relief_product_2 + vec3(19.19, 7.43, 31.71);
-    float relief_product_3 = relief_greatest * 2.0;
-    vec3 relief_billow_slope_2 = wrinkle_turbulence_billow_slope(relief_sum, relief_product_3);
-    float relief_sum_2 = relief_billow_slope.x * 2.5 + relief_billow_slope_2.x * 5.0 * 0.5;
-    vec3 relief_product_4 = relief_product_2 * 2.0;
-    vec3 relief_sum_3 = relief_product_4 + vec3(38.38, 14.86, 63.42);
-    float relief_product_5 = relief_product_3 * 2.0;
-    vec3 relief_billow_slope_3 = wrinkle_turbulence_billow_slope(relief_sum_3, relief_product_5);
-    float relief_sum_4 = relief_sum_2 + relief_billow_slope_3.x * 10.0 * 0.25;
-    vec3 relief_product_6 = relief_product_4 * 2.0;
-    vec3 relief_sum_5 = relief_product_6 + vec3(57.57, 22.29, 95.13);
-    float relief_product_7 = relief_product_5 * 2.0;
-    vec3 relief_billow_slope_4 = wrinkle_turbulence_billow_slope(relief_sum_5, relief_product_7);
-    float relief_sum_6 = relief_sum_4 + relief_billow_slope_4.x * 20.0 * 0.125;
-    vec3 relief_sum_7 = relief_product_6 * 2.0 + vec3(76.76, 29.72, 126.84);
-    float relief_product_8 = relief_product_7 * 2.0;
-    vec3 relief_billow_slope_5 = wrinkle_turbulence_billow_slope(relief_sum_7, relief_product_8);
-    float relief_quotient = (relief_sum_6 + relief_billow_slope_5.x * 40.0 * 0.0625) / 1.9375;
-    float relief_product_9 = relief_quotient * 0.12;
-    float relief_sum_8 = relief_billow_slope.y * 2.5 + relief_billow_slope_2.y * 5.0 * 0.5;
-    float relief_sum_9 = relief_sum_8 + relief_billow_slope_3.y * 10.0 * 0.25;
-    float relief_sum_10 = relief_sum_9 + relief_billow_slope_4.y * 20.0 * 0.125;
-    float relief_quotient_2 = (relief_sum_10 + relief_billow_slope_5.y * 40.0 * 0.0625) / 1.9375;
-    float relief_sum_11 = relief_billow_slope.z * 2.5 + relief_billow_slope_2.z * 5.0 * 0.5;
-    float relief_sum_12 = relief_sum_11 + relief_billow_slope_3.z * 10.0 * 0.25;
-    float relief_sum_13 = relief_sum_12 + relief_billow_slope_4.z * 20.0 * 0.125;
-    float relief_quotient_3 = (relief_sum_13 + relief_billow_slope_5.z * 40.0 * 0.0625) / 1.9375;
-    float relief_billow = wrinkle_turbulence_billow(relief_product, relief_greatest);
-    float relief_product_10 = wrinkle_turbulence_billow(relief_sum, relief_product_3) * 0.5;
-    float relief_product_11 = wrinkle_turbulence_billow(relief_sum_3, relief_product_5) * 0.25;
-    float relief_product_12 = wrinkle_turbulence_billow(relief_sum_5, relief_product_7) * 0.125;
-    float relief_sum_14 = relief_billow + relief_product_10 + relief_product_11 + relief_product_12;
-    float relief_product_13 = wrinkle_turbulence_billow(relief_sum_7, relief_product_8) * 0.0625;
-    float relief_value = (relief_sum_14 + relief_product_13) / 1.9375;
+    float relief_extent = length(dFdx(s.position_relative));
+    float relief_product_2 = max(relief_extent, length(dFdy(s.position_relative))) * 2.5;
+    vec4 relief_slope = wrinkle_turbulence_billows_with_slope(relief_product, relief_product_2, 5,
+            2.0, 0.5);
+    vec3 relief_gradient = relief_slope.xyz * 2.5 * 0.12;
     // normal: Resolve
-    vec3 normal_gradient = vec3(relief_product_9, relief_quotient_2 * 0.12,
-            relief_quotient_3 * 0.12);
-    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    vec3 normal_difference = normal * (s.facing + dot(normal, relief_gradient)) - relief_gradient;
     WrinkleMaterial_turbulence m;
     m.normal = normalize(normal_difference);
-    m.height = relief_value * 0.12;  // relief: Turbulence (continued)
+    m.height = relief_slope.w * 0.12;  // relief: Turbulence (continued)
     return m;
 }

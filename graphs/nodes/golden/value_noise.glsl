@@ -10,92 +10,65 @@ struct WrinkleMaterial_value_noise {
     float height;  // outwards, in length units
 };
 
-float wrinkle_value_noise_value_corner(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_value_noise_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    return float((product_3 >> 22u ^ product_3) >> 8u) * 5.9604645e-08 * 2.0 - 1.0;
+    return product >> 22u ^ product;
 }
 
-vec3 wrinkle_value_noise_value_noise_slope(vec3 a) {
-    vec3 floored = floor(a);
-    vec3 difference = a - floored;
+float wrinkle_value_noise_value_corner(vec3 corner) {
+    uint sum = uint(int(corner.y)) + wrinkle_value_noise_hash(uint(int(corner.z)));
+    uint sum_2 = uint(int(corner.x)) + wrinkle_value_noise_hash(sum);
+    return float(wrinkle_value_noise_hash(sum_2) >> 8u) * 5.9604645e-08 * 2.0 - 1.0;
+}
+
+vec4 wrinkle_value_noise_value_noise(vec3 p) {
+    vec3 floored = floor(p);
+    vec3 difference = p - floored;
     vec3 difference_2 = difference - 1.0;
     vec3 product = 30.0 * difference * difference * difference_2 * difference_2;
-    int whole = int(floored.x);
-    int sum = whole + 1;
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    float value_corner = wrinkle_value_noise_value_corner(sum, whole_2, whole_3);
-    float value_corner_2 = wrinkle_value_noise_value_corner(whole, whole_2, whole_3);
-    float difference_3 = value_corner - value_corner_2;
-    int sum_2 = whole_2 + 1;
-    float value_corner_3 = wrinkle_value_noise_value_corner(sum, sum_2, whole_3);
-    float value_corner_4 = wrinkle_value_noise_value_corner(whole, sum_2, whole_3);
-    vec3 sum_3 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product_2 = difference * difference * difference * sum_3;
-    float mixed = mix(difference_3, value_corner_3 - value_corner_4, product_2.y);
-    int sum_4 = whole_3 + 1;
-    float value_corner_5 = wrinkle_value_noise_value_corner(sum, whole_2, sum_4);
-    float value_corner_6 = wrinkle_value_noise_value_corner(whole, whole_2, sum_4);
-    float difference_4 = value_corner_5 - value_corner_6;
-    float value_corner_7 = wrinkle_value_noise_value_corner(sum, sum_2, sum_4);
-    float value_corner_8 = wrinkle_value_noise_value_corner(whole, sum_2, sum_4);
-    float mixed_2 = mix(difference_4, value_corner_7 - value_corner_8, product_2.y);
-    float mixed_3 = mix(value_corner_4, value_corner_3, product_2.x);
-    float mixed_4 = mix(value_corner_2, value_corner, product_2.x);
-    float mixed_5 = mix(value_corner_8, value_corner_7, product_2.x);
-    float mixed_6 = mix(value_corner_6, value_corner_5, product_2.x);
+    float sum = floored.x + 1.0;
+    float corner = wrinkle_value_noise_value_corner(vec3(sum, floored.yz));
+    float corner_2 = wrinkle_value_noise_value_corner(floored);
+    float corner_3 = wrinkle_value_noise_value_corner(vec3(floored.xy + 1.0, floored.z));
+    vec3 vector = vec3(floored.x, floored.y + 1.0, floored.z);
+    float corner_4 = wrinkle_value_noise_value_corner(vector);
+    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product_2 = difference * difference * difference * sum_2;
+    float mixed = mix(corner - corner_2, corner_3 - corner_4, product_2.y);
+    float sum_3 = floored.z + 1.0;
+    float corner_5 = wrinkle_value_noise_value_corner(vec3(sum, floored.y, sum_3));
+    float corner_6 = wrinkle_value_noise_value_corner(vec3(floored.xy, sum_3));
+    float corner_7 = wrinkle_value_noise_value_corner(floored + 1.0);
+    float corner_8 = wrinkle_value_noise_value_corner(vec3(floored.x, floored.yz + 1.0));
+    float mixed_2 = mix(corner_5 - corner_6, corner_7 - corner_8, product_2.y);
+    float mixed_3 = mix(corner_4, corner_3, product_2.x);
+    float mixed_4 = mix(corner_2, corner, product_2.x);
+    float mixed_5 = mix(corner_8, corner_7, product_2.x);
+    float mixed_6 = mix(corner_6, corner_5, product_2.x);
     float mixed_7 = mix(mixed_3 - mixed_4, mixed_5 - mixed_6, product_2.z);
-    float difference_5 = mix(mixed_6, mixed_5, product_2.y) - mix(mixed_4, mixed_3, product_2.y);
-    return product * vec3(mix(mixed, mixed_2, product_2.z), mixed_7, difference_5);
+    float mixed_8 = mix(mixed_6, mixed_5, product_2.y);
+    float mixed_9 = mix(mixed_4, mixed_3, product_2.y);
+    vec3 product_3 = product * vec3(mix(mixed, mixed_2, product_2.z), mixed_7, mixed_8 - mixed_9);
+    return vec4(product_3, mix(mixed_9, mixed_8, product_2.z));
 }
 
-float wrinkle_value_noise_value_noise(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    float value_corner = wrinkle_value_noise_value_corner(whole, whole_2, whole_3);
-    int sum = whole + 1;
-    float value_corner_2 = wrinkle_value_noise_value_corner(sum, whole_2, whole_3);
-    vec3 difference = a - floored;
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    float mixed = mix(value_corner, value_corner_2, product.x);
-    int sum_3 = whole_2 + 1;
-    float value_corner_3 = wrinkle_value_noise_value_corner(whole, sum_3, whole_3);
-    float value_corner_4 = wrinkle_value_noise_value_corner(sum, sum_3, whole_3);
-    float mixed_2 = mix(mixed, mix(value_corner_3, value_corner_4, product.x), product.y);
-    int sum_4 = whole_3 + 1;
-    float value_corner_5 = wrinkle_value_noise_value_corner(whole, whole_2, sum_4);
-    float value_corner_6 = wrinkle_value_noise_value_corner(sum, whole_2, sum_4);
-    float mixed_3 = mix(value_corner_5, value_corner_6, product.x);
-    float value_corner_7 = wrinkle_value_noise_value_corner(whole, sum_3, sum_4);
-    float value_corner_8 = wrinkle_value_noise_value_corner(sum, sum_3, sum_4);
-    float mixed_4 = mix(mixed_3, mix(value_corner_7, value_corner_8, product.x), product.y);
-    return mix(mixed_2, mixed_4, product.z);
+vec4 wrinkle_value_noise_filtered_noise_with_slope(vec3 p, float width) {
+    return wrinkle_value_noise_value_noise(p) * (1.0 - smoothstep(0.25, 0.75, width));
 }
 
 WrinkleMaterial_value_noise wrinkle_value_noise(WrinkleSurface_value_noise s) {
     vec3 normal = normalize(s.normal);
     vec3 relief_product = s.position * 10.0;  // relief: Value noise
-    vec3 relief_value_noise_slope = wrinkle_value_noise_value_noise_slope(relief_product);
-    float relief_extent = length(dFdx(s.position_relative) * 10.0);
-    float relief_greatest = max(relief_extent, length(dFdy(s.position_relative) * 10.0));
-    float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product_2 = relief_value_noise_slope.x * 10.0 * relief_difference * 0.015;
-    float relief_product_3 = relief_value_noise_slope.y * 10.0 * relief_difference * 0.015;
-    float relief_product_4 = relief_value_noise_slope.z * 10.0 * relief_difference * 0.015;
-    float relief_value = wrinkle_value_noise_value_noise(relief_product) * relief_difference;
+    float relief_extent = length(dFdx(s.position_relative));
+    float relief_product_2 = max(relief_extent, length(dFdy(s.position_relative))) * 10.0;
+    vec4 relief_slope = wrinkle_value_noise_filtered_noise_with_slope(relief_product,
+            relief_product_2);
+    vec3 relief_gradient = relief_slope.xyz * 10.0 * 0.015;
     // normal: Resolve
-    vec3 normal_gradient = vec3(relief_product_2, relief_product_3, relief_product_4);
-    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    vec3 normal_difference = normal * (s.facing + dot(normal, relief_gradient)) - relief_gradient;
     WrinkleMaterial_value_noise m;
     m.normal = normalize(normal_difference);
-    m.height = relief_value * 0.015;  // relief: Value noise (continued)
+    m.height = relief_slope.w * 0.015;  // relief: Value noise (continued)
     return m;
 }

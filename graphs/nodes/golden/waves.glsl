@@ -10,6 +10,12 @@ struct WrinkleMaterial_waves {
     float height;  // outwards, in length units
 };
 
+uint wrinkle_waves_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
+    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
+    return product >> 22u ^ product;
+}
+
 WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
@@ -18,82 +24,110 @@ WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = duv0_dx * 3.0;  // relief: Waves
-    float relief_product_2 = dot(relief_product, vec2(0.68911254, -0.7246543)) * 6.2831855;
-    float relief_fraction = fract(dot(s.uv0 * 3.0, vec2(0.68911254, -0.7246543)) + 0.91080195);
-    float relief_product_3 = relief_fraction * 6.2831855;
-    float relief_cosine = cos(relief_product_3);
-    vec2 relief_product_4 = duv0_dy * 3.0;
-    float relief_greatest = max(length(relief_product), length(relief_product_4));
-    float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product_5 = relief_product_2 * relief_cosine * relief_difference;
-    vec2 relief_product_6 = duv0_dx * 3.9;
-    float relief_product_7 = dot(relief_product_6, vec2(0.94149834, -0.3370176)) * 6.2831855;
-    float relief_fraction_2 = fract(dot(s.uv0 * 3.9, vec2(0.94149834, -0.3370176)) + 0.6936357);
-    float relief_product_8 = relief_fraction_2 * 6.2831855;
-    float relief_cosine_2 = cos(relief_product_8);
-    vec2 relief_product_9 = duv0_dy * 3.9;
-    float relief_greatest_2 = max(length(relief_product_6), length(relief_product_9));
-    float relief_product_10 = 0.8 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_2));
-    float relief_sum = relief_product_5 + relief_product_7 * relief_cosine_2 * relief_product_10;
-    vec2 relief_product_11 = duv0_dx * 5.07;
-    float relief_product_12 = dot(relief_product_11, vec2(0.76430833, -0.64485097)) * 6.2831855;
-    float relief_fraction_3 = fract(dot(s.uv0 * 5.07, vec2(0.76430833, -0.64485097)) + 0.87379307);
-    float relief_product_13 = relief_fraction_3 * 6.2831855;
-    float relief_cosine_3 = cos(relief_product_13);
-    vec2 relief_product_14 = duv0_dy * 5.07;
-    float relief_greatest_3 = max(length(relief_product_11), length(relief_product_14));
-    float relief_product_15 = 0.64 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_3));
-    float relief_sum_2 = relief_sum + relief_product_12 * relief_cosine_3 * relief_product_15;
-    vec2 relief_product_16 = duv0_dx * 6.591;
-    float relief_product_17 = dot(relief_product_16, vec2(0.40782776, 0.9130589)) * 6.2831855;
-    float relief_fraction_4 = fract(dot(s.uv0 * 6.591, vec2(0.40782776, 0.9130589)) + 0.51955295);
-    float relief_product_18 = relief_fraction_4 * 6.2831855;
-    float relief_cosine_4 = cos(relief_product_18);
-    vec2 relief_product_19 = duv0_dy * 6.591;
-    float relief_greatest_4 = max(length(relief_product_16), length(relief_product_19));
-    float relief_product_20 = 0.512 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_4));
-    float relief_sum_3 = relief_sum_2 + relief_product_17 * relief_cosine_4 * relief_product_20;
-    vec2 relief_product_21 = duv0_dx * 8.5683;
-    float relief_product_22 = dot(relief_product_21, vec2(0.44290406, -0.896569)) * 6.2831855;
-    float relief_fraction_5 = fract(dot(s.uv0 * 8.5683, vec2(0.44290406, -0.896569)) + 0.82153374);
-    float relief_product_23 = relief_fraction_5 * 6.2831855;
-    float relief_cosine_5 = cos(relief_product_23);
-    vec2 relief_product_24 = duv0_dy * 8.5683;
-    float relief_greatest_5 = max(length(relief_product_21), length(relief_product_24));
-    float relief_product_25 = 0.4096 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_5));
-    float relief_sum_4 = relief_sum_3 + relief_product_22 * relief_cosine_5 * relief_product_25;
-    vec2 relief_product_26 = duv0_dx * 11.13879;
-    float relief_product_27 = dot(relief_product_26, vec2(0.5233983, 0.85208815)) * 6.2831855;
-    float relief_fraction_6 = fract(dot(s.uv0 * 11.13879, vec2(0.5233983,
-            0.85208815)) + 0.11226624);
-    float relief_product_28 = relief_fraction_6 * 6.2831855;
-    float relief_cosine_6 = cos(relief_product_28);
-    vec2 relief_product_29 = duv0_dy * 11.13879;
-    float relief_greatest_6 = max(length(relief_product_26), length(relief_product_29));
-    float relief_product_30 = 0.32768 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_6));
-    float relief_sum_5 = relief_sum_4 + relief_product_27 * relief_cosine_6 * relief_product_30;
-    float relief_product_31 = dot(relief_product_4, vec2(0.68911254, -0.7246543)) * 6.2831855;
-    float relief_product_32 = relief_product_31 * relief_cosine * relief_difference;
-    float relief_product_33 = dot(relief_product_9, vec2(0.94149834, -0.3370176)) * 6.2831855;
-    float relief_sum_6 = relief_product_32 + relief_product_33 * relief_cosine_2 *
-            relief_product_10;
-    float relief_product_34 = dot(relief_product_14, vec2(0.76430833, -0.64485097)) * 6.2831855;
-    float relief_sum_7 = relief_sum_6 + relief_product_34 * relief_cosine_3 * relief_product_15;
-    float relief_product_35 = dot(relief_product_19, vec2(0.40782776, 0.9130589)) * 6.2831855;
-    float relief_sum_8 = relief_sum_7 + relief_product_35 * relief_cosine_4 * relief_product_20;
-    float relief_product_36 = dot(relief_product_24, vec2(0.44290406, -0.896569)) * 6.2831855;
-    float relief_sum_9 = relief_sum_8 + relief_product_36 * relief_cosine_5 * relief_product_25;
-    float relief_product_37 = dot(relief_product_29, vec2(0.5233983, 0.85208815)) * 6.2831855;
-    float relief_sum_10 = relief_sum_9 + relief_product_37 * relief_cosine_6 * relief_product_30;
-    float relief_product_38 = sin(relief_product_3) * relief_difference;
-    float relief_sum_11 = relief_product_38 + sin(relief_product_8) * relief_product_10;
-    float relief_sum_12 = relief_sum_11 + sin(relief_product_13) * relief_product_15;
-    float relief_sum_13 = relief_sum_12 + sin(relief_product_18) * relief_product_20;
-    float relief_sum_14 = relief_sum_13 + sin(relief_product_23) * relief_product_25;
-    float relief_value = (relief_sum_14 + sin(relief_product_28) * relief_product_30) / 3.68928;
+    uint relief_hash = wrinkle_waves_hash(0u);
+    float relief_difference = float(wrinkle_waves_hash(relief_hash) >> 8u) * 5.9604645e-08 - 0.5;
+    float relief_product_2 = 150.0 * relief_difference * 0.017453292;
+    vec2 relief_vector = vec2(cos(relief_product_2), sin(relief_product_2));
+    float relief_dot_product = dot(relief_product, relief_vector);
+    vec2 relief_product_3 = duv0_dy * 3.0;
+    vec2 relief_product_4 = vec2(relief_dot_product, dot(relief_product_3,
+            relief_vector)) * 6.2831855;
+    uint relief_hash_2 = wrinkle_waves_hash(1u);
+    float relief_product_5 = float(wrinkle_waves_hash(relief_hash_2) >> 8u) * 5.9604645e-08;
+    float relief_fraction = fract(dot(s.uv0 * 3.0, relief_vector) + relief_product_5);
+    float relief_product_6 = relief_fraction * 6.2831855;
+    float relief_greatest = max(length(relief_product), length(relief_product_3));
+    float relief_difference_2 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
+    vec2 relief_product_7 = relief_product_4 * cos(relief_product_6) * relief_difference_2;
+    vec2 relief_product_8 = duv0_dx * 3.9;
+    float relief_difference_3 = float(wrinkle_waves_hash(1u + relief_hash) >> 8u) * 5.9604645e-08 -
+            0.5;
+    float relief_product_9 = 150.0 * relief_difference_3 * 0.017453292;
+    vec2 relief_vector_2 = vec2(cos(relief_product_9), sin(relief_product_9));
+    float relief_dot_product_2 = dot(relief_product_8, relief_vector_2);
+    vec2 relief_product_10 = duv0_dy * 3.9;
+    vec2 relief_product_11 = vec2(relief_dot_product_2, dot(relief_product_10,
+            relief_vector_2)) * 6.2831855;
+    float relief_product_12 = float(wrinkle_waves_hash(1u + relief_hash_2) >> 8u) * 5.9604645e-08;
+    float relief_sum = dot(s.uv0 * 3.9, relief_vector_2) + relief_product_12;
+    float relief_product_13 = fract(relief_sum) * 6.2831855;
+    float relief_greatest_2 = max(length(relief_product_8), length(relief_product_10));
+    float relief_product_14 = 0.8 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_2));
+    vec2 relief_sum_2 = relief_product_7 + relief_product_11 * cos(relief_product_13) *
+            relief_product_14;
+    vec2 relief_product_15 = duv0_dx * 5.07;
+    float relief_difference_4 = float(wrinkle_waves_hash(2u + relief_hash) >> 8u) * 5.9604645e-08 -
+            0.5;
+    float relief_product_16 = 150.0 * relief_difference_4 * 0.017453292;
+    vec2 relief_vector_3 = vec2(cos(relief_product_16), sin(relief_product_16));
+    float relief_dot_product_3 = dot(relief_product_15, relief_vector_3);
+    vec2 relief_product_17 = duv0_dy * 5.07;
+    vec2 relief_product_18 = vec2(relief_dot_product_3, dot(relief_product_17,
+            relief_vector_3)) * 6.2831855;
+    float relief_product_19 = float(wrinkle_waves_hash(2u + relief_hash_2) >> 8u) * 5.9604645e-08;
+    float relief_sum_3 = dot(s.uv0 * 5.07, relief_vector_3) + relief_product_19;
+    float relief_product_20 = fract(relief_sum_3) * 6.2831855;
+    float relief_greatest_3 = max(length(relief_product_15), length(relief_product_17));
+    float relief_product_21 = 0.64 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_3));
+    vec2 relief_sum_4 = relief_sum_2 + relief_product_18 * cos(relief_product_20) *
+            relief_product_21;
+    vec2 relief_product_22 = duv0_dx * 6.591;
+    float relief_difference_5 = float(wrinkle_waves_hash(3u + relief_hash) >> 8u) * 5.9604645e-08 -
+            0.5;
+    float relief_product_23 = 150.0 * relief_difference_5 * 0.017453292;
+    vec2 relief_vector_4 = vec2(cos(relief_product_23), sin(relief_product_23));
+    float relief_dot_product_4 = dot(relief_product_22, relief_vector_4);
+    vec2 relief_product_24 = duv0_dy * 6.591;
+    vec2 relief_product_25 = vec2(relief_dot_product_4, dot(relief_product_24,
+            relief_vector_4)) * 6.2831855;
+    float relief_product_26 = float(wrinkle_waves_hash(3u + relief_hash_2) >> 8u) * 5.9604645e-08;
+    float relief_sum_5 = dot(s.uv0 * 6.591, relief_vector_4) + relief_product_26;
+    float relief_product_27 = fract(relief_sum_5) * 6.2831855;
+    float relief_greatest_4 = max(length(relief_product_22), length(relief_product_24));
+    float relief_product_28 = 0.512 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_4));
+    vec2 relief_sum_6 = relief_sum_4 + relief_product_25 * cos(relief_product_27) *
+            relief_product_28;
+    vec2 relief_product_29 = duv0_dx * 8.5683;
+    float relief_difference_6 = float(wrinkle_waves_hash(4u + relief_hash) >> 8u) * 5.9604645e-08 -
+            0.5;
+    float relief_product_30 = 150.0 * relief_difference_6 * 0.017453292;
+    vec2 relief_vector_5 = vec2(cos(relief_product_30), sin(relief_product_30));
+    float relief_dot_product_5 = dot(relief_product_29, relief_vector_5);
+    vec2 relief_product_31 = duv0_dy * 8.5683;
+    vec2 relief_product_32 = vec2(relief_dot_product_5, dot(relief_product_31,
+            relief_vector_5)) * 6.2831855;
+    float relief_product_33 = float(wrinkle_waves_hash(4u + relief_hash_2) >> 8u) * 5.9604645e-08;
+    float relief_sum_7 = dot(s.uv0 * 8.5683, relief_vector_5) + relief_product_33;
+    float relief_product_34 = fract(relief_sum_7) * 6.2831855;
+    float relief_greatest_5 = max(length(relief_product_29), length(relief_product_31));
+    float relief_product_35 = 0.4096 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_5));
+    vec2 relief_sum_8 = relief_sum_6 + relief_product_32 * cos(relief_product_34) *
+            relief_product_35;
+    vec2 relief_product_36 = duv0_dx * 11.13879;
+    float relief_difference_7 = float(wrinkle_waves_hash(5u + relief_hash) >> 8u) * 5.9604645e-08 -
+            0.5;
+    float relief_product_37 = 150.0 * relief_difference_7 * 0.017453292;
+    vec2 relief_vector_6 = vec2(cos(relief_product_37), sin(relief_product_37));
+    float relief_dot_product_6 = dot(relief_product_36, relief_vector_6);
+    vec2 relief_product_38 = duv0_dy * 11.13879;
+    vec2 relief_product_39 = vec2(relief_dot_product_6, dot(relief_product_38,
+            relief_vector_6)) * 6.2831855;
+    float relief_product_40 = float(wrinkle_waves_hash(5u + relief_hash_2) >> 8u) * 5.9604645e-08;
+    float relief_sum_9 = dot(s.uv0 * 11.13879, relief_vector_6) + relief_product_40;
+    float relief_product_41 = fract(relief_sum_9) * 6.2831855;
+    float relief_greatest_6 = max(length(relief_product_36), length(relief_product_38));
+    float relief_product_42 = 0.32768 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_6));
+    vec2 relief_sum_10 = relief_sum_8 + relief_product_39 * cos(relief_product_41) *
+            relief_product_42;
+    float relief_product_43 = sin(relief_product_6) * relief_difference_2;
+    float relief_sum_11 = relief_product_43 + sin(relief_product_13) * relief_product_14;
+    float relief_sum_12 = relief_sum_11 + sin(relief_product_20) * relief_product_21;
+    float relief_sum_13 = relief_sum_12 + sin(relief_product_27) * relief_product_28;
+    float relief_sum_14 = relief_sum_13 + sin(relief_product_34) * relief_product_35;
+    float relief_value = (relief_sum_14 + sin(relief_product_41) * relief_product_42) / 3.68928;
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    vec2 normal_product_2 = vec2(relief_sum_5 / 3.68928, relief_sum_10 / 3.68928) * normal_product;
+    vec2 normal_product_2 = relief_sum_10 / 3.68928 * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_waves m;
     m.normal = normalize(normal * s.facing - normal_gradient);

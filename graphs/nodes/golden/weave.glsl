@@ -10,54 +10,44 @@ struct WrinkleMaterial_weave {
     float height;  // outwards, in length units
 };
 
-float wrinkle_weave_thread(vec2 a, float b, float c) {
-    float floored = floor(a.x);
-    float quotient = (2.0 * (a.x - floored) - 1.0) / c;
-    float product = 0.325 * (b * cos(mod(a.y - 0.5 + floored, 2.0) * 3.1415927));
-    return max(1.0 - quotient * quotient, 0.0) * (0.675 + product);
-}
-
-float wrinkle_weave_thread_change(vec2 a, float b, float c, vec2 d) {
-    float floored = floor(a.x);
-    float quotient = (2.0 * (a.x - floored) - 1.0) / c;
+vec3 wrinkle_weave_thread_with_slope(vec2 p, float side, float width) {
+    float floored = floor(p.x);
+    float quotient = (2.0 * (p.x - floored) - 1.0) / width;
     float difference = 1.0 - quotient * quotient;
-    float product = d.x * 2.0 / c * quotient;
+    float product = 2.0 / width * quotient;
     float choice = difference < 0.0 ? 0.0 : -(product + product);
-    float product_2 = mod(a.y - 0.5 + floored, 2.0) * 3.1415927;
-    float product_3 = choice * (0.675 + 0.325 * (b * cos(product_2)));
-    float product_4 = -(d.y * 3.1415927 * sin(product_2)) * b * 0.325;
-    return product_3 + product_4 * max(difference, 0.0);
+    float product_2 = mod(p.y - 0.5 + floored, 2.0) * 3.1415927;
+    float greatest = max(difference, 0.0);
+    vec3 vector = vec3(choice, -(3.1415927 * sin(product_2)) * side * 0.325, greatest);
+    float sum = 0.675 + 0.325 * (side * cos(product_2));
+    return vector * vec3(sum, greatest, sum);
 }
 
 WrinkleMaterial_weave wrinkle_weave(WrinkleSurface_weave s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
+    vec2 duv0_dx = dFdx(s.uv0);
+    vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = s.uv0 * 8.0;  // relief: Weave
-    float relief_thread = wrinkle_weave_thread(relief_product, 1.0, 0.9);
-    float relief_thread_2 = wrinkle_weave_thread(relief_product.yx, -1.0, 0.9);
-    bool relief_test = relief_thread < relief_thread_2;
-    vec2 relief_product_2 = dFdx(s.uv0) * 8.0;
-    float relief_thread_change = wrinkle_weave_thread_change(relief_product.yx, -1.0, 0.9,
-            relief_product_2.yx);
-    float relief_thread_change_2 = wrinkle_weave_thread_change(relief_product, 1.0, 0.9,
-            relief_product_2);
-    float relief_choice = relief_test ? relief_thread_change : relief_thread_change_2;
-    vec2 relief_product_3 = dFdy(s.uv0) * 8.0;
+    vec3 relief_slope = wrinkle_weave_thread_with_slope(relief_product, 1.0, 0.9);
+    vec3 relief_slope_2 = wrinkle_weave_thread_with_slope(relief_product.yx, -1.0, 0.9);
+    bool relief_test = relief_slope.z < relief_slope_2.z;
+    vec2 relief_product_2 = duv0_dx * 8.0;
+    float relief_dot_product = dot(relief_slope_2.xy, relief_product_2.yx);
+    vec2 relief_product_3 = duv0_dy * 8.0;
     float relief_greatest = max(length(relief_product_2), length(relief_product_3));
     float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product_4 = relief_choice * relief_difference;
-    float relief_thread_change_3 = wrinkle_weave_thread_change(relief_product.yx, -1.0, 0.9,
-            relief_product_3.yx);
-    float relief_thread_change_4 = wrinkle_weave_thread_change(relief_product, 1.0, 0.9,
-            relief_product_3);
-    float relief_choice_2 = relief_test ? relief_thread_change_3 : relief_thread_change_4;
-    float relief_value = mix(0.60579, max(relief_thread, relief_thread_2), relief_difference);
+    float relief_value = mix(0.60579, max(relief_slope.z, relief_slope_2.z), relief_difference);
     // normal: Resolve
+    vec2 normal_vector = vec2(relief_dot_product, dot(relief_slope_2.xy, relief_product_3.yx));
+    vec2 normal_vector_2 = vec2(dot(relief_slope.xy, duv0_dx), dot(relief_slope.xy, duv0_dy));
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
-    vec2 normal_product_2 = vec2(relief_product_4,
-            relief_choice_2 * relief_difference) * normal_product;
+    // relief: Weave (continued)
+    vec2 relief_product_4 = (relief_test ? normal_vector : normal_vector_2 * 8.0) *
+            relief_difference;
+    vec2 normal_product_2 = relief_product_4 * normal_product;  // normal: Resolve (continued)
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_weave m;
     m.normal = normalize(normal * s.facing - normal_gradient);

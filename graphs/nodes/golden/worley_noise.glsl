@@ -10,91 +10,65 @@ struct WrinkleMaterial_worley_noise {
     float height;  // outwards, in length units
 };
 
-vec3 wrinkle_worley_noise_feature_point(vec3 a, float b) {
-    uint sum = uint(int(a.z)) * 747796405u + 2891336453u;
+uint wrinkle_worley_noise_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(int(a.y)) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(int(a.x)) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    float product_4 = float(bits >> 8u) * 5.9604645e-08;
-    uint sum_4 = bits * 747796405u + 2891336453u;
-    uint product_5 = (sum_4 >> (sum_4 >> 28u) + 4u ^ sum_4) * 277803737u;
-    uint bits_2 = product_5 >> 22u ^ product_5;
-    uint sum_5 = bits_2 * 747796405u + 2891336453u;
-    uint product_6 = (sum_5 >> (sum_5 >> 28u) + 4u ^ sum_5) * 277803737u;
-    float product_7 = float((product_6 >> 22u ^ product_6) >> 8u) * 5.9604645e-08;
-    vec3 vector = vec3(product_4, float(bits_2 >> 8u) * 5.9604645e-08, product_7);
-    return (vector - 0.5) * b;
+    return product >> 22u ^ product;
 }
 
-vec3 wrinkle_worley_noise_nearest_cells(vec3 a, vec3 b, float c, out vec3 result_2) {
-    float relief_state = 0.0;
-    float relief_state_2 = 9.0;
-    float relief_state_3 = 9.0;
-    vec3 state = vec3(0.0);
-    vec3 state_2 = vec3(0.0);
+vec3 wrinkle_worley_noise_feature_point(vec3 cell, float jitter) {
+    uint sum = uint(int(cell.y)) + wrinkle_worley_noise_hash(uint(int(cell.z)));
+    uint sum_2 = uint(int(cell.x)) + wrinkle_worley_noise_hash(sum);
+    uint hash = wrinkle_worley_noise_hash(sum_2);
+    uint hash_2 = wrinkle_worley_noise_hash(hash);
+    float number = float(wrinkle_worley_noise_hash(hash_2) >> 8u);
+    vec3 difference = vec3(float(hash >> 8u), float(hash_2 >> 8u), number) * 5.9604645e-08 - 0.5;
+    return difference * jitter;
+}
+
+vec4 wrinkle_worley_noise_worley_with_slope(vec3 p, float width, float jitter) {
+    vec3 floored = floor(p);
+    vec3 difference = p - floored - 0.5;
+    float first = 9.0;
+    float second = 9.0;
+    vec3 nearest = vec3(0.0);
+    vec3 next = vec3(0.0);
     for (int i = 0; i < 27; ++i) {
-        float sum = relief_state + 0.5;
-        float floored = floor(sum);
-        float difference = floored - 3.0 * floor((floored + 0.5) * 0.33333334) - 1.0;
-        float floored_2 = floor(sum * 0.33333334);
-        float difference_2 = floored_2 - 3.0 * floor((floored_2 + 0.5) * 0.33333334) - 1.0;
-        float floored_3 = floor(sum * 0.11111111);
-        float difference_3 = floored_3 - 3.0 * floor((floored_3 + 0.5) * 0.33333334) - 1.0;
-        vec3 vector = vec3(difference, difference_2, difference_3);
-        vec3 difference_4 = vector + wrinkle_worley_noise_feature_point(a + vector, c) - b;
-        float dot_product = dot(difference_4, difference_4);
-        bool test = dot_product < relief_state_2;
-        float relief_state_3_next = min(relief_state_3, max(relief_state_2, dot_product));
-        vec3 state_2_next = test ? state : dot_product < relief_state_3 ? vector : state_2;
-        relief_state = relief_state + 1.0;
-        relief_state_2 = min(relief_state_2, dot_product);
-        relief_state_3 = relief_state_3_next;
-        state = test ? vector : state;
-        state_2 = state_2_next;
+        float sum = float(i) + 0.5;
+        vec3 floored_2 = floor(vec3(sum, sum * vec2(0.33333334, 0.11111111)));
+        vec3 difference_2 = floored_2 - 3.0 * floor((floored_2 + 0.5) * 0.33333334) - 1.0;
+        vec3 sum_2 = difference_2 + wrinkle_worley_noise_feature_point(floored + difference_2,
+                jitter);
+        vec3 difference_3 = sum_2 - difference;
+        float dot_product = dot(difference_3, difference_3);
+        bool test = dot_product < first;
+        next = test ? nearest : dot_product < second ? difference_2 : next;
+        second = min(second, max(first, dot_product));
+        first = min(first, dot_product);
+        nearest = test ? difference_2 : nearest;
     }
-    result_2 = state_2;
-    return state;
+    vec3 sum_3 = next + wrinkle_worley_noise_feature_point(floored + next, jitter);
+    float extent = length(sum_3 - difference);
+    vec3 choice = extent > 0.0 ? (difference - sum_3) / extent : vec3(0.0);
+    vec3 sum_4 = nearest + wrinkle_worley_noise_feature_point(floored + nearest, jitter);
+    float extent_2 = length(sum_4 - difference);
+    vec3 difference_4 = choice - (extent_2 > 0.0 ? (difference - sum_4) / extent_2 : vec3(0.0));
+    float difference_5 = 1.0 - smoothstep(0.25, 0.75, width);
+    float mixed = mix(0.223 - 0.025 * jitter, extent - extent_2, difference_5);
+    return vec4(difference_4 * difference_5, mixed);
 }
 
 WrinkleMaterial_worley_noise wrinkle_worley_noise(WrinkleSurface_worley_noise s) {
     vec3 normal = normalize(s.normal);
-    vec3 relief_product = s.position * 5.0;  // relief: Worley noise
-    vec3 relief_floored = floor(relief_product);
-    vec3 relief_difference = relief_product - relief_floored - 0.5;
-    vec3 relief_nearest_cells_2;
-    vec3 relief_nearest_cells = wrinkle_worley_noise_nearest_cells(relief_floored,
-            relief_difference, 1.0, relief_nearest_cells_2);
-    vec3 relief_feature_point = wrinkle_worley_noise_feature_point(relief_floored +
-            relief_nearest_cells_2, 1.0);
-    vec3 relief_difference_2 = relief_nearest_cells_2 + relief_feature_point - relief_difference;
-    float relief_extent = length(relief_difference_2);
-    bool relief_test = relief_extent > 0.0;
-    float relief_choice = relief_test ? relief_difference_2.x * -5.0 / relief_extent : 0.0;
-    vec3 relief_feature_point_2 = wrinkle_worley_noise_feature_point(relief_floored +
-            relief_nearest_cells, 1.0);
-    vec3 relief_difference_3 = relief_nearest_cells + relief_feature_point_2 - relief_difference;
-    float relief_extent_2 = length(relief_difference_3);
-    bool relief_test_2 = relief_extent_2 > 0.0;
-    float relief_choice_2 = relief_test_2 ? relief_difference_3.x * -5.0 / relief_extent_2 : 0.0;
-    float relief_extent_3 = length(dFdx(s.position_relative) * 5.0);
-    float relief_greatest = max(relief_extent_3, length(dFdy(s.position_relative) * 5.0));
-    float relief_difference_4 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_product_2 = (relief_choice - relief_choice_2) * relief_difference_4 * 0.05;
-    float relief_choice_3 = relief_test ? relief_difference_2.y * -5.0 / relief_extent : 0.0;
-    float relief_choice_4 = relief_test_2 ? relief_difference_3.y * -5.0 / relief_extent_2 : 0.0;
-    float relief_product_3 = (relief_choice_3 - relief_choice_4) * relief_difference_4 * 0.05;
-    float relief_choice_5 = relief_test ? relief_difference_2.z * -5.0 / relief_extent : 0.0;
-    float relief_choice_6 = relief_test_2 ? relief_difference_3.z * -5.0 / relief_extent_2 : 0.0;
-    float relief_product_4 = (relief_choice_5 - relief_choice_6) * relief_difference_4 * 0.05;
-    float relief_value = mix(0.198, relief_extent - relief_extent_2, relief_difference_4);
+    float relief_extent = length(dFdx(s.position_relative));  // relief: Worley noise
+    float relief_product = max(relief_extent, length(dFdy(s.position_relative))) * 5.0;
+    vec4 relief_slope = wrinkle_worley_noise_worley_with_slope(s.position * 5.0, relief_product,
+            1.0);
+    vec3 relief_gradient = relief_slope.xyz * 5.0 * 0.05;
     // normal: Resolve
-    vec3 normal_gradient = vec3(relief_product_2, relief_product_3, relief_product_4);
-    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    vec3 normal_difference = normal * (s.facing + dot(normal, relief_gradient)) - relief_gradient;
     WrinkleMaterial_worley_noise m;
     m.normal = normalize(normal_difference);
-    m.height = relief_value * 0.05;  // relief: Worley noise (continued)
+    m.height = relief_slope.w * 0.05;  // relief: Worley noise (continued)
     return m;
 }

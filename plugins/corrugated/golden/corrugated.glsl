@@ -15,13 +15,11 @@ WrinkleMaterial_corrugated wrinkle_corrugated(WrinkleSurface_corrugated s) {
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    float iron_product = s.uv0.x * 16.0 * 6.2831855;  // iron: Corrugated
-    float iron_sine = sin(iron_product);
-    float iron_negated = -(dFdx(s.uv0).x * 16.0 * 6.2831855 * iron_sine);
-    float iron_negated_2 = -(dFdy(s.uv0).x * 16.0 * 6.2831855 * iron_sine);
-    // normal: Resolve
+    vec2 normal_vector = vec2(dFdx(s.uv0).x, dFdy(s.uv0).x);  // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    vec2 normal_product_2 = vec2(iron_negated, iron_negated_2) * normal_product;
+    float iron_product = s.uv0.x * 16.0 * 6.2831855;  // iron: Corrugated
+    vec2 iron_negated = -(normal_vector * 16.0 * 6.2831855 * sin(iron_product));
+    vec2 normal_product_2 = iron_negated * normal_product;  // normal: Resolve (continued)
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_corrugated m;
     m.normal = normalize(normal * s.facing - normal_gradient);

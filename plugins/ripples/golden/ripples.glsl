@@ -11,22 +11,15 @@ struct WrinkleMaterial_ripples {
 
 WrinkleMaterial_ripples wrinkle_ripples(WrinkleSurface_ripples s) {
     vec3 normal = normalize(s.normal);
-    float rings_difference = s.position.y - 1.0;  // rings: Ripples
-    float rings_extent = length(vec3(s.position.x, rings_difference, s.position.z));
-    bool rings_test = rings_extent > 0.0;
-    float rings_product = (rings_test ? s.position.x / rings_extent : 0.0) * 31.415926;
-    float rings_product_2 = 31.415926 * rings_extent;
-    float rings_sine = sin(rings_product_2);
-    float rings_product_3 = -(rings_product * rings_sine) * 0.01;
-    float rings_product_4 = (rings_test ? rings_difference / rings_extent : 0.0) * 31.415926;
-    float rings_product_5 = -(rings_product_4 * rings_sine) * 0.01;
-    float rings_product_6 = (rings_test ? s.position.z / rings_extent : 0.0) * 31.415926;
-    float rings_product_7 = -(rings_product_6 * rings_sine) * 0.01;
+    vec3 rings_vector = vec3(s.position.x, s.position.y - 1.0, s.position.z);  // rings: Ripples
+    float rings_extent = length(rings_vector);
+    vec3 rings_choice = rings_extent > 0.0 ? rings_vector / rings_extent : vec3(0.0);
+    float rings_product = 31.415926 * rings_extent;
+    vec3 rings_gradient = -(rings_choice * 31.415926 * sin(rings_product)) * 0.01;
     // normal: Resolve
-    vec3 normal_gradient = vec3(rings_product_3, rings_product_5, rings_product_7);
-    vec3 normal_difference = normal * (s.facing + dot(normal, normal_gradient)) - normal_gradient;
+    vec3 normal_difference = normal * (s.facing + dot(normal, rings_gradient)) - rings_gradient;
     WrinkleMaterial_ripples m;
     m.normal = normalize(normal_difference);
-    m.height = 0.01 * cos(rings_product_2);  // rings: Ripples (continued)
+    m.height = 0.01 * cos(rings_product);  // rings: Ripples (continued)
     return m;
 }

@@ -10,162 +10,110 @@ struct WrinkleMaterial_rust {
     vec3 color;   // base color, linear
 };
 
-vec3 wrinkle_rust_noise_direction(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_rust_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
-    float number = float(2237013u >> product_4 & 3u);
-    float number_2 = float(5573130u >> product_4 & 3u);
-    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
+    return product >> 22u ^ product;
 }
 
-vec3 wrinkle_rust_gradient_noise_slope(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 noise_direction = wrinkle_rust_noise_direction(whole, whole_2, whole_3);
-    int sum = whole + 1;
-    vec3 noise_direction_2 = wrinkle_rust_noise_direction(sum, whole_2, whole_3);
-    vec3 difference = a - floored;
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_3 = wrinkle_rust_noise_direction(whole, sum_3, whole_3);
-    vec3 noise_direction_4 = wrinkle_rust_noise_direction(sum, sum_3, whole_3);
-    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
-    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_5 = wrinkle_rust_noise_direction(whole, whole_2, sum_4);
-    vec3 noise_direction_6 = wrinkle_rust_noise_direction(sum, whole_2, sum_4);
-    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
-    vec3 noise_direction_7 = wrinkle_rust_noise_direction(whole, sum_3, sum_4);
-    vec3 noise_direction_8 = wrinkle_rust_noise_direction(sum, sum_3, sum_4);
-    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+vec3 wrinkle_rust_noise_direction(vec3 corner) {
+    uint hash = wrinkle_rust_hash(uint(int(corner.y)) + wrinkle_rust_hash(uint(int(corner.z))));
+    uint sum = uint(int(corner.x)) + hash;
+    uint hash_2 = wrinkle_rust_hash(sum);
+    uint product = (((hash_2 >> 8u) * 3u >> 24u) * 4u + (hash_2 & 3u)) * 2u;
+    float number = float(2237013u >> product & 3u);
+    float number_2 = float(5573130u >> product & 3u);
+    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+}
+
+vec4 wrinkle_rust_gradient_corner(vec3 cell, vec3 from, vec3 corner) {
+    vec3 direction = wrinkle_rust_noise_direction(cell + corner);
+    return vec4(direction, dot(direction, from - corner));
+}
+
+vec4 wrinkle_rust_gradient_noise(vec3 p) {
+    vec3 floored = floor(p);
+    vec3 difference = p - floored;
+    vec4 corner = wrinkle_rust_gradient_corner(floored, difference, vec3(0.0));
+    vec4 corner_2 = wrinkle_rust_gradient_corner(floored, difference, vec3(1.0, 0.0, 0.0));
+    vec3 sum = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum;
+    vec4 mixed = mix(corner, corner_2, product.x);
+    vec4 corner_3 = wrinkle_rust_gradient_corner(floored, difference, vec3(0.0, 1.0, 0.0));
+    vec4 corner_4 = wrinkle_rust_gradient_corner(floored, difference, vec3(1.0, 1.0, 0.0));
+    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
+    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
+    vec4 corner_5 = wrinkle_rust_gradient_corner(floored, difference, vec3(0.0, 0.0, 1.0));
+    vec4 corner_6 = wrinkle_rust_gradient_corner(floored, difference, vec3(1.0, 0.0, 1.0));
+    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
+    vec4 corner_7 = wrinkle_rust_gradient_corner(floored, difference, vec3(0.0, 1.0, 1.0));
+    vec4 corner_8 = wrinkle_rust_gradient_corner(floored, difference, vec3(1.0));
+    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
+    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
+    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float difference_3 = difference.x - 1.0;
-    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
-    float dot_product_2 = dot(noise_direction, difference);
-    float difference_4 = difference.y - 1.0;
-    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
-    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
-    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float difference_5 = difference.z - 1.0;
-    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
-    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
-    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
-    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
-    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
-    float mixed_9 = mix(dot_product_2, dot_product, product.x);
-    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
-    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
-    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
-    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
+    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
+    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
+    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
+    vec3 vector = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
+    vec3 sum_2 = mixed_7.xyz + product_2 * vector;
+    return vec4(sum_2, mixed_7.w);
 }
 
-vec3 wrinkle_rust_noise_octave_slope(vec3 a, float b) {
-    return wrinkle_rust_gradient_noise_slope(a) * (1.0 - smoothstep(0.25, 0.75, b));
+vec4 wrinkle_rust_fbm_with_slope(vec3 point, float width, int octaves, float lacunarity,
+        float gain) {
+    float frequency = 1.0;
+    float weight = 1.0;
+    float total = 0.0;
+    float sum = 0.0;
+    vec3 sum_slope = vec3(0.0);
+    for (int i = 0; i < min(octaves, 8); ++i) {
+        vec4 noise = wrinkle_rust_gradient_noise(point * frequency + vec3(19.19, 7.43,
+                31.71) * float(i));
+        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        total += weight;
+        sum += noise.w * difference * weight;
+        sum_slope += noise.xyz * frequency * difference * weight;
+        frequency *= lacunarity;
+        weight *= gain;
+    }
+    vec4 vector = vec4(sum_slope, sum);
+    return vector / total;
 }
 
-float wrinkle_rust_gradient_noise(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 difference = a - floored;
-    float dot_product = dot(wrinkle_rust_noise_direction(whole, whole_2, whole_3), difference);
-    int sum = whole + 1;
-    float difference_2 = difference.x - 1.0;
-    vec3 vector = vec3(difference_2, difference.y, difference.z);
-    float dot_product_2 = dot(wrinkle_rust_noise_direction(sum, whole_2, whole_3), vector);
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    float mixed = mix(dot_product, dot_product_2, product.x);
-    int sum_3 = whole_2 + 1;
-    float difference_3 = difference.y - 1.0;
-    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
-    float dot_product_3 = dot(wrinkle_rust_noise_direction(whole, sum_3, whole_3), vector_2);
-    vec3 vector_3 = vec3(difference_2, difference_3, difference.z);
-    float dot_product_4 = dot(wrinkle_rust_noise_direction(sum, sum_3, whole_3), vector_3);
-    float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
-    int sum_4 = whole_3 + 1;
-    float difference_4 = difference.z - 1.0;
-    vec3 vector_4 = vec3(difference.x, difference.y, difference_4);
-    float dot_product_5 = dot(wrinkle_rust_noise_direction(whole, whole_2, sum_4), vector_4);
-    vec3 vector_5 = vec3(difference_2, difference.y, difference_4);
-    float dot_product_6 = dot(wrinkle_rust_noise_direction(sum, whole_2, sum_4), vector_5);
-    float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 vector_6 = vec3(difference.x, difference_3, difference_4);
-    float dot_product_7 = dot(wrinkle_rust_noise_direction(whole, sum_3, sum_4), vector_6);
-    float dot_product_8 = dot(wrinkle_rust_noise_direction(sum, sum_3, sum_4), difference - 1.0);
-    float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
-    return mix(mixed_2, mixed_4, product.z);
-}
-
-float wrinkle_rust_noise_octave(vec3 a, float b) {
-    return wrinkle_rust_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
-}
-
-vec3 wrinkle_rust_billow_slope(vec3 a, float b) {
-    float sign_2 = sign(wrinkle_rust_gradient_noise(a));
-    float product = sign_2 * (1.0 - smoothstep(0.25, 0.75, b));
-    return wrinkle_rust_gradient_noise_slope(a) * product;
+vec3 wrinkle_rust_billows_slope(vec3 point, float width, int octaves, float lacunarity,
+        float gain) {
+    float frequency = 1.0;
+    float weight = 1.0;
+    float total = 0.0;
+    vec3 sum_slope = vec3(0.0);
+    for (int i = 0; i < min(octaves, 8); ++i) {
+        vec4 noise = wrinkle_rust_gradient_noise(point * frequency + vec3(19.19, 7.43,
+                31.71) * float(i));
+        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        total += weight;
+        sum_slope += noise.xyz * frequency * sign(noise.w) * difference * weight;
+        frequency *= lacunarity;
+        weight *= gain;
+    }
+    return sum_slope / total;
 }
 
 WrinkleMaterial_rust wrinkle_rust(WrinkleSurface_rust s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdx = dFdx(s.position_relative);
-    vec3 dpdy = dFdy(s.position_relative);
-    vec3 hammered_product = s.position * 5.0;  // hammered: Gradient noise
-    float hammered_greatest = max(length(dpdx * 5.0), length(dpdy * 5.0));
-    vec3 hammered_noise_octave_slope = wrinkle_rust_noise_octave_slope(hammered_product,
-            hammered_greatest);
-    vec3 hammered_sum = hammered_product * 2.0 + vec3(19.19, 7.43, 31.71);
-    float hammered_product_2 = hammered_greatest * 2.0;
-    vec3 hammered_noise_octave_slope_2 = wrinkle_rust_noise_octave_slope(hammered_sum,
-            hammered_product_2);
-    float hammered_product_3 = hammered_noise_octave_slope_2.x * 10.0 * 0.5;
-    float hammered_quotient = (hammered_noise_octave_slope.x * 5.0 + hammered_product_3) / 1.5;
-    float hammered_product_4 = hammered_quotient * 0.04;
-    float hammered_product_5 = hammered_noise_octave_slope_2.y * 10.0 * 0.5;
-    float hammered_quotient_2 = (hammered_noise_octave_slope.y * 5.0 + hammered_product_5) / 1.5;
-    float hammered_product_6 = hammered_quotient_2 * 0.04;
-    float hammered_product_7 = hammered_noise_octave_slope_2.z * 10.0 * 0.5;
-    float hammered_quotient_3 = (hammered_noise_octave_slope.z * 5.0 + hammered_product_7) / 1.5;
-    float hammered_noise_octave = wrinkle_rust_noise_octave(hammered_product, hammered_greatest);
-    float hammered_product_8 = wrinkle_rust_noise_octave(hammered_sum, hammered_product_2) * 0.5;
-    float hammered_value = (hammered_noise_octave + hammered_product_8) / 1.5;
-    float hammered_height = hammered_value * 0.04;
-    vec3 flakes_product = s.position * 18.0;  // flakes: Turbulence
-    float flakes_greatest = max(length(dpdx * 18.0), length(dpdy * 18.0));
-    vec3 flakes_billow_slope = wrinkle_rust_billow_slope(flakes_product, flakes_greatest);
-    vec3 flakes_product_2 = flakes_product * 2.0;
-    vec3 flakes_sum = flakes_product_2 + vec3(19.19, 7.43, 31.71);
-    float flakes_product_3 = flakes_greatest * 2.0;
-    vec3 flakes_billow_slope_2 = wrinkle_rust_billow_slope(flakes_sum, flakes_product_3);
-    float flakes_sum_2 = flakes_billow_slope.x * 18.0 + flakes_billow_slope_2.x * 36.0 * 0.5;
-    vec3 flakes_sum_3 = flakes_product_2 * 2.0 + vec3(38.38, 14.86, 63.42);
-    vec3 flakes_billow_slope_3 = wrinkle_rust_billow_slope(flakes_sum_3, flakes_product_3 * 2.0);
-    float flakes_product_4 = (flakes_sum_2 + flakes_billow_slope_3.x * 72.0 * 0.25) / 1.75 * 0.02;
-    float flakes_sum_4 = flakes_billow_slope.y * 18.0 + flakes_billow_slope_2.y * 36.0 * 0.5;
-    float flakes_product_5 = (flakes_sum_4 + flakes_billow_slope_3.y * 72.0 * 0.25) / 1.75 * 0.02;
-    float flakes_sum_5 = flakes_billow_slope.z * 18.0 + flakes_billow_slope_2.z * 36.0 * 0.5;
-    float flakes_product_6 = (flakes_sum_5 + flakes_billow_slope_3.z * 72.0 * 0.25) / 1.75 * 0.02;
+    vec3 normal = normalize(s.normal);
+    float hammered_extent = length(dFdx(s.position_relative));  // hammered: Gradient noise
+    float hammered_greatest = max(hammered_extent, length(dFdy(s.position_relative)));
+    float hammered_product = hammered_greatest * 5.0;
+    vec4 hammered_slope = wrinkle_rust_fbm_with_slope(s.position * 5.0, hammered_product, 2, 2.0,
+            0.5);
+    float hammered_height = hammered_slope.w * 0.04;
+    float flakes_product = hammered_greatest * 18.0;  // flakes: Turbulence
+    vec3 flakes_slope = wrinkle_rust_billows_slope(s.position * 18.0, flakes_product, 3, 2.0, 0.5);
     // old: Rust
-    vec3 old_vector = vec3(hammered_product_4, hammered_product_6, hammered_quotient_3 * 0.04);
     float old_mask = clamp((0.5 - hammered_height / 0.06 + 0.45 - 1.0) * 8.0 + 0.45, 0.0, 1.0);
-    vec3 old_gradient = vec3(flakes_product_4, flakes_product_5, flakes_product_6) * old_mask;
-    vec3 old_gradient_2 = old_vector * (1.0 - old_mask) + old_gradient;
+    vec3 old_gradient = hammered_slope.xyz * 5.0 * 0.04 * (1.0 - old_mask);
+    vec3 old_gradient_2 = old_gradient + flakes_slope * 18.0 * 0.02 * old_mask;
     WrinkleMaterial_rust m;
     // normal: Resolve
     m.normal = normalize(normal * (s.facing + dot(normal, old_gradient_2)) - old_gradient_2);

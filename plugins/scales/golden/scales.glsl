@@ -10,6 +10,12 @@ struct WrinkleMaterial_scales {
     float height;  // outwards, in length units
 };
 
+uint wrinkle_scales_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
+    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
+    return product >> 22u ^ product;
+}
+
 WrinkleMaterial_scales wrinkle_scales(WrinkleSurface_scales s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
@@ -18,107 +24,38 @@ WrinkleMaterial_scales wrinkle_scales(WrinkleSurface_scales s) {
     vec2 skin_product = s.uv0 * 8.0;  // skin: Scales
     float skin_row = floor(2.0 * skin_product.y);
     vec2 skin_product_2 = dFdx(s.uv0) * 8.0;
-    float skin_negated = -(skin_product_2.y * 0.4 / 0.75);
-    int skin_state = 0;
-    float skin_state_2 = 0.0;
-    float skin_state_3 = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        if (!(skin_state < 8)) break;
-        float skin_difference = skin_row + float(skin_state >> 1) - 1.0;
-        float skin_product_3 = 0.5 * mod(skin_difference, 2.0);
-        float skin_sum = floor(skin_product.x - skin_product_3) + float(skin_state & 1);
-        uint skin_sum_2 = uint(int(skin_difference)) * 747796405u + 2891336453u;
-        uint skin_product_4 = (skin_sum_2 >> (skin_sum_2 >> 28u) + 4u ^ skin_sum_2) * 277803737u;
-        uint skin_sum_3 = uint(int(skin_sum)) + (skin_product_4 >> 22u ^ skin_product_4);
-        uint skin_sum_4 = skin_sum_3 * 747796405u + 2891336453u;
-        uint skin_product_5 = (skin_sum_4 >> (skin_sum_4 >> 28u) + 4u ^ skin_sum_4) * 277803737u;
-        float skin_product_6 = float((skin_product_5 >> 22u ^ skin_product_5) >> 8u) *
-                5.9604645e-08;
-        float skin_product_7 = 0.3 * skin_product_6;
-        float skin_difference_2 = 1.0 - skin_product_7;
-        vec2 skin_way = skin_product - vec2(skin_sum + skin_product_3, 0.5 * skin_difference);
+    vec2 skin_product_3 = dFdy(s.uv0) * 8.0;
+    vec2 skin_quotient = vec2(skin_product_2.y, skin_product_3.y) * 0.4 / 0.75;
+    float state_2 = 0.0;
+    vec2 state_3 = vec2(0.0);
+    for (int i = 0; i < min(8, 8); ++i) {
+        float skin_difference = skin_row + float(i >> 1) - 1.0;  // skin: Scales (continued)
+        float skin_product_4 = 0.5 * mod(skin_difference, 2.0);
+        float skin_sum = floor(skin_product.x - skin_product_4) + float(i & 1);
+        uint skin_sum_2 = uint(int(skin_sum)) + wrinkle_scales_hash(uint(int(skin_difference)));
+        uint skin_bits = wrinkle_scales_hash(skin_sum_2) >> 8u;
+        float skin_difference_2 = 1.0 - 0.3 * (float(skin_bits) * 5.9604645e-08);
+        vec2 skin_way = skin_product - vec2(skin_sum + skin_product_4, 0.5 * skin_difference);
         float skin_difference_3 = 1.5 - 1.5 * dot(skin_way, skin_way) / 0.5625;
-        float skin_product_8 = skin_difference_2 * clamp(skin_difference_3, 0.0, 1.0);
+        float skin_product_5 = skin_difference_2 * clamp(skin_difference_3, 0.0, 1.0);
         float skin_difference_4 = 0.5 - 0.4 * skin_way.y / 0.75;
-        float skin_product_9 = skin_product_8 * skin_difference_4;
-        float skin_product_10 = (dot(skin_product_2, skin_way) + dot(skin_way,
-                skin_product_2)) * 1.5;
-        float skin_choice = skin_difference_3 < 0.0 ? 0.0 : -(skin_product_10 / 0.5625);
-        float skin_choice_2 = 1.0 < max(skin_difference_3, 0.0) ? 0.0 : skin_choice;
-        float skin_product_11 = skin_choice_2 * skin_difference_2 * skin_difference_4;
-        float skin_state_3_next = skin_state_2 < skin_product_9 ? skin_product_11 + skin_negated *
-                skin_product_8 : skin_state_3;
-        skin_state = skin_state + 1;
-        skin_state_2 = max(skin_state_2, skin_product_9);
-        skin_state_3 = skin_state_3_next;
-    }
-    vec2 skin_product_12 = dFdy(s.uv0) * 8.0;
-    float skin_negated_2 = -(skin_product_12.y * 0.4 / 0.75);
-    int skin_state_4 = 0;
-    float skin_state_5 = 0.0;
-    float skin_state_6 = 0.0;
-    for (int i_2 = 0; i_2 < 8; ++i_2) {
-        if (!(skin_state_4 < 8)) break;
-        float skin_difference_5 = skin_row + float(skin_state_4 >> 1) - 1.0;
-        float skin_product_13 = 0.5 * mod(skin_difference_5, 2.0);
-        float skin_sum_5 = floor(skin_product.x - skin_product_13) + float(skin_state_4 & 1);
-        uint skin_sum_6 = uint(int(skin_difference_5)) * 747796405u + 2891336453u;
-        uint skin_product_14 = (skin_sum_6 >> (skin_sum_6 >> 28u) + 4u ^ skin_sum_6) * 277803737u;
-        uint skin_sum_7 = uint(int(skin_sum_5)) + (skin_product_14 >> 22u ^ skin_product_14);
-        uint skin_sum_8 = skin_sum_7 * 747796405u + 2891336453u;
-        uint skin_product_15 = (skin_sum_8 >> (skin_sum_8 >> 28u) + 4u ^ skin_sum_8) * 277803737u;
-        float skin_product_16 = float((skin_product_15 >> 22u ^ skin_product_15) >> 8u) *
-                5.9604645e-08;
-        float skin_product_17 = 0.3 * skin_product_16;
-        float skin_difference_6 = 1.0 - skin_product_17;
-        vec2 skin_way_2 = skin_product - vec2(skin_sum_5 + skin_product_13,
-                0.5 * skin_difference_5);
-        float skin_difference_7 = 1.5 - 1.5 * dot(skin_way_2, skin_way_2) / 0.5625;
-        float skin_product_18 = skin_difference_6 * clamp(skin_difference_7, 0.0, 1.0);
-        float skin_difference_8 = 0.5 - 0.4 * skin_way_2.y / 0.75;
-        float skin_product_19 = skin_product_18 * skin_difference_8;
-        float skin_product_20 = (dot(skin_product_12, skin_way_2) + dot(skin_way_2,
-                skin_product_12)) * 1.5;
-        float skin_choice_3 = skin_difference_7 < 0.0 ? 0.0 : -(skin_product_20 / 0.5625);
-        float skin_choice_4 = 1.0 < max(skin_difference_7, 0.0) ? 0.0 : skin_choice_3;
-        float skin_product_21 = skin_choice_4 * skin_difference_6 * skin_difference_8;
-        float skin_state_6_next = skin_state_5 < skin_product_19 ? skin_product_21 + skin_negated_2
-                * skin_product_18 : skin_state_6;
-        skin_state_4 = skin_state_4 + 1;
-        skin_state_5 = max(skin_state_5, skin_product_19);
-        skin_state_6 = skin_state_6_next;
-    }
-    int skin_state_7 = 0;
-    float skin_state_8 = 0.0;
-    for (int i_3 = 0; i_3 < 8; ++i_3) {
-        if (!(skin_state_7 < 8)) break;
-        float skin_difference_9 = skin_row + float(skin_state_7 >> 1) - 1.0;
-        float skin_product_22 = 0.5 * mod(skin_difference_9, 2.0);
-        float skin_sum_9 = floor(skin_product.x - skin_product_22) + float(skin_state_7 & 1);
-        uint skin_sum_10 = uint(int(skin_difference_9)) * 747796405u + 2891336453u;
-        uint skin_product_23 = (skin_sum_10 >> (skin_sum_10 >> 28u) + 4u ^ skin_sum_10) *
-                277803737u;
-        uint skin_sum_11 = uint(int(skin_sum_9)) + (skin_product_23 >> 22u ^ skin_product_23);
-        uint skin_sum_12 = skin_sum_11 * 747796405u + 2891336453u;
-        uint skin_product_24 = (skin_sum_12 >> (skin_sum_12 >> 28u) + 4u ^ skin_sum_12) *
-                277803737u;
-        float skin_product_25 = float((skin_product_24 >> 22u ^ skin_product_24) >> 8u) *
-                5.9604645e-08;
-        float skin_product_26 = 0.3 * skin_product_25;
-        vec2 skin_way_3 = skin_product - vec2(skin_sum_9 + skin_product_22,
-                0.5 * skin_difference_9);
-        float skin_rim = clamp(1.5 - 1.5 * dot(skin_way_3, skin_way_3) / 0.5625, 0.0, 1.0);
-        float skin_product_27 = (1.0 - skin_product_26) * skin_rim * (0.5 - 0.4 * skin_way_3.y /
-                0.75);
-        skin_state_7 = skin_state_7 + 1;
-        skin_state_8 = max(skin_state_8, skin_product_27);
+        float skin_product_6 = skin_product_5 * skin_difference_4;
+        vec2 vector = vec2(dot(skin_product_2, skin_way), dot(skin_product_3, skin_way));
+        vec2 vector_2 = vec2(dot(skin_way, skin_product_2), dot(skin_way, skin_product_3));
+        vec2 skin_negated = -((vector + vector_2) * 1.5 / 0.5625);  // skin: Scales (continued)
+        vec2 skin_choice = skin_difference_3 < 0.0 ? vec2(0.0) : skin_negated;
+        vec2 skin_choice_2 = 1.0 < max(skin_difference_3, 0.0) ? vec2(0.0) : skin_choice;
+        vec2 skin_product_7 = skin_choice_2 * skin_difference_2 * skin_difference_4;
+        state_3 = state_2 < skin_product_6 ? skin_product_7 - skin_quotient * skin_product_5 :
+                state_3;
+        state_2 = max(state_2, skin_product_6);
     }
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
-    vec2 normal_product_2 = vec2(skin_state_3, skin_state_6) * normal_product;
+    vec2 normal_product_2 = state_3 * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_scales m;
     m.normal = normalize(normal * s.facing - normal_gradient);
-    m.height = 0.05 * skin_state_8;  // skin: Scales (continued)
+    m.height = 0.05 * state_2;  // skin: Scales (continued)
     return m;
 }

@@ -10,112 +10,76 @@ struct WrinkleMaterial_twill {
     float height;  // outwards, in length units
 };
 
-vec3 wrinkle_twill_noise_direction(int a, int b, int c) {
-    uint sum = uint(c) * 747796405u + 2891336453u;
+uint wrinkle_twill_hash(uint x) {
+    uint sum = x * 747796405u + 2891336453u;
     uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    uint sum_2 = (uint(b) + (product >> 22u ^ product)) * 747796405u + 2891336453u;
-    uint product_2 = (sum_2 >> (sum_2 >> 28u) + 4u ^ sum_2) * 277803737u;
-    uint sum_3 = (uint(a) + (product_2 >> 22u ^ product_2)) * 747796405u + 2891336453u;
-    uint product_3 = (sum_3 >> (sum_3 >> 28u) + 4u ^ sum_3) * 277803737u;
-    uint bits = product_3 >> 22u ^ product_3;
-    uint product_4 = (((bits >> 8u) * 3u >> 24u) * 4u + (bits & 3u)) * 2u;
-    float number = float(2237013u >> product_4 & 3u);
-    float number_2 = float(5573130u >> product_4 & 3u);
-    return vec3(number, float(677154u >> product_4 & 3u), number_2) - 1.0;
+    return product >> 22u ^ product;
 }
 
-float wrinkle_twill_gradient_noise(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 difference = a - floored;
-    float dot_product = dot(wrinkle_twill_noise_direction(whole, whole_2, whole_3), difference);
-    int sum = whole + 1;
-    float difference_2 = difference.x - 1.0;
-    vec3 vector = vec3(difference_2, difference.y, difference.z);
-    float dot_product_2 = dot(wrinkle_twill_noise_direction(sum, whole_2, whole_3), vector);
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    float mixed = mix(dot_product, dot_product_2, product.x);
-    int sum_3 = whole_2 + 1;
-    float difference_3 = difference.y - 1.0;
-    vec3 vector_2 = vec3(difference.x, difference_3, difference.z);
-    float dot_product_3 = dot(wrinkle_twill_noise_direction(whole, sum_3, whole_3), vector_2);
-    vec3 vector_3 = vec3(difference_2, difference_3, difference.z);
-    float dot_product_4 = dot(wrinkle_twill_noise_direction(sum, sum_3, whole_3), vector_3);
-    float mixed_2 = mix(mixed, mix(dot_product_3, dot_product_4, product.x), product.y);
-    int sum_4 = whole_3 + 1;
-    float difference_4 = difference.z - 1.0;
-    vec3 vector_4 = vec3(difference.x, difference.y, difference_4);
-    float dot_product_5 = dot(wrinkle_twill_noise_direction(whole, whole_2, sum_4), vector_4);
-    vec3 vector_5 = vec3(difference_2, difference.y, difference_4);
-    float dot_product_6 = dot(wrinkle_twill_noise_direction(sum, whole_2, sum_4), vector_5);
-    float mixed_3 = mix(dot_product_5, dot_product_6, product.x);
-    vec3 vector_6 = vec3(difference.x, difference_3, difference_4);
-    float dot_product_7 = dot(wrinkle_twill_noise_direction(whole, sum_3, sum_4), vector_6);
-    vec3 noise_direction = wrinkle_twill_noise_direction(sum, sum_3, sum_4);
-    float dot_product_8 = dot(noise_direction, difference - 1.0);
-    float mixed_4 = mix(mixed_3, mix(dot_product_7, dot_product_8, product.x), product.y);
-    return mix(mixed_2, mixed_4, product.z);
+vec3 wrinkle_twill_noise_direction(vec3 corner) {
+    uint sum = uint(int(corner.y)) + wrinkle_twill_hash(uint(int(corner.z)));
+    uint sum_2 = uint(int(corner.x)) + wrinkle_twill_hash(sum);
+    uint hash = wrinkle_twill_hash(sum_2);
+    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
+    float number = float(2237013u >> product & 3u);
+    float number_2 = float(5573130u >> product & 3u);
+    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
 }
 
-float wrinkle_twill_noise_octave(vec3 a, float b) {
-    return wrinkle_twill_gradient_noise(a) * (1.0 - smoothstep(0.25, 0.75, b));
+vec4 wrinkle_twill_gradient_corner(vec3 cell, vec3 from, vec3 corner) {
+    vec3 direction = wrinkle_twill_noise_direction(cell + corner);
+    return vec4(direction, dot(direction, from - corner));
 }
 
-vec3 wrinkle_twill_gradient_noise_slope(vec3 a) {
-    vec3 floored = floor(a);
-    int whole = int(floored.x);
-    int whole_2 = int(floored.y);
-    int whole_3 = int(floored.z);
-    vec3 noise_direction = wrinkle_twill_noise_direction(whole, whole_2, whole_3);
-    int sum = whole + 1;
-    vec3 noise_direction_2 = wrinkle_twill_noise_direction(sum, whole_2, whole_3);
-    vec3 difference = a - floored;
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec3 mixed = mix(noise_direction, noise_direction_2, product.x);
-    int sum_3 = whole_2 + 1;
-    vec3 noise_direction_3 = wrinkle_twill_noise_direction(whole, sum_3, whole_3);
-    vec3 noise_direction_4 = wrinkle_twill_noise_direction(sum, sum_3, whole_3);
-    vec3 mixed_2 = mix(noise_direction_3, noise_direction_4, product.x);
-    vec3 mixed_3 = mix(mixed, mixed_2, product.y);
-    int sum_4 = whole_3 + 1;
-    vec3 noise_direction_5 = wrinkle_twill_noise_direction(whole, whole_2, sum_4);
-    vec3 noise_direction_6 = wrinkle_twill_noise_direction(sum, whole_2, sum_4);
-    vec3 mixed_4 = mix(noise_direction_5, noise_direction_6, product.x);
-    vec3 noise_direction_7 = wrinkle_twill_noise_direction(whole, sum_3, sum_4);
-    vec3 noise_direction_8 = wrinkle_twill_noise_direction(sum, sum_3, sum_4);
-    vec3 mixed_5 = mix(noise_direction_7, noise_direction_8, product.x);
+vec4 wrinkle_twill_gradient_noise(vec3 p) {
+    vec3 floored = floor(p);
+    vec3 difference = p - floored;
+    vec4 corner = wrinkle_twill_gradient_corner(floored, difference, vec3(0.0));
+    vec4 corner_2 = wrinkle_twill_gradient_corner(floored, difference, vec3(1.0, 0.0, 0.0));
+    vec3 sum = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum;
+    vec4 mixed = mix(corner, corner_2, product.x);
+    vec4 corner_3 = wrinkle_twill_gradient_corner(floored, difference, vec3(0.0, 1.0, 0.0));
+    vec4 corner_4 = wrinkle_twill_gradient_corner(floored, difference, vec3(1.0, 1.0, 0.0));
+    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
+    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
+    vec4 corner_5 = wrinkle_twill_gradient_corner(floored, difference, vec3(0.0, 0.0, 1.0));
+    vec4 corner_6 = wrinkle_twill_gradient_corner(floored, difference, vec3(1.0, 0.0, 1.0));
+    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
+    vec4 corner_7 = wrinkle_twill_gradient_corner(floored, difference, vec3(0.0, 1.0, 1.0));
+    vec4 corner_8 = wrinkle_twill_gradient_corner(floored, difference, vec3(1.0));
+    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
+    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
+    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
     vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float difference_3 = difference.x - 1.0;
-    float dot_product = dot(noise_direction_2, vec3(difference_3, difference.y, difference.z));
-    float dot_product_2 = dot(noise_direction, difference);
-    float difference_4 = difference.y - 1.0;
-    float dot_product_3 = dot(noise_direction_4, vec3(difference_3, difference_4, difference.z));
-    float dot_product_4 = dot(noise_direction_3, vec3(difference.x, difference_4, difference.z));
-    float mixed_6 = mix(dot_product - dot_product_2, dot_product_3 - dot_product_4, product.y);
-    float difference_5 = difference.z - 1.0;
-    float dot_product_5 = dot(noise_direction_6, vec3(difference_3, difference.y, difference_5));
-    float dot_product_6 = dot(noise_direction_5, vec3(difference.x, difference.y, difference_5));
-    float dot_product_7 = dot(noise_direction_8, difference - 1.0);
-    float dot_product_8 = dot(noise_direction_7, vec3(difference.x, difference_4, difference_5));
-    float mixed_7 = mix(dot_product_5 - dot_product_6, dot_product_7 - dot_product_8, product.y);
-    float mixed_8 = mix(dot_product_4, dot_product_3, product.x);
-    float mixed_9 = mix(dot_product_2, dot_product, product.x);
-    float mixed_10 = mix(dot_product_8, dot_product_7, product.x);
-    float mixed_11 = mix(dot_product_6, dot_product_5, product.x);
-    float mixed_12 = mix(mixed_8 - mixed_9, mixed_10 - mixed_11, product.z);
-    float difference_6 = mix(mixed_11, mixed_10, product.y) - mix(mixed_9, mixed_8, product.y);
-    vec3 product_3 = product_2 * vec3(mix(mixed_6, mixed_7, product.z), mixed_12, difference_6);
-    return mix(mixed_3, mix(mixed_4, mixed_5, product.y), product.z) + product_3;
+    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
+    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
+    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
+    vec3 vector = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
+    vec3 sum_2 = mixed_7.xyz + product_2 * vector;
+    return vec4(sum_2, mixed_7.w);
 }
 
-vec3 wrinkle_twill_noise_octave_slope(vec3 a, float b) {
-    vec3 gradient_noise_slope = wrinkle_twill_gradient_noise_slope(a);
-    return gradient_noise_slope * (1.0 - smoothstep(0.25, 0.75, b));
+vec4 wrinkle_twill_fbm_with_slope(vec3 point, float width, int octaves, float lacunarity,
+        float gain) {
+    float frequency = 1.0;
+    float weight = 1.0;
+    float total = 0.0;
+    float sum = 0.0;
+    vec3 sum_slope = vec3(0.0);
+    for (int i = 0; i < min(octaves, 8); ++i) {
+        vec4 noise = wrinkle_twill_gradient_noise(point * frequency + vec3(19.19, 7.43,
+                31.71) * float(i));
+        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        total += weight;
+        sum += noise.w * difference * weight;
+        sum_slope += noise.xyz * frequency * difference * weight;
+        frequency *= lacunarity;
+        weight *= gain;
+    }
+    vec4 vector = vec4(sum_slope, sum);
+    return vector / total;
 }
 
 WrinkleMaterial_twill wrinkle_twill(WrinkleSurface_twill s) {
@@ -126,70 +90,6 @@ WrinkleMaterial_twill wrinkle_twill(WrinkleSurface_twill s) {
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     float along_result = s.uv0.y * 0.2;  // along: Multiply
-    float fibres_product = s.uv0.x * 220.0;  // fibres: Fractal noise
-    float fibres_product_2 = along_result * 220.0;
-    vec3 fibres_vector = vec3(fibres_product, fibres_product_2, 0.0);
-    float fibres_product_3 = duv0_dx.x * 220.0;
-    float fibres_product_4 = duv0_dx.y * 0.2 * 220.0;
-    float fibres_extent = length(vec3(fibres_product_3, fibres_product_4, 0.0));
-    float fibres_product_5 = duv0_dy.x * 220.0;
-    float fibres_product_6 = duv0_dy.y * 0.2 * 220.0;
-    float fibres_greatest = max(fibres_extent, length(vec3(fibres_product_5, fibres_product_6,
-            0.0)));
-    float fibres_noise_octave = wrinkle_twill_noise_octave(fibres_vector, fibres_greatest);
-    vec3 fibres_vector_2 = vec3(fibres_product * 2.0 + 19.19, fibres_product_2 * 2.0 + 7.43, 31.71);
-    float fibres_product_7 = fibres_greatest * 2.0;
-    float fibres_product_8 = wrinkle_twill_noise_octave(fibres_vector_2, fibres_product_7) * 0.5;
-    float fibres_value = (fibres_noise_octave + fibres_product_8) / 1.5;
-    float fibres_height = fibres_value * 8e-04;
-    float fibres_product_9 = s.uv0.y * 220.0;
-    float fibres_product_10 = s.uv0.x * 0.2 * 220.0;
-    vec3 fibres_vector_3 = vec3(fibres_product_9, fibres_product_10, 0.0);
-    float fibres_product_11 = duv0_dx.y * 220.0;
-    float fibres_product_12 = duv0_dx.x * 0.2 * 220.0;
-    float fibres_extent_2 = length(vec3(fibres_product_11, fibres_product_12, 0.0));
-    float fibres_product_13 = duv0_dy.y * 220.0;
-    float fibres_product_14 = duv0_dy.x * 0.2 * 220.0;
-    float fibres_greatest_2 = max(fibres_extent_2, length(vec3(fibres_product_13, fibres_product_14,
-            0.0)));
-    float fibres_noise_octave_2 = wrinkle_twill_noise_octave(fibres_vector_3, fibres_greatest_2);
-    vec3 fibres_vector_4 = vec3(fibres_product_9 * 2.0 + 19.19, fibres_product_10 * 2.0 + 7.43,
-            31.71);
-    float fibres_product_15 = fibres_greatest_2 * 2.0;
-    float fibres_product_16 = wrinkle_twill_noise_octave(fibres_vector_4, fibres_product_15) * 0.5;
-    float fibres_product_17 = (fibres_noise_octave_2 + fibres_product_16) / 1.5 * 8e-04;
-    vec3 fibres_noise_octave_slope = wrinkle_twill_noise_octave_slope(fibres_vector_3,
-            fibres_greatest_2);
-    float fibres_product_18 = fibres_noise_octave_slope.x * fibres_product_11;
-    float fibres_sum = fibres_product_18 + fibres_noise_octave_slope.y * fibres_product_12;
-    vec3 fibres_noise_octave_slope_2 = wrinkle_twill_noise_octave_slope(fibres_vector_4,
-            fibres_product_15);
-    float fibres_product_19 = fibres_noise_octave_slope_2.x * (fibres_product_11 * 2.0);
-    float fibres_sum_2 = fibres_product_19 + fibres_noise_octave_slope_2.y * (fibres_product_12 *
-            2.0);
-    float fibres_product_20 = (fibres_sum + fibres_sum_2 * 0.5) / 1.5 * 8e-04;
-    vec3 fibres_noise_octave_slope_3 = wrinkle_twill_noise_octave_slope(fibres_vector,
-            fibres_greatest);
-    float fibres_product_21 = fibres_noise_octave_slope_3.x * fibres_product_3;
-    float fibres_sum_3 = fibres_product_21 + fibres_noise_octave_slope_3.y * fibres_product_4;
-    vec3 fibres_noise_octave_slope_4 = wrinkle_twill_noise_octave_slope(fibres_vector_2,
-            fibres_product_7);
-    float fibres_product_22 = fibres_noise_octave_slope_4.x * (fibres_product_3 * 2.0);
-    float fibres_sum_4 = fibres_product_22 + fibres_noise_octave_slope_4.y * (fibres_product_4 *
-            2.0);
-    float fibres_product_23 = (fibres_sum_3 + fibres_sum_4 * 0.5) / 1.5 * 8e-04;
-    float fibres_product_24 = fibres_noise_octave_slope.x * fibres_product_13;
-    float fibres_sum_5 = fibres_product_24 + fibres_noise_octave_slope.y * fibres_product_14;
-    float fibres_product_25 = fibres_noise_octave_slope_2.x * (fibres_product_13 * 2.0);
-    float fibres_sum_6 = fibres_product_25 + fibres_noise_octave_slope_2.y * (fibres_product_14 *
-            2.0);
-    float fibres_product_26 = (fibres_sum_5 + fibres_sum_6 * 0.5) / 1.5 * 8e-04;
-    float fibres_product_27 = fibres_noise_octave_slope_3.x * fibres_product_5;
-    float fibres_sum_7 = fibres_product_27 + fibres_noise_octave_slope_3.y * fibres_product_6;
-    float fibres_product_28 = fibres_noise_octave_slope_4.x * (fibres_product_5 * 2.0);
-    float fibres_sum_8 = fibres_product_28 + fibres_noise_octave_slope_4.y * (fibres_product_6 *
-            2.0);
-    float fibres_product_29 = (fibres_sum_7 + fibres_sum_8 * 0.5) / 1.5 * 8e-04;
     vec2 cloth_product = s.uv0 * 32.0;  // cloth: Twill
     float cloth_floored = floor(cloth_product.x);
     float cloth_quotient = (2.0 * (cloth_product.x - cloth_floored) - 1.0) / 0.9;
@@ -197,53 +97,57 @@ WrinkleMaterial_twill wrinkle_twill(WrinkleSurface_twill s) {
     float cloth_greatest = max(cloth_difference, 0.0);
     float cloth_product_2 = (cloth_product.y - cloth_floored) * 1.5707964;
     float cloth_sum = 0.65 + 0.35 * cos(cloth_product_2);
-    float cloth_sum_2 = 0.012 * (cloth_greatest * cloth_sum) + fibres_height;
     float cloth_floored_2 = floor(cloth_product.y);
     float cloth_quotient_2 = (2.0 * (cloth_product.y - cloth_floored_2) - 1.0) / 0.9;
     float cloth_difference_2 = 1.0 - cloth_quotient_2 * cloth_quotient_2;
     float cloth_greatest_2 = max(cloth_difference_2, 0.0);
     float cloth_product_3 = (cloth_product.x - cloth_floored_2 + 1.0) * 1.5707964;
-    float cloth_sum_3 = 0.65 + 0.35 * cos(cloth_product_3);
-    float cloth_sum_4 = 0.012 * (cloth_greatest_2 * cloth_sum_3) + fibres_product_17;
-    bool cloth_test = cloth_sum_2 < cloth_sum_4;
-    bool cloth_test_2 = cloth_difference_2 < 0.0;
+    float cloth_sum_2 = 0.65 + 0.35 * cos(cloth_product_3);
     vec2 cloth_product_4 = duv0_dx * 32.0;
-    float cloth_product_5 = cloth_product_4.y * 2.0 / 0.9 * cloth_quotient_2;
-    float cloth_product_6 = (cloth_test_2 ? 0.0 : -(cloth_product_5 + cloth_product_5)) *
-            cloth_sum_3;
-    float cloth_sine = sin(cloth_product_3);
-    float cloth_product_7 = -(cloth_product_4.x * 1.5707964 * cloth_sine) * 0.35;
-    float cloth_product_8 = (cloth_product_6 + cloth_product_7 * cloth_greatest_2) * 0.012;
-    float cloth_sum_5 = cloth_product_8 + fibres_product_20;
-    bool cloth_test_3 = cloth_difference < 0.0;
-    float cloth_product_9 = cloth_product_4.x * 2.0 / 0.9 * cloth_quotient;
-    float cloth_product_10 = (cloth_test_3 ? 0.0 : -(cloth_product_9 + cloth_product_9)) *
-            cloth_sum;
-    float cloth_sine_2 = sin(cloth_product_2);
-    float cloth_product_11 = -(cloth_product_4.y * 1.5707964 * cloth_sine_2) * 0.35;
-    float cloth_product_12 = (cloth_product_10 + cloth_product_11 * cloth_greatest) * 0.012;
-    float cloth_choice = cloth_test ? cloth_sum_5 : cloth_product_12 + fibres_product_23;
-    vec2 cloth_product_13 = duv0_dy * 32.0;
-    float cloth_product_14 = cloth_product_13.y * 2.0 / 0.9 * cloth_quotient_2;
-    float cloth_product_15 = (cloth_test_2 ? 0.0 : -(cloth_product_14 + cloth_product_14)) *
-            cloth_sum_3;
-    float cloth_product_16 = -(cloth_product_13.x * 1.5707964 * cloth_sine) * 0.35;
-    float cloth_product_17 = (cloth_product_15 + cloth_product_16 * cloth_greatest_2) * 0.012;
-    float cloth_sum_6 = cloth_product_17 + fibres_product_26;
-    float cloth_product_18 = cloth_product_13.x * 2.0 / 0.9 * cloth_quotient;
-    float cloth_product_19 = (cloth_test_3 ? 0.0 : -(cloth_product_18 + cloth_product_18)) *
-            cloth_sum;
-    float cloth_product_20 = -(cloth_product_13.y * 1.5707964 * cloth_sine_2) * 0.35;
-    float cloth_product_21 = (cloth_product_19 + cloth_product_20 * cloth_greatest) * 0.012;
-    float cloth_choice_2 = cloth_test ? cloth_sum_6 : cloth_product_21 + fibres_product_29;
+    vec2 cloth_product_5 = duv0_dy * 32.0;
+    vec2 cloth_vector = vec2(cloth_product_4.x, cloth_product_5.x);
+    vec2 cloth_product_6 = -(cloth_vector * 1.5707964 * sin(cloth_product_3)) * 0.35;
+    vec2 cloth_vector_2 = vec2(duv0_dx.y, duv0_dy.y);
+    vec2 cloth_product_7 = cloth_vector * 2.0 / 0.9 * cloth_quotient;
+    vec2 cloth_negated = -(cloth_product_7 + cloth_product_7);
+    vec2 cloth_product_8 = (cloth_difference < 0.0 ? vec2(0.0) : cloth_negated) * cloth_sum;
     float cloth_ramp = smoothstep(0.25, 0.75, max(length(cloth_product_4),
-            length(cloth_product_13)));
-    // normal: Resolve
+            length(cloth_product_5)));
+    vec3 fibres_vector = vec3(vec2(s.uv0.x, along_result) * 220.0, 0.0);  // fibres: Fractal noise
+    float fibres_extent = length(vec3(duv0_dx.x, duv0_dx.y * 0.2, 0.0));
+    float fibres_greatest = max(fibres_extent, length(vec3(duv0_dy.x, duv0_dy.y * 0.2, 0.0)));
+    vec4 fibres_slope = wrinkle_twill_fbm_with_slope(fibres_vector, fibres_greatest * 220.0, 2, 2.0,
+            0.5);
+    float fibres_height = fibres_slope.w * 8e-04;
+    vec3 fibres_vector_2 = vec3(vec2(s.uv0.y, s.uv0.x * 0.2) * 220.0, 0.0);
+    float fibres_extent_2 = length(vec3(duv0_dx.y, duv0_dx.x * 0.2, 0.0));
+    float fibres_greatest_2 = max(fibres_extent_2, length(vec3(duv0_dy.y, duv0_dy.x * 0.2, 0.0)));
+    vec4 fibres_slope_2 = wrinkle_twill_fbm_with_slope(fibres_vector_2, fibres_greatest_2 * 220.0,
+            2, 2.0, 0.5);
+    vec2 fibres_vector_3 = vec2(duv0_dx.x, duv0_dy.x);
+    vec2 fibres_product = fibres_slope_2.y * (fibres_vector_3 * 0.2 * 220.0);
+    vec2 fibres_product_2 = (fibres_slope_2.x * (cloth_vector_2 * 220.0) + fibres_product) * 8e-04;
+    vec2 fibres_product_3 = fibres_slope.y * (cloth_vector_2 * 0.2 * 220.0);
+    vec2 fibres_product_4 = (fibres_slope.x * (fibres_vector_3 * 220.0) + fibres_product_3) * 8e-04;
+    // cloth: Twill (continued)
+    float cloth_sum_3 = 0.012 * (cloth_greatest * cloth_sum) + fibres_height;
+    float cloth_sum_4 = 0.012 * (cloth_greatest_2 * cloth_sum_2) + fibres_slope_2.w * 8e-04;
+    vec2 normal_vector = vec2(cloth_product_4.y, cloth_product_5.y);  // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * (1.0 - cloth_ramp);
-    vec2 normal_product_2 = vec2(cloth_choice, cloth_choice_2) * normal_product;
+    // cloth: Twill (continued)
+    vec2 cloth_product_9 = normal_vector * 2.0 / 0.9 * cloth_quotient_2;
+    vec2 cloth_negated_2 = -(cloth_product_9 + cloth_product_9);
+    vec2 cloth_product_10 = (cloth_difference_2 < 0.0 ? vec2(0.0) : cloth_negated_2) * cloth_sum_2;
+    vec2 cloth_product_11 = (cloth_product_10 + cloth_product_6 * cloth_greatest_2) * 0.012;
+    vec2 cloth_sum_5 = cloth_product_11 + fibres_product_2;
+    vec2 cloth_product_12 = -(normal_vector * 1.5707964 * sin(cloth_product_2)) * 0.35;
+    vec2 cloth_product_13 = (cloth_product_8 + cloth_product_12 * cloth_greatest) * 0.012;
+    vec2 cloth_choice = cloth_sum_3 < cloth_sum_4 ? cloth_sum_5 : cloth_product_13 +
+            fibres_product_4;
+    vec2 normal_product_2 = cloth_choice * normal_product;  // normal: Resolve (continued)
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_twill m;
     m.normal = normalize(normal * s.facing - normal_gradient);
-    m.height = mix(max(cloth_sum_2, cloth_sum_4), 0.0066, cloth_ramp);  // cloth: Twill (continued)
+    m.height = mix(max(cloth_sum_3, cloth_sum_4), 0.0066, cloth_ramp);  // cloth: Twill (continued)
     return m;
 }

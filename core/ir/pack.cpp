@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <map>
+
+#include "ir/compact.h"
+#include "ir/rewrite.h"
+
+namespace wrinkle {
+namespace {
+
+bool acts_by_components(Op op) {
+    const Rule rule = info(op).rule;
+    return rule == Rule::same || rule == Rule::broadcast || rule == Rule::floats ||
+           op == Op::select_;
+}
+
+// Returns how many of the first parts of a construct are floats of one op that acts by components.
+size_t run_length(const Module& m, std::span<const Id> parts) {
+    const Op op = m[parts[0]].op;
+    if (!acts_by_components(op)) return 1;
+    const auto other = std::ranges::find_if(
+        parts, [&](Id id) { return m[id].op != op || m.type(id) != Type::float_; });
+    return std::max<size_t>(1, static_cast<size_t>(other - parts.begin()));
+}
+
+template <class Visit>
+void for_each_run(const Module& m, std::span<const Id> parts, Visit visit) {
+    while (!parts.empty()) {
+        const size_t count = run_length(m, parts);
+        visit(parts.first(count));
+        parts = parts.subspan(count);
+    }
+}
+
+class Packer {
+public:
+    explicit Packer(const Module& source) : uses_(count_uses(source)) {}
+
+    static Id pack_one(void* context, Module& target, const Module& source, Id id,
+                       std::span<const Id> mapped) {
+        auto& packer = *static_cast<Packer*>(context);
+        const auto operands = source.operands(id);
+        for (size_t k = 0; k < operands.size(); ++k)
+            packer.target_uses_[mapped[k]] = packer.uses_[operands[k]];
+        if (source[id].op != Op::construct_ || source[id].type == Type::mat3_) return no_id;
+        packer.m_ = &target;
+        const uint32_t node = target.current_node;
+        std::vector<Id> parts;
+        const std::vector<Id> all(mapped.begin(), mapped.end());
+        for_each_run(target, all, [&](std::span<const Id> run) { packer.append_run(run, parts); });
+        target.current_node = node;
+        return parts.size() == all.size() ? no_id
+                                          : target.add(Op::construct_, parts, 0, source[id].type);
+    }
+
+private:
+    static std::vector<uint32_t> count_uses(const Module& source) {
+        std::vector<uint32_t> uses(source.size());
+        const std::vector<bool> needed = reachable(source);
+        for (Id id = 1; id < source.size(); ++id)
+            if (needed[id])
+                for (const Id operand : source.operands(id))
+                    ++uses[operand];
+        return uses;
+    }
+
+    // Appends the floats as one vector if that saves operations: each construct is one more vector
+    // to write, each packed op saves all but one.
+    void append_run(std::span<const Id> run, std::vector<Id>& parts) {
+        packed_ = constructs_ = 0;
+        const Id vector = run.size() > 1 && run[0] != run[1] ? packed(run) : no_id;
+        if (vector != no_id && packed_ * (run.size() - 1) >= constructs_)
+            parts.push_back(vector);
+        else
+            parts.insert(parts.end(), run.begin(), run.end());
+    }
+
+    // Returns a value with these components; the scalar itself if all are the same.
+    Id packed(std::span<const Id> lanes) {
+        if (std::ranges::all_of(lanes, [&](Id id) { return id == lanes[0]; })) return lanes[0];
+        const std::vector<Id> key(lanes.begin(), lanes.end());
+        if (const auto known = known_.find(key); known != known_.end()) return known->second;
+        Id vector = alike(lanes) ? packed_op(lanes) : no_id;
+        if (vector == no_id) vector = construct(lanes);
+        return known_[key] = vector;
+    }
+
+    Id construct(std::span<const Id> lanes) {
+        std::vector<Id> parts;
+        for_each_run(*m_, lanes, [&](std::span<const Id> run) {
+            if (run.size() > 1 && run.size() < lanes.size() && run[0] != run[1])
+                parts.push_back(packed(run));
+            else
+                parts.insert(parts.end(), run.begin(), run.end());
+        });
+        const Id vector =
+            m_->add(Op::construct_, parts, 0, vector_of(static_cast<int>(lanes.size())));
+        if ((*m_)[vector].op == Op::construct_ && !m_->is_constant(vector)) ++constructs_;
+        return vector;
+    }
+
+    // Returns true if all are results of one op, read by as many others each.
+    bool alike(std::span<const Id> lanes) {
+        const Op op = (*m_)[lanes[0]].op;
+        return acts_by_components(op) && std::all_of(lanes.begin(), lanes.end(), [&](Id id) {
+                   return (*m_)[id].op == op && m_->type(id) == Type::float_ &&
+                          target_uses_[id] == target_uses_[lanes[0]];
+               });
+    }
+
+    // Returns no_id for choices by different conditions.
+    Id packed_op(std::span<const Id> lanes) {
+        const Inst first = (*m_)[lanes[0]];
+        const Type type = vector_of(static_cast<int>(lanes.size()));
+        std::vector<Id> args;
+        for (size_t k = 0; k < static_cast<size_t>(info(first.op).arity); ++k) {
+            std::vector<Id> operands;
+            for (const Id lane : lanes)
+                operands.push_back((*m_)[lane].arg[k]);
+            const bool equal =
+                std::ranges::all_of(operands, [&](Id id) { return id == operands[0]; });
+            if (k == 0 && first.op == Op::select_ && !equal) return no_id;
+            args.push_back(packed(operands));
+            if (k > 0 && first.op == Op::select_ && equal)
+                args[k] = m_->add(Op::construct_, operands, 0, type);
+        }
+        ++packed_;
+        m_->current_node = m_->origin[lanes[0]];
+        return m_->add(first.op, args);
+    }
+
+    Module* m_ = nullptr;         // the target
+    std::vector<uint32_t> uses_;  // by Id of the source
+    std::map<Id, uint32_t> target_uses_;
+    std::map<std::vector<Id>, Id> known_;
+    size_t packed_ = 0, constructs_ = 0;
+};
+
+bool has_candidate(const Module& m) {
+    for (Id id = 1; id < m.size(); ++id)
+        if (m[id].op == Op::construct_ && run_length(m, m.operands(id)) > 1) return true;
+    return false;
+}
+
+}  // namespace
+
+Module pack(Module module) {
+    const bool regions = module.region_count() > 1;
+    if (!regions && !has_candidate(module)) return module;
+    Packer packer(module);
+    return rebuild(std::move(module), Packer::pack_one, &packer);
+}
+
+}  // namespace wrinkle
