@@ -59,6 +59,7 @@ std::string shortest(float value) {
 
 // Escapes non-printable characters too, so that JSON printed to a terminal cannot forge a line.
 std::string json_quoted(std::string_view text) {
+    if (std::ranges::all_of(text, is_json_plain)) return '"' + std::string(text) + '"';
     std::string quoted = "\"";
     while (!text.empty()) {
         const Character character = first_character(text);

@@ -16,6 +16,11 @@ namespace wrinkle {
 std::string shortest(double value);
 std::string shortest(float value);
 
+// Returns true for printable ASCII that a JSON string contains unescaped.
+inline bool is_json_plain(char c) {
+    return c >= ' ' && c <= '~' && c != '"' && c != '\\';
+}
+
 // Returns a quoted JSON string. Printable characters (is_printable()) are copied unchanged, others
 // are escaped; a byte that is not UTF-8 becomes U+FFFD.
 std::string json_quoted(std::string_view text);

@@ -12,48 +12,73 @@
 namespace wrinkle::json {
 namespace {
 
-// Iterator over the text for the library. All copies share one position, from which the handler
-// takes the locations of tokens. Supports comparison only with the end.
-struct SharedIterator {
+bool is_punctuation(char c) {
+    return c == ',' || c == ':' || c == '{' || c == '}' || c == '[' || c == ']';
+}
+
+// The text as the library reads it: of a string of plain characters only the quotes, and no white
+// space after strings and punctuation. The library takes 50 instructions for a character.
+struct Feed {
+    const char* at;                    // next character
+    const char* end;                   // a zero byte
+    const char* taken;                 // one past the character read last
+    const char* string = nullptr;      // opening quote of the latest string
+    const char* string_end = nullptr;  // one past its closing quote
+
+    void advance() {
+        taken = ++at;
+        if (taken < string_end) return;
+        if (taken[-1] == '"' && taken != string_end) return begin_string();
+        while (is_space(*at) && (taken == string_end || is_punctuation(taken[-1])))
+            ++at;
+    }
+    void begin_string() {
+        string = at - 1;
+        const char* quote = at;
+        while (is_json_plain(*quote))
+            ++quote;
+        if (*quote == '"') at = quote;
+        while (quote < end && *quote != '"')
+            quote += *quote == '\\' ? 2 : 1;
+        string_end = std::min(quote, end) + 1;
+    }
+};
+
+// Iterator for the library, with the operations that it uses. All copies share one position;
+// supports comparison only with the end.
+struct FeedIterator {
     using difference_type = std::ptrdiff_t;
     using value_type = char;
     using pointer = const char*;
     using reference = const char&;
     using iterator_category = std::input_iterator_tag;
 
-    const char** at;
-    const char* end;
+    Feed* feed;
 
-    const char& operator*() const { return **at; }
-    SharedIterator& operator++() {
-        ++*at;
+    const char& operator*() const { return *feed->at; }
+    FeedIterator& operator++() {
+        feed->advance();
         return *this;
     }
-    SharedIterator operator++(int) {
-        ++*this;
-        return *this;
-    }
-    bool operator==(const SharedIterator&) const { return *at == end; }
-    bool operator!=(const SharedIterator&) const { return *at != end; }
+    bool operator==(const FeedIterator&) const { return feed->at == feed->end; }
 };
-
-bool is_number_character(char c) {
-    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == 'e' || c == 'E';
-}
 
 // Receives the library's events and builds the tree.
 class Handler {
 public:
     Handler(const std::shared_ptr<Tree>& tree, Diagnostics& diagnostics, uint32_t max_depth)
-        : shared_(tree), tree_(*tree), diagnostics_(diagnostics), max_depth_(max_depth) {
+        : shared_(tree),
+          tree_(*tree),
+          diagnostics_(diagnostics),
+          max_depth_(max_depth),
+          feed_{begin(), begin() + tree_.source.size(), begin()} {
         open_.reserve(16);
         open_.emplace_back();
         cursor_ = begin_of(tree_.source);
-        at_ = tree_.source.data();
     }
 
-    bool null() { return literal(Kind::null, 4, false); }
-    bool boolean(bool value) { return literal(Kind::boolean, value ? 4 : 5, value); }
+    bool null() { return literal(Kind::null, false); }
+    bool boolean(bool value) { return literal(Kind::boolean, value); }
     bool number_integer(int64_t) { return number(); }
     bool number_unsigned(uint64_t) { return number(); }
     bool number_float(double, const std::string&) { return number(); }
@@ -72,7 +97,7 @@ public:
         return false;
     }
 
-    SharedIterator iterator() { return {&at_, tree_.source.data() + tree_.source.size()}; }
+    FeedIterator iterator() { return {&feed_}; }
 
     // Returns false and reports an error if more than white space follows the tokens: the library
     // takes a zero byte for the end of the text.
@@ -113,7 +138,9 @@ private:
         report(error.offset, Value(shared_, in.entry).pointer(), error.message, error.expected);
     }
 
-    uint32_t consumed() const { return static_cast<uint32_t>(at_ - tree_.source.data()); }
+    const char* begin() const { return tree_.source.data(); }
+    uint32_t offset_of(const char* c) const { return static_cast<uint32_t>(c - begin()); }
+    uint32_t consumed() const { return offset_of(feed_.taken); }
 
     // Returns the start of the token that the library has just accepted: only white space and
     // separators are before it.
@@ -132,32 +159,28 @@ private:
             Entry{.offset = offset, .parent = parent.entry, .kind = kind});
     }
 
-    bool literal(Kind kind, uint32_t length, bool truth) {
-        const uint32_t offset = start();
-        cursor_ = offset + length;
-        add(kind, offset).truth = truth;
+    bool literal(Kind kind, bool truth) {
+        add(kind, start()).truth = truth;
+        cursor_ = consumed();
         return true;
     }
 
     bool number() {
-        const std::string& source = tree_.source;
         const uint32_t offset = start();
         // The library has read one byte beyond the number, unless the text ends with it.
-        const uint32_t limit = consumed() == source.size() ? consumed() : consumed() - 1;
-        uint32_t end = offset;
-        while (end < limit && is_number_character(source[end]))
-            ++end;
-        cursor_ = end;
-        add(Kind::number, offset).length = end - offset;
+        const char last = feed_.taken[-1];
+        const bool is_last = feed_.taken == feed_.end && last >= '0' && last <= '9';
+        cursor_ = consumed() - (is_last ? 0 : 1);
+        add(Kind::number, offset).length = cursor_ - offset;
         return true;
     }
 
     bool add_string(const std::string& text) {
-        const uint32_t offset = start();
+        const uint32_t offset = offset_of(feed_.string);
         cursor_ = consumed();
         Entry& entry = add(Kind::string, offset);
         entry.length = cursor_ - offset - 2;
-        if (entry.length == text.size()) return true;
+        if (text.empty() || entry.length == text.size()) return true;  // empty: not read
         entry.length = static_cast<uint32_t>(text.size());
         entry.pooled = true;
         tree_.pool += text;
@@ -188,16 +211,17 @@ private:
         entry.end = static_cast<uint32_t>(tree_.entries.size());
         if (entry.kind == Kind::array) return true;
         entry.length /= 2;
-        find_duplicates(ends.entry, entry.end);
+        if (entry.length > 1) find_duplicates(ends.entry, entry.end);
         return true;
     }
 
-    // Returns false only if all keys differ: compares one bit of a hash.
+    // Returns false only if all keys differ: compares one bit of their lengths and last characters.
     bool may_have_duplicates(uint32_t object, uint32_t end) const {
         uint64_t bits = 0;
         for (uint32_t k = object + 1; k < end; k = tree_.after(k + 1)) {
-            const size_t hash = std::hash<std::string_view>()(tree_.text(tree_.entries[k]));
-            const uint64_t bit = uint64_t{1} << hash % 64;
+            const std::string_view key = tree_.text(tree_.entries[k]);
+            const uint64_t bit = uint64_t{1}
+                                 << (key.size() * 5 + (key.empty() ? 0 : key.back())) % 64;
             if (bits & bit) return true;
             bits |= bit;
         }
@@ -231,7 +255,7 @@ private:
     Tree& tree_;
     Diagnostics& diagnostics_;
     uint32_t max_depth_;
-    const char* at_;          // next character of the library's lexer
+    Feed feed_;
     uint32_t cursor_ = 0;     // end of the last token understood
     std::vector<Open> open_;  // the text itself, and its open containers
 };

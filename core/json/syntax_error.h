@@ -29,10 +29,14 @@ struct ParserState {
 
 SyntaxError explain(const ParserState& state);
 
+inline bool is_space(char c) {
+    return c == ' ' || c == '\n' || c == '\t' || c == '\r';
+}
+
 // Returns the offset of the first byte from `offset` on that is not white space.
 inline uint32_t skip_space(std::string_view source, uint32_t offset) {
-    return static_cast<uint32_t>(
-        std::min(source.find_first_not_of(" \n\t\r", offset), source.size()));
+    return static_cast<uint32_t>(std::find_if_not(source.begin() + offset, source.end(), is_space) -
+                                 source.begin());
 }
 
 }  // namespace wrinkle::json
