@@ -45,6 +45,7 @@ public:
             input(node, *type, node.inputs[i], named[i]);
         for (const Port& port : type->ports)
             required(node, index, port);
+        warn_of_projection(document_, node, *type, registry_, diagnostics_);
     }
 
     void graph_input(const GraphInput& input) {
@@ -271,10 +272,7 @@ void check(const Project& project, const Registry& registry, const Types& types,
         report_unknown(document, diagnostics);
         Checker checker(project, registry, types, f, files, diagnostics);
         for (size_t i = 0; i < document.nodes.size(); ++i)
-            if (!options.reachable_only || reached[f][i]) {
-                checker.node(i);
-                warn_of_projection(document, *document.nodes[i], registry, diagnostics);
-            }
+            if (!options.reachable_only || reached[f][i]) checker.node(i);
         for (const GraphInput& input : document.inputs)
             checker.graph_input(input);
         for (const Output& output : document.outputs)

@@ -28,7 +28,7 @@ void check(const Project& project, const Registry& registry, const Types& types,
 // those of a map on a separate surface, not the volume's bump that the triplanar nodes make of the
 // same image (docs/surface-gradient.md, Projections). Writing either value at the port removes the
 // warning. Uvs are followed through nodes of the family "uv". Part of check().
-void warn_of_projection(const Document& document, const Node& node, const Registry& registry,
-                        Diagnostics& diagnostics);
+void warn_of_projection(const Document& document, const Node& node, const NodeType& type,
+                        const Registry& registry, Diagnostics& diagnostics);
 
 }  // namespace wrinkle

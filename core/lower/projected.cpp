@@ -50,11 +50,10 @@ const Node* projection_behind(const Document& document, const Node* node,
 
 }  // namespace
 
-void warn_of_projection(const Document& document, const Node& node, const Registry& registry,
-                        Diagnostics& diagnostics) {
+void warn_of_projection(const Document& document, const Node& node, const NodeType& type,
+                        const Registry& registry, Diagnostics& diagnostics) {
     if (node.muted || node.find("scale")) return;
-    const NodeType* type = registry.find(node.type);
-    if (!type || !makes_bump(*type) || !is_unit_by_default(*type)) return;
+    if (!makes_bump(type) || !is_unit_by_default(type)) return;
     const Node* projection = projection_behind(document, &node, registry);
     if (!projection) return;
     Diagnostic warning =
