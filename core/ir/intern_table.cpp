@@ -1,6 +1,7 @@
 #include "ir/intern_table.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <utility>
 
@@ -9,26 +10,17 @@ namespace {
 
 constexpr int max_chain = 8;
 
-uint64_t bits_of(double value) {
-    return std::bit_cast<uint64_t>(value);
-}
+// The members of an instruction; it has no padding. Literals are compared by their bits.
+using Words = std::array<uint64_t, 4>;
 
-// Compares member by member: the members of `a` were just written one by one, and a load of several
-// members at once would wait for these stores.
-bool identical(const Inst& a, const Inst& b) {
-    return a.arg[0] == b.arg[0] && a.op == b.op && a.arg[1] == b.arg[1] && a.extra == b.extra &&
-           bits_of(a.value) == bits_of(b.value) && a.type == b.type && a.arg[2] == b.arg[2] &&
-           a.arg[3] == b.arg[3] && a.level == b.level;
+Words words_of(const Inst& inst) {
+    return std::bit_cast<Words>(inst);
 }
 
 // A sum of products, mixed towards the low bits: short literals differ in high bits only.
-uint64_t hash_of(const Inst& inst) {
-    uint64_t h = static_cast<uint64_t>(inst.op) * 0x9E3779B97F4A7C15U +
-                 static_cast<uint64_t>(inst.type) * 0x8CB92BA72F3D8DD7U +
-                 inst.level * 0xABC98388FB8FAC03U + inst.extra * 0xD2B74407B1CE6E93U +
-                 inst.arg[0] * 0xC2B2AE3D27D4EB4FU + inst.arg[1] * 0xA0761D6478BD642FU +
-                 inst.arg[2] * 0x165667B19E3779F9U + inst.arg[3] * 0xE7037ED1A0B428DBU +
-                 std::rotl(bits_of(inst.value), 32) * 0xD6E8FEB86659FD93U;
+uint64_t hash_of(const Words& words) {
+    uint64_t h = words[0] * 0x9E3779B97F4A7C15U + words[1] * 0xC2B2AE3D27D4EB4FU +
+                 words[2] * 0xD2B74407B1CE6E93U + std::rotl(words[3], 32) * 0xD6E8FEB86659FD93U;
     h = (h ^ h >> 32) * 0xFF51AFD7ED558CCDU;
     return h ^ h >> 29;
 }
@@ -50,9 +42,10 @@ void InternTable::reserve(size_t expected) {
 Id& InternTable::find(const Inst& wanted, const std::vector<Inst>& inst) {
     const Id operand = newest_operand(wanted);
     if (operand == no_id) return find_in_table(wanted, inst);
-    if (inst.size() > users_.size()) users_.resize(inst.capacity());
+    if (inst.size() > users_.size()) grow_users(inst.capacity());
+    const Words words = words_of(wanted);
     Id* slot = &users_[operand].first;
-    for (int steps = 0; *slot != no_id && !identical(inst[*slot], wanted); ++steps) {
+    for (int steps = 0; *slot != no_id && words_of(inst[*slot]) != words; ++steps) {
         if (steps == max_chain) return find_in_table(wanted, inst);
         slot = &users_[*slot].next;
     }
@@ -67,11 +60,16 @@ Id& InternTable::find_in_table(const Inst& wanted, const std::vector<Inst>& inst
 }
 
 Id& InternTable::slot_of(const Inst& wanted, const std::vector<Inst>& inst) {
+    const Words words = words_of(wanted);
     const size_t mask = slots_.size() - 1;
-    size_t slot = hash_of(wanted) & mask;
-    while (slots_[slot] != no_id && !identical(inst[slots_[slot]], wanted))
+    size_t slot = hash_of(words) & mask;
+    while (slots_[slot] != no_id && words_of(inst[slots_[slot]]) != words)
         slot = (slot + 1) & mask;
     return slots_[slot];
+}
+
+void InternTable::grow_users(size_t size) {
+    users_.resize(size);
 }
 
 void InternTable::grow(const std::vector<Inst>& inst) {
