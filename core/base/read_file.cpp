@@ -33,12 +33,14 @@ std::string too_large(uint64_t max_bytes) {
 // Counts bytes while reading too: a file may grow, and a stream has no size.
 std::optional<std::string> read_all(std::FILE* file, uint64_t max_bytes, std::string& why) {
     struct stat found {};
-    if (fstat(fileno(file), &found) == 0 && S_ISREG(found.st_mode) &&
-        static_cast<uint64_t>(found.st_size) > max_bytes) {
+    const bool regular = fstat(fileno(file), &found) == 0 && S_ISREG(found.st_mode);
+    const uint64_t size = regular ? static_cast<uint64_t>(found.st_size) : 0;
+    if (size > max_bytes) {
         why = too_large(max_bytes);
         return {};
     }
     std::string bytes;
+    bytes.reserve(size);
     char buffer[1 << 16];
     size_t count = 0;
     while ((count = std::fread(buffer, 1, sizeof buffer, file)) > 0) {

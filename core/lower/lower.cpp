@@ -11,7 +11,7 @@
 namespace wrinkle {
 namespace {
 
-constexpr size_t instructions_of_a_node = 8;  // estimate, to reserve memory
+constexpr size_t instructions_of_a_node = 10;  // estimate, to reserve memory
 
 // Returns the value as an output of the program has it: numbers.
 Id as_number(Module& module, PortType type, Id value) {
