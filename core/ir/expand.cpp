@@ -1,5 +1,7 @@
 #include "ir/expand.h"
 
+#include <map>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -38,6 +40,7 @@ struct Expander {
     // type. The first two entries are empty: 0 is no_id, 1 any value that cannot be expanded.
     static constexpr Id unexpanded = 1;
     std::vector<Frame> frames{2};
+    std::map<std::tuple<Id, Id, uint32_t, std::optional<SurfaceInput>>, Id> known_frames;
     std::vector<Derivative> derivatives{2};
     std::vector<GradientSum> gradients{2};
     // By source Id: the resolved normal; empty for the surface.
@@ -214,7 +217,10 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
             const Id direction = mapped.size() > 1 ? mapped[1] : no_id;
             const uint32_t uv = facts.dependencies(inst.arg[0]);
             const FrameChoice choice = choose_frame(*target, inst.extra, uv, options);
-            return append(frames, make_frame(*target, *screen, mapped[0], direction, choice));
+            Id& frame = known_frames[{mapped[0], direction, choice.method, choice.source}];
+            if (frame == no_id)
+                frame = append(frames, make_frame(*target, *screen, mapped[0], direction, choice));
+            return frame;
         }
         case Op::derivative_:
             return append(derivatives, {value(mapped[0]), frames.at(mapped[1]), {}, {}});
