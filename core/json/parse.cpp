@@ -160,7 +160,7 @@ private:
     }
 
     bool literal(Kind kind, bool truth) {
-        add(kind, start()).truth = truth;
+        add(kind, start()).length = truth;
         cursor_ = consumed();
         return true;
     }

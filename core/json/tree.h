@@ -17,14 +17,13 @@ namespace wrinkle::json {
 
 struct Entry {
     uint32_t offset = 0;  // offset of its first byte in the source
-    uint32_t length = 0;  // string or number: length of the text; container: number of children
+    uint32_t length = 0;  // string, number: of the text; container: children; boolean: 1 for true
     uint32_t end = 0;     // container: index after its last entry; pooled text: its end in the pool
     uint32_t parent = 0;  // parent entry; the root's is the root
     Kind kind = Kind::null;
-    bool truth : 1 = false;
-    bool pooled : 1 = false;     // the decoded text is in the pool: the source has escapes
-    bool cut_off : 1 = false;    // a container without its end
-    bool duplicate : 1 = false;  // set on key and value; not counted as a child
+    bool pooled = false;     // the decoded text is in the pool: the source has escapes
+    bool cut_off = false;    // a container without its end
+    bool duplicate = false;  // set on key and value; not counted as a child
 };
 static_assert(sizeof(Entry) == 20);
 
@@ -39,7 +38,7 @@ struct Tree {
     bool is_parsed = false;  // false: a built value, without locations
     std::vector<Entry> entries;
 
-    // Returns the spelling of a number, or a decoded string. Precondition: not a container.
+    // Returns the spelling of a number, or a decoded string. Precondition: it is one of these.
     std::string_view text(const Entry& entry) const {
         if (entry.pooled) return {pool.data() + entry.end - entry.length, entry.length};
         return {source.data() + entry.offset + (entry.kind == Kind::string), entry.length};

@@ -67,7 +67,7 @@ Kind Value::kind() const {
 
 bool Value::as_boolean() const {
     assert(is(Kind::boolean));
-    return entry_of(*this).truth;
+    return entry_of(*this).length > 0;
 }
 
 double Value::as_number() const {
@@ -182,10 +182,10 @@ bool operator==(const Value& a, const Value& b) {
     for (uint32_t i = 0; i < count; ++i) {
         const Entry& one = a.tree_->entries[a.index_ + i];
         const Entry& two = b.tree_->entries[b.index_ + i];
-        if (one.kind != two.kind || one.truth != two.truth) return false;
-        if (is_container(one.kind) && one.length != two.length) return false;
-        const std::string_view text = is_container(one.kind) ? "" : a.tree_->text(one);
-        const std::string_view other = is_container(two.kind) ? "" : b.tree_->text(two);
+        const bool has_text = one.kind == Kind::number || one.kind == Kind::string;
+        if (one.kind != two.kind || (!has_text && one.length != two.length)) return false;
+        if (!has_text) continue;
+        const std::string_view text = a.tree_->text(one), other = b.tree_->text(two);
         if (text == other) continue;
         if (one.kind != Kind::number || number_of(text) != number_of(other)) return false;
     }
