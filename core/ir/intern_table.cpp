@@ -42,7 +42,7 @@ void InternTable::reserve(size_t expected) {
 Id& InternTable::find(const Inst& wanted, const std::vector<Inst>& inst) {
     const Id operand = newest_operand(wanted);
     if (operand == no_id) return find_in_table(wanted, inst);
-    if (inst.size() > users_.size()) grow_users(inst.capacity());
+    if (inst.size() > users_.size()) users_.resize(inst.capacity());
     const Words words = words_of(wanted);
     Id* slot = &users_[operand].first;
     for (int steps = 0; *slot != no_id && words_of(inst[*slot]) != words; ++steps) {
@@ -66,10 +66,6 @@ Id& InternTable::slot_of(const Inst& wanted, const std::vector<Inst>& inst) {
     while (slots_[slot] != no_id && words_of(inst[slots_[slot]]) != words)
         slot = (slot + 1) & mask;
     return slots_[slot];
-}
-
-void InternTable::grow_users(size_t size) {
-    users_.resize(size);
 }
 
 void InternTable::grow(const std::vector<Inst>& inst) {

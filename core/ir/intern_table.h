@@ -29,8 +29,7 @@ private:
     };
     Id& find_in_table(const Inst& wanted, const std::vector<Inst>& inst);
     Id& slot_of(const Inst& wanted, const std::vector<Inst>& inst);
-    [[gnu::cold]] void grow_users(size_t size);
-    [[gnu::cold]] void grow(const std::vector<Inst>& inst);
+    void grow(const std::vector<Inst>& inst);
 
     std::vector<Users> users_;                // by Id
     std::vector<Id> slots_ = {no_id, no_id};  // no_id: free
