@@ -9,29 +9,23 @@ namespace {
 
 constexpr int longest_chain = 64;  // maximum number of uv nodes followed
 
-const Port* input_of(const NodeType& type, std::string_view name) {
-    const uint32_t index = type.find_input(name);
-    return index == NodeType::none ? nullptr : &type.ports[index];
-}
-
 bool is_unit_by_default(const NodeType& type) {
-    const Port* scale = input_of(type, "scale");
-    if (!scale || scale->choices.empty()) return false;
-    const auto chosen = static_cast<size_t>(scale->default_value[0]);
-    return scale->choices.at(chosen) == "unit" &&
-           std::find(scale->choices.begin(), scale->choices.end(), "surface") !=
-               scale->choices.end();
+    const uint32_t index = type.find_input("scale");
+    if (index == NodeType::none) return false;
+    const Port& scale = type.ports[index];
+    return std::ranges::count(scale.choices, "surface") > 0 &&
+           scale.choices.at(static_cast<size_t>(scale.default_value[0])) == "unit";
 }
 
 bool makes_bump(const NodeType& type) {
-    return std::any_of(type.ports.begin(), type.ports.end(), [](const Port& port) {
+    return std::ranges::any_of(type.ports, [](const Port& port) {
         return port.kind == Port::Kind::output && port.type == PortType::gradient_;
     });
 }
 
 bool is_projection(const NodeType& type) {
     constexpr std::array<std::string_view, 3> flat = {"planar_uv", "plane_uv", "box_uv"};
-    return std::find(flat.begin(), flat.end(), type.id) != flat.end();
+    return std::ranges::count(flat, type.id) > 0;
 }
 
 // Returns the node that makes this one's uv from the position; null if there is none.
