@@ -21,7 +21,7 @@ bool is_punctuation(char c) {
 struct Feed {
     const char* at;                    // next character
     const char* end;                   // a zero byte
-    const char* taken;                 // one past the character read last
+    const char* taken = at;            // one past the character read last
     const char* string = nullptr;      // opening quote of the latest string
     const char* string_end = nullptr;  // one past its closing quote
 
@@ -46,36 +46,25 @@ struct Feed {
 
 // Iterator for the library, with the operations that it uses. All copies share one position;
 // supports comparison only with the end.
-struct FeedIterator {
-    using difference_type = std::ptrdiff_t;
-    using value_type = char;
-    using pointer = const char*;
-    using reference = const char&;
+struct FeedIterator : std::iterator_traits<const char*> {
     using iterator_category = std::input_iterator_tag;
 
-    Feed* feed;
-
+    explicit FeedIterator(Feed& text) : feed(&text) {}
     const char& operator*() const { return *feed->at; }
     FeedIterator& operator++() {
         feed->advance();
         return *this;
     }
     bool operator==(const FeedIterator&) const { return feed->at == feed->end; }
+
+    Feed* feed;
 };
 
 // Receives the library's events and builds the tree.
 class Handler {
 public:
     Handler(const std::shared_ptr<Tree>& tree, Diagnostics& diagnostics, uint32_t max_depth)
-        : shared_(tree),
-          tree_(*tree),
-          diagnostics_(diagnostics),
-          max_depth_(max_depth),
-          feed_{begin(), begin() + tree_.source.size(), begin()} {
-        open_.reserve(16);
-        open_.emplace_back();
-        cursor_ = begin_of(tree_.source);
-    }
+        : shared_(tree), tree_(*tree), diagnostics_(diagnostics), max_depth_(max_depth) {}
 
     bool null() { return literal(Kind::null, false); }
     bool boolean(bool value) { return literal(Kind::boolean, value); }
@@ -97,7 +86,7 @@ public:
         return false;
     }
 
-    FeedIterator iterator() { return {&feed_}; }
+    FeedIterator iterator() { return FeedIterator(feed_); }
 
     // Returns false and reports an error if more than white space follows the tokens: the library
     // takes a zero byte for the end of the text.
@@ -255,9 +244,9 @@ private:
     Tree& tree_;
     Diagnostics& diagnostics_;
     uint32_t max_depth_;
-    Feed feed_;
-    uint32_t cursor_ = 0;     // end of the last token understood
-    std::vector<Open> open_;  // the text itself, and its open containers
+    Feed feed_{begin(), begin() + tree_.source.size()};
+    uint32_t cursor_ = begin_of(tree_.source);  // end of the last token understood
+    std::vector<Open> open_{Open()};            // the text itself, and its open containers
 };
 
 // Approximate for graphs; for other texts the tree grows as required.
