@@ -42,10 +42,6 @@ Value Value::array(std::span<const Value> items) {
     return built("[" + joined(items, ", ", one_line) + "]");
 }
 
-Value Value::array(std::initializer_list<Value> items) {
-    return array(std::span<const Value>(items.begin(), items.size()));
-}
-
 Value Value::object(std::span<const std::pair<std::string, Value>> members) {
     const auto text = [](const auto& member) {
         return json_quoted(member.first) + ": " + one_line(member.second);

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <iterator>
 #include <memory>
 #include <span>
@@ -44,7 +43,6 @@ public:
     static Value single(float value);   // shortest spelling of that float
     static Value string(std::string_view text);
     static Value array(std::span<const Value> items);
-    static Value array(std::initializer_list<Value> items);
     static Value object(std::span<const std::pair<std::string, Value>> members);
 
     Kind kind() const;

@@ -62,7 +62,7 @@ TEST_F(Edit, AValueIsOneLine) {
 
 TEST_F(Edit, UntouchedNumbersKeepTheirSpelling) {
     EXPECT_EQ(after(set_value(sample, "tile", "scale",
-                              Value::array({Value::number(8), Value::number(2.5)}))),
+                              Value::array(std::vector{Value::number(8), Value::number(2.5)}))),
               "-    \"tile\": { \"type\": \"uv_transform\", \"in\": { \"uv\": { \"from\": "
               "\"surface.uv1\" }, \"scale\": [8.0, 8] } },\n"
               "+    \"tile\": { \"type\": \"uv_transform\", \"in\": { \"uv\": { \"from\": "
@@ -85,8 +85,8 @@ TEST_F(Edit, OtherNodesAreShared) {
 }
 
 TEST_F(Edit, NothingChangedIsTheSameDocument) {
-    expect_unchanged(
-        set_value(sample, "tile", "scale", Value::array({Value::number(8), Value::number(8)})));
+    expect_unchanged(set_value(sample, "tile", "scale",
+                               Value::array(std::vector{Value::number(8), Value::number(8)})));
     expect_unchanged(set_value(sample, "nobody", "scale", Value::number(1)));
     expect_unchanged(set_value(sample, "weave", "uv", sample.find("tile")->find("uv")->value));
     expect_unchanged(connect(sample, {"tile", "uv"}, "weave", "uv"));

@@ -279,8 +279,8 @@ TEST(Parse, TheDeepestTextsAreWrittenAndBuilt) {
     const std::string deep = std::string(64, '[') + std::string(64, ']');
     const Value v = read(deep);
     EXPECT_EQ(one_line(v), deep);
-    EXPECT_EQ(one_line(Value::array({v})), "[" + deep + "]");
-    EXPECT_TRUE(v == Value::array({v.at(0)}));
+    EXPECT_EQ(one_line(Value::array(std::vector{v})), "[" + deep + "]");
+    EXPECT_TRUE(v == Value::array(std::vector{v.at(0)}));
 }
 
 TEST(Parse, WhatStoodBeforeAnErrorIsKept) {

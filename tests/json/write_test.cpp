@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "json/parse.h"
 
 namespace wrinkle::json {
@@ -42,8 +44,9 @@ TEST(Write, WidthIsWhatIsWritten) {
 }
 
 TEST(Build, ValuesMadeByHand) {
-    const Value list = Value::array({Value::number(0.1), Value::single(0.1f), Value::boolean(true),
-                                     Value(), Value::string("a\"\n")});
+    const Value list =
+        Value::array(std::vector{Value::number(0.1), Value::single(0.1f), Value::boolean(true),
+                                 Value(), Value::string("a\"\n")});
     EXPECT_EQ(one_line(list), "[0.1, 0.1, true, null, \"a\\\"\\n\"]");
     const std::pair<std::string, Value> members[] = {{"x", list}, {"y", Value::number(1e300)}};
     const Value v = Value::object(members);
@@ -55,7 +58,7 @@ TEST(Build, ValuesMadeByHand) {
 
 TEST(Build, PartsOfAReadValueKeepTheirSpelling) {
     const Value old = value_of("[8.0, 8]");
-    EXPECT_EQ(one_line(Value::array({Value::number(3), old.at(0)})), "[3, 8.0]");
+    EXPECT_EQ(one_line(Value::array(std::vector{Value::number(3), old.at(0)})), "[3, 8.0]");
 }
 
 TEST(Equality, IsOfValuesNotOfSpelling) {
