@@ -55,6 +55,7 @@ bool is_printable(const Character& character) {
 }
 
 std::string printable(std::string_view text) {
+    if (std::ranges::all_of(text, is_printable_ascii)) return std::string(text);
     std::string line;
     while (!text.empty()) {
         const Character character = first_character(text);

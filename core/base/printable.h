@@ -19,6 +19,10 @@ struct Character {
 // Returns the first character. Precondition: `text` is not empty.
 Character first_character(std::string_view text);
 
+inline bool is_printable_ascii(char c) {
+    return c >= ' ' && c <= '~';
+}
+
 // Returns false for control characters (C0, DEL, C1), line and paragraph separators, bidirectional
 // controls, and bytes that are not UTF-8.
 bool is_printable(const Character& character);

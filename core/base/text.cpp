@@ -7,8 +7,6 @@
 #include <cstdio>
 #include <iterator>
 
-#include "base/printable.h"
-
 namespace wrinkle {
 namespace {
 
@@ -135,6 +133,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 }
 
 bool is_utf8(std::string_view text) {
+    if (std::ranges::all_of(text, is_printable_ascii)) return true;
     while (!text.empty()) {
         const Character character = first_character(text);
         if (!character.valid) return false;

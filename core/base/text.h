@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/printable.h"
+
 namespace wrinkle {
 
 // Returns the shortest spelling that parses back to the same value ("0.1", "1e-07", "-0").
@@ -18,7 +20,7 @@ std::string shortest(float value);
 
 // Returns true for printable ASCII that a JSON string contains unescaped.
 inline bool is_json_plain(char c) {
-    return c >= ' ' && c <= '~' && c != '"' && c != '\\';
+    return is_printable_ascii(c) && c != '"' && c != '\\';
 }
 
 // Returns a quoted JSON string. Printable characters (is_printable()) are copied unchanged, others
