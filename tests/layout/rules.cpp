@@ -14,7 +14,7 @@ using Names = std::set<std::string, std::less<>>;
 // programs that embed Wrinkle.
 const std::map<std::string, Names, std::less<>> allowed = {
     {"core/allocator", {"mimalloc"}},
-    {"core/base", {"libmd", "xxhash"}},
+    {"core/base", {"nettle", "xxhash"}},
     {"core/json", {"base", "nlohmann"}},
     {"core/sdk", {"sdk"}},
     {"core/ir", {"base", "contract"}},
@@ -124,7 +124,6 @@ std::string library_of_file(std::string_view path) {
     if (path.starts_with("imgui")) return "imgui";
     if (path == "kissfft.hh") return "kissfft";
     if (path == "libdeflate.h") return "libdeflate";
-    if (path == "sha2.h") return "libmd";
     if (path == "xxhash.h") return "xxhash";
     if (path == "mimalloc.h") return "mimalloc";
     if (path.starts_with("tiny_gltf") || path.starts_with("tiny_obj")) return "mesh files";
