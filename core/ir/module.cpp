@@ -245,11 +245,7 @@ bool Module::set_base(Op op, std::span<const Id> args, uint32_t& extra) {
 }
 
 Id Module::literal(Type scalar, double value) {
-    Inst inst;
-    inst.op = Op::literal_;
-    inst.type = scalar;
-    inst.value = representable(scalar, value);
-    return intern(inst);
+    return intern({Op::literal_, scalar, 0, {}, 0, representable(scalar, value)});
 }
 
 // Interned directly: a construct of literals has nothing to simplify.
@@ -275,11 +271,7 @@ Id Module::unit(Type type, size_t lane) {
 }
 
 Id Module::input(SurfaceInput which, Variant variant) {
-    Inst inst;
-    inst.op = Op::input_;
-    inst.type = info(which).type;
-    inst.extra = input_extra(which, variant);
-    return intern(inst);
+    return intern({Op::input_, info(which).type, 0, {}, input_extra(which, variant), 0});
 }
 
 // Interned by index, not by the table: a node writes several, and never twice the same.
@@ -291,12 +283,7 @@ Id Module::parameter(uint32_t index) {
 }
 
 Id Module::region_parameter(int level, uint32_t index, Type type) {
-    Inst inst;
-    inst.op = Op::region_param_;
-    inst.type = type;
-    inst.level = static_cast<uint8_t>(level);
-    inst.extra = index;
-    return intern(inst);
+    return intern({Op::region_param_, type, static_cast<uint8_t>(level), {}, index, 0});
 }
 
 Id Module::construct(Type type, std::initializer_list<Id> parts) {
