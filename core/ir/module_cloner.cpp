@@ -47,25 +47,20 @@ std::vector<Id> ModuleCloner::reachable_ids(std::span<const Id> roots) const {
     return list;
 }
 
-// Writes an instruction. If the module becomes too large, OverLimit names the node of the source
-// instruction, not that of its operands.
-Id ModuleCloner::write_for(Id id) {
-    try {
-        return write(id);
-    } catch (OverLimit& over) {
-        over.node = source_->origin[id];
-        const auto& nodes = into_functions_ ? target_->nodes : source_->nodes;
-        over.path = nodes[over.node].path;
-        throw;
-    }
-}
-
+// If the module becomes too large, OverLimit names the node of the source instruction, not that of
+// its operands.
 void ModuleCloner::run(std::span<const Id> roots) {
     ids_.set(no_id, no_id);
     const uint32_t node = target_->current_node;
     const auto rewrite = [&](Id id) {
-        target_->current_node = source_->origin[id];
-        ids_.set(id, write_for(id));
+        const uint32_t origin = target_->current_node = source_->origin[id];
+        try {
+            ids_.set(id, write(id));
+        } catch (OverLimit& over) {
+            over.node = origin;
+            over.path = (into_functions_ ? target_ : source_)->nodes[origin].path;
+            throw;
+        }
     };
     if (into_functions_) {
         const std::vector<bool> reached = reachable(*source_, roots);

@@ -58,7 +58,6 @@ private:
     int shifted(int level) const { return level >= first_level_ ? level + shift_ : level; }
     bool is_kept(Id id) const { return ids_.at(id) == id; }
     Id replaced(Id id, std::span<const Id> args);
-    Id write_for(Id id);
     Id write(Id id);
     Id write_apply(const Inst& inst, std::span<const Id> args);
     Id write_leaf(Inst inst);
