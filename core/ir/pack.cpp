@@ -39,6 +39,7 @@ public:
                        std::span<const Id> mapped) {
         auto& packer = *static_cast<Packer*>(context);
         const auto operands = source.operands(id);
+        packer.target_uses_.resize(target.size());
         for (size_t k = 0; k < operands.size(); ++k)
             packer.target_uses_[mapped[k]] = packer.uses_[operands[k]];
         if (source[id].op != Op::construct_ || source[id].type == Type::mat3_) return no_id;
@@ -98,12 +99,14 @@ private:
         return vector;
     }
 
+    uint32_t uses(Id id) const { return id < target_uses_.size() ? target_uses_[id] : 0; }
+
     // Returns true if all are results of one op, read by as many others each.
     bool alike(std::span<const Id> lanes) {
         const Op op = (*m_)[lanes[0]].op;
         return acts_by_components(op) && std::all_of(lanes.begin(), lanes.end(), [&](Id id) {
                    return (*m_)[id].op == op && m_->type(id) == Type::float_ &&
-                          target_uses_[id] == target_uses_[lanes[0]];
+                          uses(id) == uses(lanes[0]);
                });
     }
 
@@ -128,9 +131,9 @@ private:
         return m_->add(first.op, args);
     }
 
-    Module* m_ = nullptr;         // the target
-    std::vector<uint32_t> uses_;  // by Id of the source
-    std::map<Id, uint32_t> target_uses_;
+    Module* m_ = nullptr;                // the target
+    std::vector<uint32_t> uses_;         // by Id of the source
+    std::vector<uint32_t> target_uses_;  // by Id of the target
     std::map<std::vector<Id>, Id> known_;
     size_t packed_ = 0, constructs_ = 0;
 };
