@@ -82,11 +82,6 @@ private:
     EGLSurface read_ = eglGetCurrentSurface(EGL_READ);
 };
 
-std::string text_of(GLenum name) {
-    const GLubyte* text = glGetString(name);
-    return text ? reinterpret_cast<const char*>(text) : "";
-}
-
 }  // namespace
 
 std::optional<Context> Context::on_display(void* display, void* share, std::string& why) {
@@ -171,10 +166,8 @@ void Context::release_current() {
 }
 
 std::string Context::renderer_name() {
-    return text_of(GL_RENDERER);
-}
-std::string Context::version_name() {
-    return text_of(GL_VERSION);
+    const GLubyte* name = glGetString(GL_RENDERER);
+    return name ? reinterpret_cast<const char*>(name) : "";
 }
 void Context::prefer_quick_programs() {
     setenv("GALLIVM_PERF", "nopt", 0);

@@ -1,16 +1,10 @@
-// An OpenGL 3.3 core context without a window, made through EGL.
+// An OpenGL 3.3 core context without a window, made through EGL. A context is current on at most
+// one thread, a new one on none; every other function of this folder requires a current context on
+// its thread.
 //
-// offscreen() requires no display: it tries Mesa's surfaceless platform, then every EGL device, and
-// works with any driver that supports one of them (including llvmpipe). sharing_current() makes a
-// second context that shares textures, buffers and programs with the one that is current on the
-// calling thread, for drawing on another thread; the current context must come from EGL.
-//
-// A new context is not current. A context is current on at most one thread; every other function of
-// this folder requires a current context on its thread. A Program, Texture or Sampler may be used
-// and destroyed under any context of its share group; a Target or Renderer only under the context
-// it was made in, because GL does not share framebuffers and vertex arrays (Target::texture() is
-// shared). The driver stays loaded until the process ends. On failure, one error of one sentence is
-// reported.
+// A Program, Texture or Sampler may be used and destroyed under any context of its share group; a
+// Target or Renderer only under the context it was made in, because GL does not share framebuffers
+// and vertex arrays (Target::texture() is shared). The driver stays loaded until the process ends.
 #pragma once
 
 #include <optional>
@@ -22,7 +16,11 @@ namespace wrinkle::gpu {
 
 class Context {
 public:
+    // Requires no display: tries Mesa's surfaceless platform, then every EGL device. Works with any
+    // driver that supports one of them (including llvmpipe). Reports one error on failure.
     static std::optional<Context> offscreen(Diagnostics& diagnostics);
+    // Makes a context for drawing on another thread. It shares textures, buffers and programs with
+    // the one that is current on this thread, which must come from EGL.
     static std::optional<Context> sharing_current(Diagnostics& diagnostics);
 
     Context(Context&& other) noexcept;
@@ -32,10 +30,8 @@ public:
     bool make_current();
     void release_current();  // no context is current on this thread afterwards
 
-    // Strings of the current context, such as "llvmpipe (LLVM 15.0.6, 256 bits)" and
-    // "4.5 (Core Profile) Mesa 22.3.6".
+    // Name of the current context's device: "llvmpipe (LLVM 15.0.6, 256 bits)".
     static std::string renderer_name();
-    static std::string version_name();
 
     // Returns true if the current context was lost, for example after a GPU hang or reset. The
     // context and its objects are then unusable and must be destroyed. Always false for drivers

@@ -1,16 +1,7 @@
 // Image-based lighting: prefilters an environment map into a cube map indexed by roughness.
 //
 // The image is equirectangular: v 0 is straight down (-y), v 1 straight up, u 0.5 is direction -z
-// and u grows towards +x, so that it is not mirrored when seen from inside. The first three
-// channels are linear radiance; negative and non-finite values become 0, values above 65504 become
-// 65504.
-//
-// The cube map has six mip levels. Level k of 0 to 4 is the radiance gathered by a GGX lobe of
-// roughness k / 4 under the assumption N = V = R (Karis, "Real Shading in Unreal Engine 4", 2013);
-// level 5 is the cosine-weighted mean, the irradiance over pi. Each texel of levels 1 to 5 takes 64
-// (level 1) or 256 samples, each from the mip level of the image with texels as large as the
-// sample's solid angle (Krivanek and Colbert 2008). Because of N = V = R, reflections do not
-// stretch at grazing angles.
+// and u grows towards +x, so that it is not mirrored when seen from inside.
 #pragma once
 
 #include <array>
@@ -32,9 +23,16 @@ struct EnvironmentCube {
     std::array<std::array<std::vector<glm::vec3>, 6>, environment_levels> faces;
 };
 
-// Returns the image's first three channels, sanitised as above, with mip levels.
+// Returns the image's first three channels, linear radiance, with mip levels. Negative and
+// non-finite values become 0, values above 65504 become 65504.
 MipChain radiance_of(const Image& image);
 
+// The cube map has six mip levels. Level k of 0 to 4 is the radiance gathered by a GGX lobe of
+// roughness k / 4 under the assumption N = V = R (Karis, "Real Shading in Unreal Engine 4", 2013);
+// level 5 is the cosine-weighted mean, the irradiance over pi. Each texel of levels 1 to 5 takes 64
+// (level 1) or 256 samples, each from the mip level of the image with texels as large as the
+// sample's solid angle (Krivanek and Colbert 2008). Because of N = V = R, reflections do not
+// stretch at grazing angles.
 EnvironmentCube prefilter(const Image& image);
 
 glm::dvec3 cube_direction(int face, glm::dvec2 st);  // unit; s and t in [0, 1] as in GL

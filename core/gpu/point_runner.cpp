@@ -158,7 +158,6 @@ std::optional<PointResults> run_points(const PointJob& job, Diagnostics& diagnos
     TargetOptions options{static_cast<int>(row_length), static_cast<int>(rows_of(job)),
                           PixelFormat::rgba32f};
     options.colors = job.outputs;
-    options.depth = false;
     const std::optional<Target> target = Target::make(options, diagnostics);
     if (!target) return std::nullopt;
     const std::optional<Program> program = compile(job, diagnostics);

@@ -5,9 +5,6 @@
 // textures by texelFetch and are local variables of `body` with the attributes' names. The body
 // assigns the vec4s out0, out1, …. Nothing is interpolated, so texture() and dFdx are meaningless
 // here: use textureLod, textureGrad and given differentials.
-//
-//   globals    source before main(): structs, uniforms, samplers, functions; no #version line
-//   body       "WrinkleSurface_x s; s.normal = normal; out0 = vec4(wrinkle_x_normal(s), 1);"
 #pragma once
 
 #include <array>
@@ -37,7 +34,9 @@ struct PointImage {
 };
 
 struct PointJob {
+    // Source before main(): structs, uniforms, samplers, functions; no #version line.
     std::string globals;
+    // "WrinkleSurface_x s; s.normal = normal; out0 = vec4(wrinkle_x_normal(s), 1);"
     std::string body;
     int outputs = 1;  // 1 to 8
     size_t points = 0;

@@ -85,19 +85,8 @@ void Program::set(const char* name, const glm::mat4& value) const {
 }
 
 void Program::set(const char* name, std::span<const float> value) const {
-    const GLint location = glGetUniformLocation(id(), name);
-    switch (value.size()) {
-        case 1:
-            return glUniform1fv(location, 1, value.data());
-        case 2:
-            return glUniform2fv(location, 1, value.data());
-        case 3:
-            return glUniform3fv(location, 1, value.data());
-        case 4:
-            return glUniform4fv(location, 1, value.data());
-        default:
-            return;
-    }
+    const std::array setters{glUniform1fv, glUniform2fv, glUniform3fv, glUniform4fv};
+    setters[value.size() - 1](glGetUniformLocation(id(), name), 1, value.data());
 }
 
 void Program::set(const UniformInfo& uniform) const {

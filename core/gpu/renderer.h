@@ -3,33 +3,6 @@
 // Set a mesh and a material, then draw into targets any number of times. Changing a uniform, the
 // scene or the camera compiles nothing; each view of a material is compiled when first drawn. Equal
 // input gives equal pixels on one driver.
-//
-// Each view has a value per pixel (`raw`) and a display color:
-//
-//   shaded      Linear radiance under one directional light: GGX with an environment (sky and
-//               ground, or an environment map: gpu/environment.h), or Phong without one. Displayed
-//               times exposure, through the sRGB curve; before the curve, a channel that exceeds
-//               0.8 by x becomes 0.8 + 0.2 x / (x + 0.2).
-//   normal      The resolved normal n, object space, unit. Displayed as 0.5 + 0.5 n.
-//   gradient    g = n - n' / (n . n'), with normal n' and surface normal n. Displayed as
-//               0.5 + 0.5 g.
-//   height      The output `height`; an error if it is missing. Gray over height_range.
-//   uv          (u, v, 0) of uv0. Displayed as its fraction.
-//   difference  Angle in degrees between the normal and the un-bumped normal, or the output
-//               `against`. Heat map: ten colors of cividis (Nunez, Anderton and Renslow 2018), in
-//               equal steps from dark blue at 0 to yellow at heat_degrees and above.
-//   wireframe   0 on triangles, 1 on their edges. Displayed as gray lit from the eye, with light
-//               edges.
-//
-// Alpha of raw values is 1 on the mesh and 0 elsewhere; colors are opaque, with the background.
-//
-// Missing outputs: normal = the surface normal (flipped towards the eye on back faces), color 0.6,
-// roughness 0.5, metalness 0, occlusion 1. The object matrix M acts outside the material: normals
-// are multiplied by cof(M) times the sign of det(M); that sign also selects the front faces.
-//
-// Errors: the driver's log for a shader that it rejects (lines of the material's source have their
-// own numbers, the renderer's begin at 100001), a missing output, an attribute that the material
-// reads and the mesh lacks, an image that cannot be read, a singular M.
 #pragma once
 
 #include <cstdint>
@@ -56,6 +29,24 @@
 
 namespace wrinkle::gpu {
 
+// Each view has a value per pixel (`raw`) and a display color:
+//
+//   shaded      Linear radiance under one directional light: GGX with an environment (sky and
+//               ground, or an environment map: gpu/environment.h), or Phong without one. Displayed
+//               times exposure, through the sRGB curve; before the curve, a channel that exceeds
+//               0.8 by x becomes 0.8 + 0.2 x / (x + 0.2).
+//   normal      The resolved normal n, object space, unit. Displayed as 0.5 + 0.5 n.
+//   gradient    g = n - n' / (n . n'), with normal n' and surface normal n. Displayed as
+//               0.5 + 0.5 g.
+//   height      The output `height`; an error if it is missing. Gray over height_range.
+//   uv          (u, v, 0) of uv0. Displayed as its fraction.
+//   difference  Angle in degrees between the normal and the un-bumped normal, or the output
+//               `against`. Heat map: ten colors of cividis (Nunez, Anderton and Renslow 2018), in
+//               equal steps from dark blue at 0 to yellow at heat_degrees and above.
+//   wireframe   0 on triangles, 1 on their edges. Displayed as gray lit from the eye, with light
+//               edges.
+//
+// Alpha of raw values is 1 on the mesh and 0 elsewhere; colors are opaque, with the background.
 enum class View : uint8_t { shaded, normal, gradient, height, uv, difference, wireframe };
 
 std::span<const std::string_view> view_names();  // in the order of the enumerators
@@ -117,6 +108,13 @@ struct AngleStatistics {
     uint64_t pixels = 0;
 };
 
+// Missing outputs: normal = the surface normal (flipped towards the eye on back faces), color 0.6,
+// roughness 0.5, metalness 0, occlusion 1. The object matrix M acts outside the material: normals
+// are multiplied by cof(M) times the sign of det(M); that sign also selects the front faces.
+//
+// Errors: the driver's log for a shader that it rejects (lines of the material's source have their
+// own numbers, the renderer's begin at 100001), a missing output, an attribute that the material
+// reads and the mesh lacks, an image that cannot be read, a singular M.
 class Renderer {
 public:
     void set_mesh(const Mesh& mesh) { mesh_.emplace(mesh); }

@@ -88,37 +88,21 @@ std::optional<Target> Target::make(const TargetOptions& options, Diagnostics& di
 bool Target::build() {
     while (glGetError() != GL_NO_ERROR) {
     }
-    framebuffer_ = framebuffer_of_textures();
-    bool complete = is_complete();
-    if (options_.samples > 1) {
-        sample_framebuffer_ = framebuffer_of_samples();
-        complete = complete && is_complete();
-    }
-    return complete && glGetError() == GL_NO_ERROR;
-}
-
-FramebufferHandle Target::framebuffer_of_textures() {
-    FramebufferHandle handle = make_framebuffer();
+    framebuffer_ = make_framebuffer();
     for (size_t i = 0; i < static_cast<size_t>(options_.colors); ++i) {
         textures_.push_back(make_color_texture(options_));
         glFramebufferTexture2D(GL_FRAMEBUFFER, attachment(i), GL_TEXTURE_2D,
                                texture(static_cast<int>(i)), 0);
     }
-    if (options_.depth && options_.samples == 1)
-        buffers_.push_back(attach_buffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, options_));
     draw_to_all_colors(textures_.size());
-    return handle;
-}
-
-FramebufferHandle Target::framebuffer_of_samples() {
-    FramebufferHandle handle = make_framebuffer();
-    for (size_t i = 0; i < textures_.size(); ++i)
+    const bool complete = is_complete();
+    if (options_.samples > 1) {
+        sample_framebuffer_ = make_framebuffer();
         buffers_.push_back(
-            attach_buffer(attachment(i), internal_format(options_.format), options_));
-    if (options_.depth)
-        buffers_.push_back(attach_buffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, options_));
-    draw_to_all_colors(textures_.size());
-    return handle;
+            attach_buffer(attachment(0), internal_format(options_.format), options_));
+    }
+    buffers_.push_back(attach_buffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, options_));
+    return complete && is_complete() && glGetError() == GL_NO_ERROR;
 }
 
 void Target::bind() const {
@@ -131,15 +115,8 @@ void Target::resolve() const {
     if (!sample_framebuffer_.id()) return;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, sample_framebuffer_.id());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.id());
-    for (size_t i = 0; i < textures_.size(); ++i) {
-        glReadBuffer(attachment(i));
-        std::vector<GLenum> only(i + 1, GL_NONE);
-        only[i] = attachment(i);
-        glDrawBuffers(static_cast<GLsizei>(only.size()), only.data());
-        glBlitFramebuffer(0, 0, options_.width, options_.height, 0, 0, options_.width,
-                          options_.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    }
-    draw_to_all_colors(textures_.size());
+    glBlitFramebuffer(0, 0, options_.width, options_.height, 0, 0, options_.width, options_.height,
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 std::vector<float> Target::read(int color) const {

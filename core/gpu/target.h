@@ -1,4 +1,4 @@
-// Render target: color textures of one size, with an optional depth buffer.
+// Render target: color textures of one size, with a depth buffer.
 //
 // Pixels are read from the bottom row upwards, as in `Image`. With several samples the pixels are
 // in multisampled buffers until resolve() averages them into the color textures.
@@ -21,8 +21,7 @@ struct TargetOptions {
     int height = 512;
     PixelFormat format = PixelFormat::rgba8;
     int samples = 1;  // clamped to the driver's limit
-    int colors = 1;   // 1 to 8
-    bool depth = true;
+    int colors = 1;   // 1 to 8; 1 with several samples
 };
 
 class Target {
@@ -48,8 +47,6 @@ public:
 private:
     Target() = default;
     bool build();
-    FramebufferHandle framebuffer_of_textures();
-    FramebufferHandle framebuffer_of_samples();
 
     TargetOptions options_;
     std::vector<TextureHandle> textures_;

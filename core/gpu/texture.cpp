@@ -57,15 +57,8 @@ void spread_grey() {
 }
 
 GLint wrap_mode(Wrap wrap) {
-    switch (wrap) {
-        case Wrap::repeat:
-            return GL_REPEAT;
-        case Wrap::clamp:
-            return GL_CLAMP_TO_EDGE;
-        case Wrap::mirror:
-            return GL_MIRRORED_REPEAT;
-    }
-    return GL_REPEAT;
+    constexpr std::array<GLint, 3> modes{GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT};
+    return modes[static_cast<size_t>(wrap)];
 }
 
 }  // namespace
