@@ -96,7 +96,7 @@ std::string problems_of_cycle(const std::string& a, const std::string& b) {
 }
 
 constexpr std::string_view cycle =
-    "g.json:1:26: error: node 'weak': its gradient would stand on the normal of node 'first', "
+    "g.json:1:26: error: node 'weak': its gradient would be based on the normal of node 'first', "
     "which "
     "is made from it; node 'on' says that base (use a node of its own for each of the two bases)\n";
 
