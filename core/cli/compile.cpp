@@ -1,9 +1,9 @@
 // wrinkle compile FILE...: compiles graphs to shaders.
 #include <algorithm>
 #include <atomic>
-#include <exception>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <optional>
 #include <thread>
 
@@ -113,25 +113,17 @@ struct CompileCommand {
     }
 
     void each_graph(const std::function<void(size_t)>& use) const {
-        const size_t count = outputs.files.size();
-        std::vector<std::exception_ptr> failures(count);
         std::atomic<size_t> next{0};
         const auto work = [&] {
-            for (size_t i = next++; i < count; i = next++) {
-                try {
-                    use(i);
-                } catch (...) {
-                    failures[i] = std::current_exception();
-                }
-            }
+            for (size_t i = next++; i < outputs.files.size(); i = next++)
+                use(i);
         };
-        std::vector<std::jthread> helpers;
-        for (size_t i = 1; i < threads(); ++i)
-            helpers.emplace_back(work);
+        std::vector<std::future<void>> helpers(threads() - 1);
+        for (std::future<void>& helper : helpers)
+            helper = std::async(std::launch::async, work);
         work();
-        helpers.clear();
-        for (const std::exception_ptr& failure : failures)
-            if (failure) std::rethrow_exception(failure);
+        for (std::future<void>& helper : helpers)
+            helper.get();  // rethrows an exception of `use`
     }
 
     Outcome compile_one(const std::string& file, const Compilation& with) const {
