@@ -19,10 +19,7 @@ using json::Value;
 constexpr double listing_form = 1;  // increased if older programs must not read it
 
 std::string node_json(const NodeType& type) {
-    std::string text =
-        "{\"id\": " + json_quoted(type.id) + ", \"title\": " + json_quoted(type.title) +
-        ", \"doc\": " + json_quoted(type.doc) + ", \"family\": " + json_quoted(type.family) +
-        ", \"version\": " + std::to_string(type.version);
+    std::string text = head_json(type);
     const auto rename_json = [](const Rename& rename) {
         return "{\"version\": " + std::to_string(rename.version) +
                ", \"old\": " + json_quoted(rename.old_name) +
@@ -42,12 +39,9 @@ public:
         plugin_.abi = number(root, "abi");
         plugin_.id = text(root, "id");
         plugin_.version = text(root, "version");
-        const Value list = root.find("nodes");
-        if (!list.is(Kind::array)) wrong(root, "has no list of nodes");
-        for (const json::Member& each : list.children())
-            node_list_.push_back(node(each.value));
-        plugin_.nodes = node_list_.data();
-        plugin_.node_count = static_cast<uint32_t>(node_list_.size());
+        const Value nodes = root.find("nodes");
+        if (!nodes.is(Kind::array)) wrong(root, "has no list of nodes");
+        list(nodes, &Descriptors::node, node_lists_, plugin_.nodes, plugin_.node_count);
         return &plugin_;
     }
 
@@ -81,6 +75,16 @@ private:
         return 0;
     }
 
+    template <class T>
+    void list(const Value& from, T (Descriptors::*read)(const Value&),
+              std::deque<std::vector<T>>& lists, const T*& items, uint32_t& count) {
+        std::vector<T>& list = lists.emplace_back();
+        for (const json::Member& each : from.children())
+            list.push_back((this->*read)(each.value));
+        items = list.data();
+        count = static_cast<uint32_t>(list.size());
+    }
+
     const wr_node* node(const Value& object) {
         wr_node& node = nodes_.emplace_back();
         node.size = sizeof node;
@@ -90,16 +94,9 @@ private:
         node.doc = text(object, "doc");
         node.family = text(object, "family");
         node.build = [](const wr_builder*) {};
-        auto& ports = port_lists_.emplace_back();
-        for (const json::Member& each : object.find("ports").children())
-            ports.push_back(port(each.value));
-        node.ports = ports.data();
-        node.port_count = static_cast<uint32_t>(ports.size());
-        auto& renames = rename_lists_.emplace_back();
-        for (const json::Member& each : object.find("renames").children())
-            renames.push_back(rename(each.value));
-        node.renames = renames.data();
-        node.rename_count = static_cast<uint32_t>(renames.size());
+        list(object.find("ports"), &Descriptors::port, port_lists_, node.ports, node.port_count);
+        list(object.find("renames"), &Descriptors::rename, rename_lists_, node.renames,
+             node.rename_count);
         return &node;
     }
 
@@ -124,18 +121,17 @@ private:
             if (const auto named = port_type_named(type)) port.type = static_cast<uint32_t>(*named);
         range(object.find("slider"), port.soft_min, port.soft_max);
         range(object.find("range"), port.hard_min, port.hard_max);
-        auto& choices = choice_lists_.emplace_back();
-        for (const json::Member& each : object.find("choices").children()) {
-            if (!each.value.is(Kind::string))
-                wrong(each.value, "a choice is no text");
-            else
-                choices.push_back(texts_.emplace_back(each.value.as_string()).c_str());
-        }
-        port.choices = choices.data();
-        port.choice_count = static_cast<uint32_t>(choices.size());
+        list(object.find("choices"), &Descriptors::choice, choice_lists_, port.choices,
+             port.choice_count);
         if (const char* domain = text(object, "domain")) port.default_surface = surface(domain);
         default_value(object.find("default"), port);
         return &port;
+    }
+
+    const char* choice(const Value& value) {
+        if (value.is(Kind::string)) return texts_.emplace_back(value.as_string()).c_str();
+        wrong(value, "a choice is no text");
+        return "";
     }
 
     static uint32_t kind_number(const char* word) {
@@ -192,11 +188,11 @@ private:
     std::string problem_;
     Value problem_value_;
     wr_plugin plugin_{};
-    std::vector<const wr_node*> node_list_;
     std::deque<std::string> texts_;
     std::deque<wr_node> nodes_;
     std::deque<wr_port> ports_;
     std::deque<wr_rename> renames_;
+    std::deque<std::vector<const wr_node*>> node_lists_;
     std::deque<std::vector<const wr_port*>> port_lists_;
     std::deque<std::vector<const wr_rename*>> rename_lists_;
     std::deque<std::vector<const char*>> choice_lists_;

@@ -77,14 +77,16 @@ std::string page_text(const NodeType& type) {
     return text + "\n  out\n" + rows_text(type, true);
 }
 
+std::string head_json(const NodeType& type) {
+    return "{\"id\": " + json_quoted(type.id) + ", \"title\": " + json_quoted(type.title) +
+           ", \"doc\": " + json_quoted(type.doc) + ", \"family\": " + json_quoted(type.family) +
+           ", \"version\": " + std::to_string(type.version);
+}
+
 std::string page_json(const NodeType& type) {
-    const std::string text =
-        "{\"id\": " + json_quoted(type.id) + ", \"title\": " + json_quoted(type.title) +
-        ", \"doc\": " + json_quoted(type.doc) + ", \"family\": " + json_quoted(type.family) +
-        ", \"version\": " + std::to_string(type.version) +
-        ", \"origin\": " + json_quoted(type.origin) + ", \"ports\": [";
     const auto line = [](const Port& port) { return "\n  " + port_json(port); };
-    return text + joined(type.ports, ",", line) + "]}\n";
+    return head_json(type) + ", \"origin\": " + json_quoted(type.origin) + ", \"ports\": [" +
+           joined(type.ports, ",", line) + "]}\n";
 }
 
 std::string list_json(const Registry& registry) {

@@ -26,5 +26,7 @@ std::string kind_text(const Port& port);      // "float", "choice", "field of he
 std::string details_text(const Port& port);   // "m, default 0.1, 0 to 1"; may be empty
 std::string default_json(const Port& port);   // "" if it has none; a surface default is a link
 std::string port_json(const Port& port);      // one object
+// The first members of an object: {"id": ..., "version": 1
+std::string head_json(const NodeType& type);
 
 }  // namespace wrinkle
