@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "ir/op.h"
+#include "cpu/columns.h"
 
 namespace wrinkle::certify {
 namespace {
@@ -42,13 +42,9 @@ private:
     std::mt19937 random_;
 };
 
-size_t lanes_of(SurfaceInput input) {
-    return info(info(input).type).lanes;
-}
-
 void append(PointSet& set, SurfaceInput input, Variant variant, const Numbers& numbers) {
     std::vector<double>& values = set.at(input, variant);
-    for (size_t i = 0; i < lanes_of(input); ++i)
+    for (size_t i = 0; i < lanes_of(InputNeed{input, variant}); ++i)
         values.push_back(static_cast<double>(static_cast<float>(numbers[i])));
 }
 
@@ -99,7 +95,7 @@ void append_frame(PointSet& set, Draw& draw) {
 }
 
 void clear(PointSet& set, size_t point, SurfaceInput input, Variant variant) {
-    const size_t lanes = lanes_of(input);
+    const size_t lanes = lanes_of(InputNeed{input, variant});
     for (size_t i = 0; i < lanes; ++i)
         set.at(input, variant)[point * lanes + i] = 0;
 }
@@ -119,7 +115,7 @@ void clear_all_uv_changes(PointSet& set, size_t point) {
 void scale(PointSet& set, size_t point, Variant variant, double factor) {
     for (const SurfaceInput input : {SurfaceInput::position_, SurfaceInput::uv0_,
                                      SurfaceInput::uv1_, SurfaceInput::uv2_, SurfaceInput::uv3_}) {
-        const size_t lanes = lanes_of(input);
+        const size_t lanes = lanes_of(InputNeed{input, variant});
         for (size_t i = 0; i < lanes; ++i) {
             double& x = set.at(input, variant)[point * lanes + i];
             x = static_cast<double>(static_cast<float>(x * factor));

@@ -57,7 +57,7 @@ Compiled compile(const Project& project, const CertifyContext& context, Options 
 
 Project project_of(const std::string& text, const CertifyContext& context,
                    Diagnostics& diagnostics) {
-    return load_project(read_document(text, "subject.json", diagnostics), context.pictures, {},
+    return load_project(read_document(text, "subject.json", diagnostics), context.image_folder, {},
                         diagnostics);
 }
 

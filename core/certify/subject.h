@@ -27,9 +27,9 @@ const MipChain& test_image(const std::string& file);
 
 // Environment shared by the checks of all nodes.
 struct CertifyContext {
-    const Registry& registry;        // the nodes under test and the built-in ones
-    std::filesystem::path pictures;  // from make_image_folder()
-    bool gpu = false;                // a context is current
+    const Registry& registry;            // the nodes under test and the built-in ones
+    std::filesystem::path image_folder;  // from make_image_folder()
+    bool gpu = false;                    // a context is current
     // Optional: compiles the source; returns "" or the error. Without an error, the driver checks
     // the source too if `gpu` is set.
     std::function<std::string(const Shader&)> text_errors = {};
