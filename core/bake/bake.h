@@ -1,14 +1,10 @@
 // Bakes a program over a mesh's uv layout; results are rows of lanes, from the top of the image
-// down.
-//
-// Rows of tiles are computed one after the other, so memory is bounded by the mesh, the textures
-// and one row of tiles with the margin that dilation reads. Threads share a row of tiles. The
-// results do not depend on the number of threads or on the requested row range, bit by bit.
+// down. Rows of tiles are computed one after the other, so memory is bounded by the mesh, the
+// textures and one row of tiles with the margin that dilation reads. Threads share a row of tiles.
+// The results do not depend on the number of threads or on the requested row range, bit by bit.
 //
 // An edge texel is the mean over its covered samples (mesh/uv_raster.h), with unit vectors
-// normalised again. Dilation: a texel that is not covered takes the lanes of the nearest covered
-// one, if the Euclidean distance is at most `dilate` texels. Ties: nearest column first, left
-// before right, above before below.
+// normalised again.
 #pragma once
 
 #include <functional>
@@ -29,7 +25,9 @@ struct BakeInput {
     const Program* program = nullptr;
     std::span<const Texture> textures;  // by resource index
     std::span<const uint32_t> unit;     // first lanes of unit vectors in the output
-    uint32_t dilate = 16;               // texels, up to max_dilation
+    // A texel that is not covered takes the lanes of the nearest covered one within this Euclidean
+    // distance in texels. Ties: nearest column first, left before right, above before below.
+    uint32_t dilate = 16;  // up to max_dilation
 };
 
 struct BakeStatistics {

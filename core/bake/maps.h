@@ -1,27 +1,5 @@
 // Plans the maps of a bake: the contents of their channels, and one program that computes the
 // values of all of them.
-//
-//   normal      and every other output of type normal: (m + 1) / 2, m a unit vector. Object space:
-//               m is the normal n. Tangent space: n = normalize(m.x T + m.y B + m.z N) as shaders
-//               decode it, with T, B and N not normalised individually; T and B are the vertex
-//               tangents (mesh/mesh.h), or derived from uv0 if the mesh has none
-//               (ir/gradient_frame.h). Green is +v, or -v (green_down)
-//   derivative  of the bump that maps the surface normal to the output "normal": dh/du and dh/dv
-//               over the map's own uv, heights in length units of object space
-//   slopes      of the same bump, as written by `maketx --bumpslopes`: b0_h b1_dhds b2_dhdt
-//               b3_dhds2 b4_dhdt2 b5_dh2dsdt; slopes per texel of the map, t downwards. b0_h is the
-//               output "height", or -1 without that output. The last three are means: the products
-//               of the slopes plus their covariance in the texel, as far as the textures of the
-//               bump provide it (ir/normal_variance.h)
-//   others      the value of the output; a color in an integer file is sRGB-coded
-//
-// Maps of two channels get a third one of zeros in an integer file; otherwise readers would
-// interpret them as gray and alpha.
-//
-// The slope of a bump, relative to the surface, is limited to max_slope (base/normals.h). Heights
-// and slopes are divided by `scale`, products of slopes by its square; a derivative in an integer
-// file is (d / scale + 1) / 2. A packed map holds channels of other maps; those of a color are
-// linear.
 #pragma once
 
 #include <optional>
@@ -86,6 +64,28 @@ struct BakePlan {
 
 // Returns the names of all maps of a graph with these outputs: the outputs, and the maps derived
 // from "normal".
+//
+//   normal      and every other output of type normal: (m + 1) / 2, m a unit vector. Object space:
+//               m is the normal n. Tangent space: n = normalize(m.x T + m.y B + m.z N) as shaders
+//               decode it, with T, B and N not normalised individually; T and B are the vertex
+//               tangents (mesh/mesh.h), or derived from uv0 if the mesh has none
+//               (ir/gradient_frame.h). Green is +v, or -v (green_down)
+//   derivative  of the bump that maps the surface normal to the output "normal": dh/du and dh/dv
+//               over the map's own uv, heights in length units of object space
+//   slopes      of the same bump, as written by `maketx --bumpslopes`: b0_h b1_dhds b2_dhdt
+//               b3_dhds2 b4_dhdt2 b5_dh2dsdt; slopes per texel of the map, t downwards. b0_h is the
+//               output "height", or -1 without that output. The last three are means: the products
+//               of the slopes plus their covariance in the texel, as far as the textures of the
+//               bump provide it (ir/normal_variance.h)
+//   others      the value of the output; a color in an integer file is sRGB-coded
+//
+// Maps of two channels get a third one of zeros in an integer file; otherwise readers would
+// interpret them as gray and alpha.
+//
+// The slope of a bump, relative to the surface, is limited to max_slope (base/normals.h). Heights
+// and slopes are divided by `scale`, products of slopes by its square; a derivative in an integer
+// file is (d / scale + 1) / 2. A packed map holds channels of other maps; those of a color are
+// linear.
 std::vector<std::string> map_names(std::vector<std::string> outputs);
 
 // Returns true if integers can store a map of this name.

@@ -3,11 +3,8 @@
 //   bake.json   the request, the number of finished bands, and checksums (cli/bake_header.h)
 //   S-M.rows    rows of map M of texture set S, top to bottom, in the pixel type of the output file
 //
-// A band is a row of tiles, up to bake_tile texel rows (bake/bake.h). Bands are numbered
-// consecutively over all texture sets. A part covers bands [first, last); those before `done` are
-// in the files. bake.json stores the XXH64 of the finished rows of each file. It is replaced after
-// the rows that it counts are written, so the files may hold more rows: the program may be killed
-// at any time. Checking a part reads all its rows once, O(bytes).
+// A band is a row of tiles (bake/bake.h); all texture sets number their bands consecutively. A part
+// covers bands [first, last); those before `done` are in the files.
 #pragma once
 
 #include <filesystem>
@@ -35,11 +32,14 @@ std::filesystem::path header_file(const std::filesystem::path& folder);
 std::filesystem::path rows_file(const std::filesystem::path& folder, size_t set, size_t map);
 
 // Returns the checksums of the rows that the header counts, by PartHeader::sum_index(). If one does
-// not match, returns std::nullopt and reports the damaged file as an error with `remedy`.
+// not match, returns std::nullopt and reports the damaged file as an error with `remedy`. Reads all
+// rows once, O(bytes).
 std::optional<std::vector<Xxh64>> sums_of_rows(const std::filesystem::path& folder,
                                                const PartHeader& header, const std::string& remedy,
                                                Diagnostics& diagnostics);
 
+// Replaces bake.json after the rows that it counts are written, so the files may hold more rows:
+// the program may be killed at any time.
 class PartWriter {
 public:
     // Resumes the same bake if `resume` is set and the folder holds it. Otherwise starts at the

@@ -1,10 +1,6 @@
 // Folder of cached results. The file of an entry is named by its cache key: the SHA-256 of all
-// inputs.
-//
-// Entries are written atomically (base/temporary.h), so any number of processes and threads may
-// share a folder. An entry begins with the SHA-256 of its key and of the SHA-256 of its bytes. It
-// is a miss, and is replaced by the next store(), if it is damaged, was stored under another key,
-// is not a regular file, or is larger than the limit of its folder.
+// inputs. Entries are written atomically (base/temporary.h), so any number of processes and threads
+// may share a folder. An entry begins with the SHA-256 of its key and of the SHA-256 of its bytes.
 //
 // Entries are in 16 folders by the first digit of their key, each limited to a sixteenth of the
 // total. Eviction is least recently used first. Files that are not named like entries are ignored.
@@ -27,7 +23,9 @@ public:
     Cache(std::filesystem::path folder, uint64_t limit)  // bytes
         : folder_(std::move(folder)), limit_(limit) {}
 
-    // `key` is a hash as sha256() returns it. Returns std::nullopt on a miss.
+    // `key` is a hash as sha256() returns it. Returns std::nullopt on a miss: no entry, or one that
+    // is damaged, was stored under another key, is not a regular file, or is larger than the limit
+    // of its folder. The next store() replaces it.
     std::optional<std::string> find(const std::string& key) const;
     // Returns false and the reason in `why` on failure.
     bool store(const std::string& key, std::string_view bytes, std::string& why);

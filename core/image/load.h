@@ -1,13 +1,10 @@
 // Reads and writes image files: PNG, JPEG, TIFF, OpenEXR, Radiance HDR; PFM and PNM are read-only.
-//
-// The format is detected by the file's first bytes, not by its extension. Colours are not converted
-// and EXIF orientation is ignored. A file with more than four channels yields R, G, B and A if it
-// begins with them and is refused otherwise; deep, volume and cropped-window images are refused.
-// The first of several sub-images or mip levels is read. Integers of other widths and doubles are
-// converted to float.
-//
 // OpenImageIO is in a separate module (lib/wrinkle/wrinkle_image_oiio.so) that is loaded on first
 // use; see module.h. All functions are thread-safe.
+//
+// The format is detected by the file's first bytes, not by its extension. Colours are not converted
+// and EXIF orientation is ignored. The first of several sub-images or mip levels is read. Integers
+// of other widths and doubles are converted to float.
 #pragma once
 
 #include <cstdint>
@@ -54,7 +51,9 @@ std::optional<ImageInfo> read_image_info(const std::filesystem::path& path,
 
 // Returns the image; std::nullopt and one error that names the file and a remedy if the file is
 // missing, empty, not an image, damaged, truncated or over a limit. NaN and infinite values are
-// unchanged and reported once as a warning with their count and the position of the first.
+// unchanged and reported once as a warning with their count and the position of the first. A file
+// with more than four channels yields R, G, B and A if it begins with them and is refused
+// otherwise; deep, volume and cropped-window images are refused.
 std::optional<Image> load_image(const std::filesystem::path& path, const ImageLimits& limits,
                                 Diagnostics& diagnostics);
 // As above, with the limits of the environment.

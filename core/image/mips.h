@@ -5,10 +5,6 @@
 // with the weights (m - i, m, i + 1) / n for odd n = 2m + 1 (the polyphase box filter of Guthe and
 // Heckbert, "Non-Power-of-Two Mipmap Creation", NVIDIA 2005). The mean of an image is preserved; a
 // constant image is preserved bit for bit. Sums are in double, bottom to top and left to right.
-//
-// The filter works on raw values, without wrapping and without renormalising: the mean of unit
-// normals is shorter than one, and that length is information. NaN propagates to every texel that
-// covers it.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +22,11 @@ struct MipChain {
 
 uint32_t next_mip_size(uint32_t size);                // one direction
 uint32_t mip_count(uint32_t width, uint32_t height);  // 1 + floor(log2(max)); 0 for no texels
-Image half_size(const Image& image);                  // the next level
+
+// Returns the next level. The filter works on raw values, without wrapping and without
+// renormalising: the mean of unit normals is shorter than one, and that length is information. NaN
+// propagates to every texel that covers it.
+Image half_size(const Image& image);
 
 // Filters one row of the next level, for images that are not completely in memory. half_row()
 // computes row y of the next level of a width x height image with any number of channels from the

@@ -1,21 +1,9 @@
 // Writes image files in bands of rows, so that images of any size need little memory.
 //
-// open() creates a temporary file next to `path`. write() takes complete rows from the TOP of the
-// image downwards (an Image's rows are in the opposite order), in bands of any height. With `mips`,
-// each level down to 1 x 1 (sizes of mips.h) has its own rows, and levels may be interleaved: to
-// compute a level from the previous one, the caller needs only one band of each in memory. finish()
-// renames the temporary file to `path`; a writer destroyed before that removes it and leaves an
-// existing file unchanged. A file that already holds these bytes is not touched. Equal values give
-// equal bytes for any number of threads and bands of any height (if levels are interleaved, of
-// equal height).
-//
 // The extension selects the format: .png (u8, u16), .jpg .jpeg (u8), .tif .tiff (u8, u16, half,
 // float), .exr (half, float), .hdr (float). .tif and .exr support tiles and any number of channels,
 // .exr also mips. Options that a format does not support are refused, never converted; stored.h
 // defines the conversion to integers.
-//
-// A function that fails reports one error with the system's reason (disk full, missing folder);
-// every later call fails silently. Not thread-safe: one thread at a time may use a writer.
 #pragma once
 
 #include <array>
@@ -70,6 +58,17 @@ std::vector<std::string> channel_names(uint32_t channels, bool has_alpha);
 inline constexpr std::array bumpslopes_channels = {"b0_h",     "b1_dhds",  "b2_dhdt",
                                                    "b3_dhds2", "b4_dhdt2", "b5_dh2dsdt"};
 
+// open() creates a temporary file next to `path`. write() takes complete rows from the TOP of the
+// image downwards (an Image's rows are in the opposite order), in bands of any height. With `mips`,
+// each level down to 1 x 1 (sizes of mips.h) has its own rows, and levels may be interleaved: to
+// compute a level from the previous one, the caller needs only one band of each in memory. finish()
+// renames the temporary file to `path`; a writer destroyed before that removes it and leaves an
+// existing file unchanged. A file that already holds these bytes is not touched. Equal values give
+// equal bytes for any number of threads and bands of any height (if levels are interleaved, of
+// equal height).
+//
+// A function that fails reports one error with the system's reason (disk full, missing folder);
+// every later call fails silently. Not thread-safe: one thread at a time may use a writer.
 class ImageWriter {
 public:
     static std::optional<ImageWriter> open(const std::filesystem::path& path,

@@ -3,12 +3,6 @@
 // A mip level is the mean of the texels that it covers: of heights, of slopes (a normal map's
 // levels are the normals of mean slopes, not means of normals), of the channels of `slopes` and
 // `moments`. image/mips.h defines the texels of each mean.
-//
-// Integer files hold t in [0, 1]. Slopes use the full range: scale is the steepest slope of
-// level 0, t = (1 + slope / scale) / 2. Heights range from the lowest, `offset`, to the highest,
-// `offset` + `scale`. Both numbers are stored in the file as wrinkle:scale and wrinkle:offset, if
-// its format has metadata, and are applied when it is read. Float files hold the values themselves.
-// Normals are (1 + n) / 2 in every file.
 #pragma once
 
 #include <filesystem>
@@ -19,6 +13,11 @@
 
 namespace wrinkle::maps {
 
+// Integer files hold t in [0, 1]. Slopes use the full range: scale is the steepest slope of
+// level 0, t = (1 + slope / scale) / 2. Heights range from the lowest, `offset`, to the highest,
+// `offset` + `scale`. Both numbers are stored in the file as wrinkle:scale and wrinkle:offset, if
+// its format has metadata, and are applied when it is read. Float files hold the values themselves.
+// Normals are (1 + n) / 2 in every file.
 inline constexpr const char* scale_name = "wrinkle:scale";
 inline constexpr const char* offset_name = "wrinkle:offset";
 

@@ -6,17 +6,6 @@
 // and the mean slope of a repeated height is zero. Texels beyond the border are those of the
 // repeated image (repeat) or of the border (clamp: an even extension, so the slope across a border
 // is half of that to its only neighbour).
-//
-//   height      the stored value; for colours the mean of red, green and blue
-//   normal      m = 2t - 1 for the stored value t, slopes -m.xy / z, with the clamps of
-//               docs/surface-gradient.md: z = max(|m.z|, max(|m.x|, |m.y|) / 128, 1e-6); for two
-//               channels z is reconstructed so that m is unit. `dx` maps have green inverted
-//   derivative  slopes; integer files hold t of slope = scale (2t - 1), float files the slope
-//   slopes      six channels, as OpenImageIO's --bumpslopes: height, dh/ds, dh/dt, their squares,
-//               their product; t runs DOWN, so dh/dt = -dh/dv. Its mips are means of all six, so a
-//               coarse level retains the variance (roughness) of the slopes it covers
-//   moments     the squares of the slopes along u and v, and their product, v up: the input of the
-//               node slope_moments_map, used together with a derivative map
 #pragma once
 
 #include <cstdint>
@@ -30,6 +19,16 @@
 
 namespace wrinkle::maps {
 
+//   height      the stored value; for colours the mean of red, green and blue
+//   normal      m = 2t - 1 for the stored value t, slopes -m.xy / z, with the clamps of
+//               docs/surface-gradient.md: z = max(|m.z|, max(|m.x|, |m.y|) / 128, 1e-6); for two
+//               channels z is reconstructed so that m is unit. `dx` maps have green inverted
+//   derivative  slopes; integer files hold t of slope = scale (2t - 1), float files the slope
+//   slopes      six channels, as OpenImageIO's --bumpslopes: height, dh/ds, dh/dt, their squares,
+//               their product; t runs DOWN, so dh/dt = -dh/dv. Its mips are means of all six, so a
+//               coarse level retains the variance (roughness) of the slopes it covers
+//   moments     the squares of the slopes along u and v, and their product, v up: the input of the
+//               node slope_moments_map, used together with a derivative map
 enum class Kind : uint8_t { height, normal, derivative, slopes, moments };
 enum class Green : uint8_t { gl, dx };  // direction of green: up v, or down
 enum class Per : uint8_t { texel, uv };

@@ -4,14 +4,6 @@
 // number of vertices; every other array has the same size, or is empty if the mesh lacks the
 // attribute. Seen from the side that the normal points to, the corners of a triangle run
 // counter-clockwise.
-//
-// `normals` and `tangents` are unit. Tangent xyz points along increasing u of uv0, perpendicular to
-// the normal; w = +1 or -1 so that w * cross(normal, tangent) points along increasing v.
-// MikkTSpace's convention: interpolate normal and tangent without normalising them, and compute the
-// bitangent from the interpolated vectors.
-//
-// `displaced` holds the positions at which a displaced surface is drawn. All other arrays,
-// including `positions`, describe the undisplaced surface, on which materials are evaluated.
 #pragma once
 
 #include <array>
@@ -27,6 +19,13 @@ namespace wrinkle {
 
 constexpr size_t max_uv_sets = 4;
 
+// `normals` and `tangents` are unit. Tangent xyz points along increasing u of uv0, perpendicular to
+// the normal; w = +1 or -1 so that w * cross(normal, tangent) points along increasing v.
+// MikkTSpace's convention: interpolate normal and tangent without normalising them, and compute the
+// bitangent from the interpolated vectors.
+//
+// `displaced` holds the positions at which a displaced surface is drawn. All other arrays,
+// including `positions`, describe the undisplaced surface, on which materials are evaluated.
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;

@@ -6,13 +6,6 @@
 // that is exact: exactly one of two triangles that share an edge owns a point on it. A point on an
 // edge belongs to the triangle to its right, or above it for a horizontal edge. If triangles
 // overlap, the first one in the mesh owns. Mirrored triangles are treated alike.
-//
-// The triangle that covers its centre owns a texel. If `samples` is greater than 1, a texel crossed
-// by the border of an island is sampled on a grid of that many points instead: it is the mean of
-// the covered ones. Borders are edges without a triangle on their other side in uv. So islands
-// thinner than a texel are sampled, and islands that end within a texel contribute to it.
-//
-// Triangles without uv area, or more than 2^21 texels away, own nothing.
 #pragma once
 
 #include <algorithm>
@@ -85,6 +78,12 @@ struct RowCandidate {
     TexelRange columns;
 };
 
+// The triangle that covers its centre owns a texel. If `samples` is greater than 1, a texel crossed
+// by the border of an island is sampled on a grid of that many points instead: it is the mean of
+// the covered ones. Borders are edges without a triangle on their other side in uv. So islands
+// thinner than a texel are sampled, and islands that end within a texel contribute to it.
+//
+// Triangles without uv area, or more than 2^21 texels away, own nothing.
 class UvRaster {
 public:
     // Precondition: the mesh has uv0. The mesh is only read by the constructor.

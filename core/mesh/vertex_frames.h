@@ -1,11 +1,24 @@
-// Generates the vertex normals and tangents that a mesh lacks.
+// Generates the vertex normals and tangents that a mesh lacks. Results are finite for any mesh.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "mesh/mesh.h"
+
+namespace wrinkle {
+
+// Generates missing normals, normalises all, and replaces those that are zero or not finite.
+// Returns the number of replaced normals.
 //
-// Normals: that of a position is the mean of the face normals of all corners at that position,
+// The normal of a position is the mean of the face normals of all corners at that position,
 // weighted by corner angle, whichever vertices they belong to; uv seams are invisible. Faces
 // without area do not contribute. A vertex without a face with area gets +z.
+size_t complete_normals(Mesh& mesh);
+
+// Replaces the tangents. Returns false and does nothing if the mesh has no normals or no uv0.
 //
-// Tangents from uv0: MikkTSpace (Mikkelsen, "Simulation of Wrinkled Surfaces Revisited", 2008,
-// section 3; www.mikktspace.com), for triangles and with the default angular threshold of 180
+// The tangents are those of MikkTSpace (Mikkelsen, "Simulation of Wrinkled Surfaces Revisited",
+// 2008, section 3; www.mikktspace.com), for triangles and with the default angular threshold of 180
 // degrees.
 //
 // Corners of equal position, normal and uv are welded. The tangent of a triangle is the direction
@@ -20,20 +33,7 @@
 // with two corners at one position takes the tangent of another triangle at that welded vertex. If
 // the mean cancels, each triangle uses its own projected tangent. Remaining corners get a unit
 // vector perpendicular to the normal, and w = 1 if the sign is unknown (the reference uses
-// (1, 0, 0), which may be parallel to the normal). Results are finite for any mesh.
-#pragma once
-
-#include <glm/vec3.hpp>
-
-#include "mesh/mesh.h"
-
-namespace wrinkle {
-
-// Generates missing normals, normalises all, and replaces those that are zero or not finite.
-// Returns the number of replaced normals.
-size_t complete_normals(Mesh& mesh);
-
-// Replaces the tangents. Returns false and does nothing if the mesh has no normals or no uv0.
+// (1, 0, 0), which may be parallel to the normal).
 bool make_tangents(Mesh& mesh);
 
 // Generates tangents if the mesh has uv0 and normals but no tangents; otherwise does nothing.

@@ -1,24 +1,8 @@
 // Finds plugins (shared objects) and adds their nodes to a registry.
 //
-// Search locations, in order:
-//   1. every --plugin-path, as given
-//   2. the entries of WRINKLE_PLUGIN_PATH, separated by ':'
-//   3. the user's folder, $XDG_DATA_HOME/wrinkle/plugins (~/.local/share/wrinkle/plugins)
-//   4. the system's folder, lib/wrinkle/plugins of the installation
-// 3 and 4 are skipped if missing, and if WRINKLE_NO_DEFAULT_PLUGINS is set and not empty. A graph
-// cannot name a location or load code.
-//
-// A location is a file or a folder; the *.so files of a folder are loaded in the order of their
-// names, without subfolders. A file found twice is loaded once. If two plugins have the same id or
-// a node with the same id, the first in this order is used; a built-in node always takes
-// precedence. The other plugin is refused completely, and both paths are reported.
-//
 // No plugin code is ever loaded into this process: listings (registry/describe.h) and calls of
 // build() (registry/plugin_code.h) come from another process. A plugin that crashes or hangs while
 // it is loaded is refused like any other.
-//
-// A refused plugin is an error if its file or location was named, a warning if it was found in a
-// folder; the other plugins are still loaded.
 #pragma once
 
 #include <chrono>
@@ -47,6 +31,19 @@ struct PluginReport {
 
 // Returns locations 1 and 2: `options` are the --plugin-path values, `environment` the value of
 // WRINKLE_PLUGIN_PATH or null.
+//
+// Search locations, in order:
+//   1. every --plugin-path, as given
+//   2. the entries of WRINKLE_PLUGIN_PATH, separated by ':'
+//   3. the user's folder, $XDG_DATA_HOME/wrinkle/plugins (~/.local/share/wrinkle/plugins)
+//   4. the system's folder, lib/wrinkle/plugins of the installation
+// 3 and 4 are skipped if missing, and if WRINKLE_NO_DEFAULT_PLUGINS is set and not empty. A graph
+// cannot name a location or load code.
+//
+// A location is a file or a folder; the *.so files of a folder are loaded in the order of their
+// names, without subfolders. A file found twice is loaded once. If two plugins have the same id or
+// a node with the same id, the first in this order is used; a built-in node always takes
+// precedence. The other plugin is refused completely, and both paths are reported.
 std::vector<std::string> plugin_places(std::span<const std::string> options,
                                        const char* environment);
 // Returns the readable folders of locations 3 and 4.
@@ -67,6 +64,8 @@ struct PluginOptions {
     std::chrono::milliseconds limit = probe_limit;
 };
 
+// A refused plugin is an error if its file or location was named, a warning if it was found in a
+// folder; the other plugins are still loaded.
 std::vector<PluginReport> load_plugins(Registry& registry, std::span<const std::string> places,
                                        Diagnostics& diagnostics, const PluginOptions& options = {});
 

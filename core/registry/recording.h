@@ -5,9 +5,6 @@
 // recorder returns consecutive ids, and replay() maps them to those of the host. The recorder does
 // not check arguments: build() receives an id other than WR_POISON even if the host later reports
 // an error for that call.
-//
-// The plugin may have corrupted the memory of the recording process: replay() validates all sizes,
-// and the host checks each call as if the plugin made it.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +44,8 @@ private:
 };
 
 // Makes the recorded calls on `host`. Returns false if the recording is damaged; the calls before
-// the damage have then been made.
+// the damage have then been made. The plugin may have corrupted the memory of the recording
+// process: replay() validates all sizes, and the host checks each call as if the plugin made it.
 bool replay(std::string_view calls, const wr_builder* host);
 
 }  // namespace wrinkle

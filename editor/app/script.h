@@ -1,6 +1,19 @@
 // Script of user actions, played through the input queue, for tests with and without a window. One
 // step per line; a line that begins with '#' is a comment. NAME, FROM and TO are target names
 // (targets.h), optionally with an offset in pixels from the middle: "canvas+-200,150".
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "editor/view/input/input_queue.h"
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+// Steps:
 //
 //   click NAME      right NAME      double NAME      drag FROM TO      wheel NAME AMOUNT
 //   stroke MODIFIERS left|right FROM TO ...    a drag over all points with keys held; "-": none
@@ -21,18 +34,6 @@
 //
 // A step begins when the input of the previous step is consumed, build and preview are those of the
 // newest document, and a few more frames have been drawn.
-#pragma once
-
-#include <functional>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "editor/view/input/input_queue.h"
-#include "editor/view/state.h"
-
-namespace wrinkle::editor {
-
 class Script {
 public:
     enum class Progress : uint8_t { running, done, failed };

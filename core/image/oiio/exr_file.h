@@ -4,7 +4,6 @@
 //
 // zip and zips use libdeflate, which writes the standard format in a third of the time of OpenEXR's
 // own zlib; rle and piz use OpenEXR.
-//
 // Rows are interleaved, in the order of the caller's channels; the file sorts channels by name, one
 // after the other within each row of a chunk. Functions throw Failure.
 #pragma once

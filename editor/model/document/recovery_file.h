@@ -3,10 +3,6 @@
 // There is one file per document and process in STATE/journal, locked (flock) while its program
 // runs. It is created with the first unsaved edit, replaced at once by every further one (a
 // temporary file is renamed over it), and removed when all edits are saved or discarded.
-//
-// Contents: "SUM\n", the checksum of the rest in hexadecimal; the number of edits, the path, the
-// reason why the file must not be overwritten, and the text, separated by zero bytes. A path that
-// ends with "/" is the folder of a graph without a file.
 #pragma once
 
 #include <atomic>
@@ -33,6 +29,9 @@ struct Recoverable {
     int64_t when = 0;  // last edit, seconds since 1970
 };
 
+// Contents: "SUM\n", the checksum of the rest in hexadecimal; the number of edits, the path, the
+// reason why the file must not be overwritten, and the text, separated by zero bytes. A path that
+// ends with "/" is the folder of a graph without a file.
 class RecoveryFile {
 public:
     RecoveryFile() = default;

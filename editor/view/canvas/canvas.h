@@ -1,5 +1,15 @@
 // The canvas: draws cards and wires at screen scale, hit-tests the pointer, and turns gestures into
 // edits. One InvisibleButton takes all input; there are no ImGui widgets on nodes.
+#pragma once
+
+#include <optional>
+#include "editor/view/look/draw.h"
+#include "editor/view/look/tooltip.h"
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+// The panel: fills the current ImGui window.
 //
 //   drag on empty ground     box select
 //   middle drag, Alt + drag  pan
@@ -16,16 +26,7 @@
 //   Ctrl + right drag        cut the crossed wires
 //   Shift + right drag       insert a reroute into each crossed wire
 //   Escape                   cancel the gesture
-#pragma once
-
-#include <optional>
-#include "editor/view/look/draw.h"
-#include "editor/view/look/tooltip.h"
-#include "editor/view/state.h"
-
-namespace wrinkle::editor {
-
-void draw_canvas(State& state);  // the panel: fills the current ImGui window
+void draw_canvas(State& state);
 
 // Parts of draw_canvas().
 Hit pick(const State& state, ImVec2 mouse);

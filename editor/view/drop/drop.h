@@ -1,4 +1,11 @@
-// Handles files dropped on the window, by their type and the target:
+// Handles files dropped on the window, by their type and the target.
+#pragma once
+
+#include "editor/view/state.h"
+
+namespace wrinkle::editor {
+
+// Called at the end of a frame, when all widgets on screen are registered by name.
 //
 //   an image on empty canvas      a source node; shown if the graph has no output `normal` yet
 //   an image on a wire            its bump is added to the one on the wire
@@ -9,13 +16,6 @@
 // The second of several images is layered over the first. An image outside the graph's folder must
 // be copied into it to be read, which a dialog offers. A graph without a file that names no other
 // file can adopt the folder of such images instead, so that they are read at their location.
-#pragma once
-
-#include "editor/view/state.h"
-
-namespace wrinkle::editor {
-
-// Called at the end of a frame, when all widgets on screen are registered by name.
 void handle_drops(State& state);
 
 // Returns the path as written in the graph; "" for a file outside its folder.
