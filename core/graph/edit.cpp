@@ -128,16 +128,6 @@ bool equal(const std::vector<Extra>& a, const std::vector<Extra>& b) {
     });
 }
 
-Document set_box(const Document& document, Table<Box> Document::*table, Box box) {
-    if (!id_problem(box.id, false).empty()) return document;
-    if (const Box* old = (document.*table).find(box.id)) {
-        if (old->text == box.text && old->rect == box.rect && equal(old->unknown, box.unknown))
-            return document;
-        box.source = old->source.is(json::Kind::object) ? old->source : Value();
-    }
-    return with_table(document, table, (document.*table).with(std::move(box)));
-}
-
 }  // namespace
 
 Document connect(const Document& document, const Link& from, std::string_view id,
@@ -215,20 +205,18 @@ Document set_back_faces(const Document& document, std::optional<BackFaces> choic
     return changed;
 }
 
-Document set_frame(const Document& document, Box frame) {
-    return set_box(document, &Document::frames, std::move(frame));
+Document set_box(const Document& document, Table<Box> Document::*boxes, Box box) {
+    if (!id_problem(box.id, false).empty()) return document;
+    if (const Box* old = (document.*boxes).find(box.id)) {
+        if (old->text == box.text && old->rect == box.rect && equal(old->unknown, box.unknown))
+            return document;
+        box.source = old->source.is(json::Kind::object) ? old->source : Value();
+    }
+    return with_table(document, boxes, (document.*boxes).with(std::move(box)));
 }
 
-Document remove_frame(const Document& document, std::string_view id) {
-    return with_table(document, &Document::frames, document.frames.without(id));
-}
-
-Document set_note(const Document& document, Box note) {
-    return set_box(document, &Document::notes, std::move(note));
-}
-
-Document remove_note(const Document& document, std::string_view id) {
-    return with_table(document, &Document::notes, document.notes.without(id));
+Document remove_box(const Document& document, Table<Box> Document::*boxes, std::string_view id) {
+    return with_table(document, boxes, (document.*boxes).without(id));
 }
 
 }  // namespace wrinkle

@@ -62,15 +62,15 @@ Document set_back_faces(const Document&, std::optional<BackFaces> choice);
 
 // Layout only.
 Document move_node(const Document&, std::string_view id, double x, double y);
-Document set_frame(const Document&, Box frame);  // adds or replaces by id
-Document remove_frame(const Document&, std::string_view id);
-Document set_note(const Document&, Box note);
-Document remove_note(const Document&, std::string_view id);
+// `boxes` is &Document::frames or &Document::notes.
+Document set_box(const Document&, Table<Box> Document::*boxes, Box box);  // adds or replaces by id
+Document remove_box(const Document&, Table<Box> Document::*boxes, std::string_view id);
 
 // Returns true if a wire from `from` to node `id` would close a cycle.
 bool would_cycle(const Document&, const Link& from, std::string_view id);
-// Returns `id` and all nodes that would close a cycle if wired with it: if the wire begins at `id`,
-// the nodes that `id` depends on; otherwise the nodes that depend on `id`.
-std::set<std::string> cycle_partners(const Document&, std::string_view id, bool begins);
+
+enum class Direction : uint8_t { upstream, downstream };
+// Returns the ids and all nodes that they depend on (upstream), or that depend on them.
+std::set<std::string> reachable(const Document&, std::set<std::string> ids, Direction direction);
 
 }  // namespace wrinkle

@@ -76,23 +76,6 @@ bool upgrade_link(Input& input, const NodeUpgrade& upgrade) {
     return true;
 }
 
-// Returns node `start` and the nodes that it depends on, or that depend on it.
-std::vector<uint32_t> reached(const Document& document, size_t start, bool upstream) {
-    const size_t count = document.nodes.size();
-    if (start >= count) return {};
-    std::vector<std::vector<uint32_t>> edges(count);
-    const Wires wires(document);
-    for (uint32_t i = 0; i < count; ++i)
-        for (const uint32_t from : wires.of(i))
-            if (from != Wires::none) edges[upstream ? i : from].push_back(upstream ? from : i);
-    DepthFirst walk(count);
-    walk.visit(
-        static_cast<uint32_t>(start), [&](uint32_t node) { return edges[node].size(); },
-        [&](uint32_t node, uint32_t edge) { return edges[node][edge]; },
-        [](uint32_t, uint32_t, uint32_t) {});
-    return std::move(walk.order());
-}
-
 }  // namespace
 
 Document add_node(const Document& document, Node node) {
@@ -236,12 +219,27 @@ Document upgrade_nodes(const Document& document, const std::vector<NodeUpgrade>&
 }
 
 bool would_cycle(const Document& document, const Link& from, std::string_view id) {
-    return from.is_node() && cycle_partners(document, from.node, true).contains(std::string(id));
+    return from.is_node() &&
+           reachable(document, {from.node}, Direction::upstream).contains(std::string(id));
 }
 
-std::set<std::string> cycle_partners(const Document& document, std::string_view id, bool begins) {
-    std::set<std::string> ids;
-    for (const uint32_t node : reached(document, document.nodes.index_of(id), begins))
+std::set<std::string> reachable(const Document& document, std::set<std::string> ids,
+                                Direction direction) {
+    const size_t count = document.nodes.size();
+    const bool upstream = direction == Direction::upstream;
+    std::vector<std::vector<uint32_t>> edges(count);
+    const Wires wires(document);
+    for (uint32_t i = 0; i < count; ++i)
+        for (const uint32_t from : wires.of(i))
+            if (from != Wires::none) edges[upstream ? i : from].push_back(upstream ? from : i);
+    DepthFirst walk(count);
+    for (const std::string& id : ids)
+        if (const size_t start = document.nodes.index_of(id); start < count)
+            walk.visit(
+                static_cast<uint32_t>(start), [&](uint32_t node) { return edges[node].size(); },
+                [&](uint32_t node, uint32_t edge) { return edges[node][edge]; },
+                [](uint32_t, uint32_t, uint32_t) {});
+    for (const uint32_t node : walk.order())
         ids.insert(document.nodes[node]->id);
     return ids;
 }

@@ -105,10 +105,10 @@ int run(const Arguments& arguments) {
     }
     State state;
     add_nodes(state, arguments);
-    std::string trouble;
+    std::string settings_error;
     Persistence& keeping = state.keeping;
     keeping.folders = folders_of(arguments);
-    use_settings(state, read_settings(keeping.folders, trouble));
+    use_settings(state, read_settings(keeping.folders, settings_error));
     const bool sized = arguments.size.size() == 2;
     WindowOptions options{sized ? arguments.size[0] : keeping.settings.width,
                           sized ? arguments.size[1] : keeping.settings.height,
@@ -120,7 +120,7 @@ int run(const Arguments& arguments) {
     state.thumbnails.use_gl();
     state.node_feed.atlas.use_gl();
     begin(state, arguments);
-    if (!trouble.empty()) state.status = trouble;
+    if (!settings_error.empty()) state.status = settings_error;
     if (!arguments.timings.empty()) state.timings = &timings;
     const bool good = window->run(state, script ? &*script : nullptr, arguments.shot, why);
     state.tasks = {};                       // stops running tasks

@@ -44,10 +44,6 @@ std::string milliseconds(double time) {
     return text;
 }
 
-std::string nodes_in_words(size_t count) {
-    return count == 1 ? "1 node" : std::to_string(count) + " nodes";
-}
-
 std::string listed(const std::vector<std::string>& names) {
     std::string text;
     for (size_t i = 0; i < names.size(); ++i)

@@ -22,7 +22,6 @@ std::string grouped(size_t number);                    // "1,024"
 std::string counted(size_t number, const char* what);  // "1 node", "2,000 nodes"
 std::string milliseconds(double time);                 // "0.7 ms", "1,115 ms"
 
-std::string nodes_in_words(size_t count);                   // "1 node", "2 nodes"
 std::string listed(const std::vector<std::string>& names);  // "a.json, b.json and c.json"
 
 }  // namespace wrinkle::editor

@@ -81,8 +81,8 @@ bool autosave_and_check_files(State& state) {
     keep_edits(state, ImGui::IsAnyMouseDown());
     const bool read = follow_all_files(state);
     const double now = seconds_now();
-    if (now - state.keeping.looked < 1) return read;
-    state.keeping.looked = now;
+    if (now - state.keeping.checked_at < 1) return read;
+    state.keeping.checked_at = now;
     state.keeping.try_again = true;
     state.recovery_file.sync();
     for (OpenGraph& parent : state.parent_graphs)

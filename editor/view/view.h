@@ -37,7 +37,7 @@ struct View : Borders {
     };
     std::vector<Push> pushes;
     bool all_surface = false, all_outputs = false;
-    bool pictures = true;          // node previews on the cards (canvas/make_card.h)
+    bool node_previews = true;     // node previews on the cards (canvas/make_card.h)
     std::set<std::string> turned;  // nodes with preview visibility opposite to the default
     bool tracing = false;          // dims cards not up- or downstream of the selection
     bool heat = false;             // tints cards by cost

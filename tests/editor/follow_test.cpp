@@ -31,8 +31,10 @@ TEST_F(Follows, MovingFramingAndRenamingMakeNoTextAndNoProgram) {
     const uint64_t before = builds();
     const std::string running = state.follow.drawn.running()->source;
     edit(move_node(state.document(), "noise", 50, 60));
-    edit(set_frame(state.document(), {"frame", "Detail", {0, 0, 400, 300}, {}, {}}));
-    edit(set_note(state.document(), {"note", "Look here", {0, 0, 200, 100}, {}, {}}));
+    edit(set_box(state.document(), &Document::frames,
+                 {"frame", "Detail", {0, 0, 400, 300}, {}, {}}));
+    edit(set_box(state.document(), &Document::notes,
+                 {"note", "Look here", {0, 0, 200, 100}, {}, {}}));
     edit(rename_node(state.document(), "softer", "weaker"));
     edit(rename_node(state.document(), "normal", "resolved"));
     EXPECT_EQ(builds(), before);

@@ -135,10 +135,9 @@ private:
         Box made{id, "Some \"text\" " + std::to_string(pick(9)), rect, {}, {}};
         const Document& now = state_.document();
         const bool remove = pick(3) == 0;
-        if (frame)
-            state_.commit("Frame", remove ? remove_frame(now, id) : set_frame(now, made));
-        else
-            state_.commit("Note", remove ? remove_note(now, id) : set_note(now, made));
+        const auto boxes = frame ? &Document::frames : &Document::notes;
+        state_.commit(frame ? "Frame" : "Note",
+                      remove ? remove_box(now, boxes, id) : set_box(now, boxes, made));
     }
     void rarely() {
         const Document& now = state_.document();

@@ -231,7 +231,7 @@ TEST_F(Pictures, AFileThatIsReplacedIsLookedAtAgain) {
     open_reading("tangent_normal_map", "\"textures/rivets_normal.png\"");
     EXPECT_EQ(remarked(), Names{});
     fs::rename(turned_green("other.png"), file);
-    state.used.looked = 0;
+    state.used.checked_at = 0;
     play("wait");
     EXPECT_EQ(remarked(), Names{"green: Read as dx"});
 }

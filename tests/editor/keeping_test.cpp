@@ -27,7 +27,7 @@ std::string with_name(const std::string& name) {
 
 // Runs the check that the program runs once a second.
 void look(State& state) {
-    state.keeping.looked = 0;
+    state.keeping.checked_at = 0;
     autosave_and_check_files(state);
 }
 
@@ -128,7 +128,7 @@ TEST_F(Headless, SavingOverWhatAnotherProgramWroteAsksFirst) {
     open(small_graph);
     play(rename_a_node);
     folder.write("graph.json", with_name("Theirs"));
-    state.keeping.looked = 1e18;  // no further check of the file
+    state.keeping.checked_at = 1e18;  // no further check of the file
     play("key Ctrl+Q\nclick answer:save\nassert target answer:theirs");
     EXPECT_EQ(text_of(file), with_name("Theirs"));
     play("click answer:mine");
@@ -154,7 +154,7 @@ TEST_F(Headless, AVanishedFolderIsSaidAndTheEditsStay) {
         "assert dirty\nassert nodes 3\nkey Escape\nkey Ctrl+Q\nclick answer:save\n"
         "assert target answer:save-as");
     EXPECT_FALSE(state.quit);
-    EXPECT_NE(state.question.trouble.find("was not saved"), std::string::npos);
+    EXPECT_NE(state.question.error_text.find("was not saved"), std::string::npos);
     fs::rename(gone, folder.path());
     play("click answer:save\nassert clean");
     EXPECT_TRUE(state.quit);

@@ -51,6 +51,7 @@ void connect_any(State& state, Random& random) {
 }
 
 void connect_lazily(State& state, Random& random) {
+    state.gesture.moved = true;
     state.gesture.card = random() % state.layout.cards.size();
     state.hovered = {Hit::Kind::card, random() % state.layout.cards.size(), 0, 0};
     drop_lazy(state);
@@ -66,6 +67,7 @@ void drop_on_wire(State& state, Random& random) {
     const Card& card = *state.layout.find(id);
     state.view.selected = {id};
     state.gesture.kind = Gesture::Kind::move;
+    state.gesture.moved = true;
     state.gesture.carried = {id};
     state.gesture.offset = (wire.start + wire.end) * 0.5F - card.at - card.size * 0.5F;
     drop_cards(state);

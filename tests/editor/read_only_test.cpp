@@ -133,7 +133,7 @@ TEST_F(ReadOnly, AStateFolderIsSaidOnceAndWorkGoesOn) {
             state.status.clear();
             state.commit("Move", move_node(state.document(), "noise", i, 7));
             state.panes.side = 0.2F + 0.05F * static_cast<float>(i);
-            state.keeping.looked = 0;
+            state.keeping.checked_at = 0;
             keep_edits(state, false);
             all += state.status + "\n";
             autosave_and_check_files(state);

@@ -252,7 +252,7 @@ TEST_F(Headless, ARecoveryFileThatCannotBeWrittenIsSaidAndTriedAgain) {
     setrlimit(RLIMIT_FSIZE, &small);
     for (int i = 0; i < 20; ++i) {
         state.commit("Move", move_node(state.document(), "noise", i, 7.25));
-        state.keeping.looked = 0;
+        state.keeping.checked_at = 0;
         frame();
     }
     const std::string status = state.status, unkept = state.keeping.unkept;
@@ -262,7 +262,7 @@ TEST_F(Headless, ARecoveryFileThatCannotBeWrittenIsSaidAndTriedAgain) {
     EXPECT_FALSE(unkept.empty());
     EXPECT_FALSE(saved);
     state.commit("Move", move_node(state.document(), "noise", 3, 99));
-    state.keeping.looked = 0;
+    state.keeping.checked_at = 0;
     frame();
     frame();
     EXPECT_TRUE(state.keeping.unkept.empty());

@@ -20,9 +20,9 @@ class Watching : public Headless {
 protected:
     // Runs one check of the files; no further check runs until the next call.
     void look() {
-        state.used.looked = 0;
+        state.used.checked_at = 0;
         frame();
-        state.used.looked = 1e18;
+        state.used.checked_at = 1e18;
         frame();
     }
     // Replaces the file by a rename, as other programs do. The new inode reveals the change even if

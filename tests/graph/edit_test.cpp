@@ -104,8 +104,8 @@ TEST_F(Edit, NothingChangedIsTheSameDocument) {
     expect_unchanged(set_output(sample, "normal", {"normal", "normal"}));
     expect_unchanged(remove_output(sample, "height"));
     expect_unchanged(set_graph_input(sample, *sample.inputs.find("amount")));
-    expect_unchanged(set_frame(sample, *sample.frames.find("f1")));
-    expect_unchanged(remove_note(sample, "n2"));
+    expect_unchanged(set_box(sample, &Document::frames, *sample.frames.find("f1")));
+    expect_unchanged(remove_box(sample, &Document::notes, "n2"));
     expect_unchanged(set_back_faces(sample, {}));
 }
 
@@ -208,16 +208,16 @@ TEST_F(Edit, GraphInputs) {
 TEST_F(Edit, FramesAndNotes) {
     Box frame = *sample.frames.find("f1");
     frame.rect.width = 512;
-    EXPECT_EQ(after(set_frame(sample, frame)),
+    EXPECT_EQ(after(set_box(sample, &Document::frames, frame)),
               "-      \"f1\": { \"title\": \"Detail\", \"rect\": [0, 0, 400, 3e2] }\n"
               "+      \"f1\": { \"title\": \"Detail\", \"rect\": [0, 0, 512, 3e2] }\n");
-    EXPECT_TRUE(set_frame(sample, frame).nodes.same(sample.nodes));
-    EXPECT_TRUE(remove_frame(sample, "f1").frames.empty());
+    EXPECT_TRUE(set_box(sample, &Document::frames, frame).nodes.same(sample.nodes));
+    EXPECT_TRUE(remove_box(sample, &Document::frames, "f1").frames.empty());
     Box note;
     note.id = "n2";
     note.text = "New";
-    EXPECT_EQ(set_note(sample, note).notes.size(), 2u);
-    EXPECT_TRUE(remove_note(sample, "n1").notes.empty());
+    EXPECT_EQ(set_box(sample, &Document::notes, note).notes.size(), 2u);
+    EXPECT_TRUE(remove_box(sample, &Document::notes, "n1").notes.empty());
 }
 
 TEST_F(Edit, NameAndBackFaces) {
@@ -248,9 +248,10 @@ TEST_F(Edit, WouldCycle) {
     EXPECT_FALSE(would_cycle(sample, {"surface", "uv0"}, "base"));
     EXPECT_FALSE(would_cycle(sample, {"nobody", "x"}, "base"));
     using Ids = std::set<std::string>;
-    EXPECT_EQ(cycle_partners(sample, "softer", true), (Ids{"softer", "weave", "tile"}));
-    EXPECT_EQ(cycle_partners(sample, "softer", false), (Ids{"softer", "sum", "normal"}));
-    EXPECT_EQ(cycle_partners(sample, "nobody", true), Ids{});
+    EXPECT_EQ(reachable(sample, {"softer"}, Direction::upstream), (Ids{"softer", "weave", "tile"}));
+    EXPECT_EQ(reachable(sample, {"softer"}, Direction::downstream),
+              (Ids{"softer", "sum", "normal"}));
+    EXPECT_EQ(reachable(sample, {"nobody"}, Direction::upstream), Ids{"nobody"});
 }
 
 TEST_F(Edit, SeveralNodesAreOneEdit) {

@@ -9,6 +9,7 @@
 #include "editor/model/document/wiring.h"
 #include "editor/model/session.h"
 #include "editor/model/words.h"
+#include "graph/edit.h"
 #include "lower/material.h"
 #include "spirv/spirv.h"
 
@@ -114,7 +115,7 @@ std::string why_no_line(const Session& session, const std::set<std::string>& sel
     std::set<std::string> read;
     for (const Output& output : session.document().outputs)
         if (output.from.kind == Input::Kind::link) read.insert(output.from.link.node);
-    if (!with_upstream(session.document(), read).contains(id))
+    if (!reachable(session.document(), read, Direction::upstream).contains(id))
         return id + " has no line: no output of the graph reads it.";
     if (node->muted) return id + " has no line: it is muted, and passes on what it is given.";
     if (node->type == reroute_type) return id + " has no line: a reroute passes on its input.";

@@ -4,16 +4,24 @@
 
 namespace wrinkle::editor {
 
+namespace {
+
+Table<Box> Document::*table_of(bool note) {
+    return note ? &Document::notes : &Document::frames;
+}
+
+}  // namespace
+
 const Box* find_box(const Document& document, const BoxId& id) {
-    return (id.note ? document.notes : document.frames).find(id.id);
+    return (document.*table_of(id.note)).find(id.id);
 }
 
 Document with_box(const Document& document, bool note, Box box) {
-    return note ? set_note(document, std::move(box)) : set_frame(document, std::move(box));
+    return set_box(document, table_of(note), std::move(box));
 }
 
 Document without_box(const Document& document, const BoxId& id) {
-    return id.note ? remove_note(document, id.id) : remove_frame(document, id.id);
+    return remove_box(document, table_of(id.note), id.id);
 }
 
 std::string free_box_id(const Document& document, bool note) {

@@ -137,7 +137,7 @@ bool save_file(Session& session) {
         return false;
     }
     if (!write_to(session, session.path, session.document())) {
-        session.question = {.kind = Question::Kind::failed, .trouble = session.status};
+        session.question = {.kind = Question::Kind::failed, .error_text = session.status};
         return false;
     }
     session.saved_serial = session.history.serial();

@@ -73,18 +73,18 @@ void History::cancel(const std::string& merge) {
 
 bool History::undo() {
     if (!can_undo()) return false;
-    move(steps_[at_], at_ - 1);
+    go(steps_[at_], at_ - 1);
     return true;
 }
 
 bool History::redo() {
     if (!can_redo()) return false;
-    move(steps_[at_ + 1], at_ + 1);
+    go(steps_[at_ + 1], at_ + 1);
     return true;
 }
 
 // Moves to the adjacent state `to` along `step`.
-void History::move(const Step& step, size_t to) {
+void History::go(const Step& step, size_t to) {
     Document next = steps_[to].rest;
     next.nodes = replaced(now_.nodes, step.nodes, to < at_);
     next.positions = replaced(now_.positions, step.positions, to < at_);

@@ -57,7 +57,7 @@ private:
         Replacement<NodePtr> nodes;       // since the previous step
         Replacement<Position> positions;  // since the previous step
     };
-    void move(const Step& step, size_t to);
+    void go(const Step& step, size_t to);
 
     Document now_;
     std::vector<Step> steps_;

@@ -23,7 +23,7 @@ void done(Session& session) {
 // Prompts again after a failed save, unless another question is open.
 void ask_again(Session& session, const PendingAction& then) {
     if (!session.question.open())
-        session.question = {.kind = Question::Kind::unsaved, .trouble = session.status};
+        session.question = {.kind = Question::Kind::unsaved, .error_text = session.status};
     session.question.then = then;
 }
 
@@ -31,9 +31,9 @@ void answer_open(Session& session) {
     const fs::path path = typed_path(session);
     std::error_code error;
     if (!fs::exists(path, error)) {
-        session.question.trouble = "There is no file " + path.string() + ".";
+        session.question.error_text = "There is no file " + path.string() + ".";
     } else if (fs::is_directory(path, error)) {
-        session.question.trouble = path.string() + " is a folder.";
+        session.question.error_text = path.string() + " is a folder.";
     } else {
         session.question = {};
         request_action(session, {PendingAction::Kind::open, path});
@@ -43,7 +43,7 @@ void answer_open(Session& session) {
 void write_as(Session& session, const fs::path& path, OutsideFiles files) {
     if (save_file_as(session, path, files)) return done(session);
     session.question.kind = Question::Kind::save_as;
-    session.question.trouble = session.status;
+    session.question.error_text = session.status;
 }
 
 // Prompts first for files that the graph could no longer read.
@@ -60,9 +60,9 @@ void answer_name(Session& session) {
     std::error_code error;
     const bool there = fs::exists(path, error), itself = there && is_same_file(path, session.path);
     if (fs::is_directory(path, error)) {
-        session.question.trouble = path.string() + " is a folder.";
+        session.question.error_text = path.string() + " is a folder.";
     } else if (itself && !session.save_refused.empty()) {
-        session.question.trouble =
+        session.question.error_text =
             session.file_name() + " could not be read whole and is kept. Choose another name.";
     } else if (there && !itself) {
         session.question.kind = Question::Kind::replace;
@@ -127,14 +127,14 @@ void save_and_carry_out(Session& session, const PendingAction& intent) {
 
 void answer_save_as(Session& session) {
     session.question.kind = Question::Kind::save_as;
-    session.question.trouble.clear();
+    session.question.error_text.clear();
 }
 
 void answer_path(Session& session) {
-    session.question.trouble.clear();
+    session.question.error_text.clear();
     session.question.opening = true;
     if (session.question.text.empty())
-        session.question.trouble = "Type the name of a file.";
+        session.question.error_text = "Type the name of a file.";
     else if (session.question.kind == Question::Kind::open)
         answer_open(session);
     else

@@ -27,15 +27,15 @@ struct Question {
         outside,  // files that the graph names are not below the folder of `file`: copy them?
         recover,  // recover the edits in the recovery file `file`?
         running,  // stop the running task and quit?
-        failed,   // the file could not be written (`trouble`): use another name?
+        failed,   // the file could not be written (`error_text`): use another name?
         open,     // which file? The file browser (panels/browser.h) draws this and the next
         save_as,  // under which name?
     };
     Kind kind = Kind::none;
-    PendingAction then = {};   // action after everything is saved
-    bool saving = false;       // for changed: it blocks a save
-    std::string text = {};     // for open and save_as: the path as typed
-    std::string trouble = {};  // why the last answer failed
+    PendingAction then = {};      // action after everything is saved
+    bool saving = false;          // for changed: it blocks a save
+    std::string text = {};        // for open and save_as: the path as typed
+    std::string error_text = {};  // why the last answer failed
     std::filesystem::path file = {};
     bool opening = true;  // first frame of the prompt, or first after a failed answer
 
@@ -51,7 +51,7 @@ void save_and_carry_out(Session& session, const PendingAction& intent);
 void carry_out(Session& session, const PendingAction& intent);
 
 // Answers to the question. If an answer fails, the question remains open with the reason in
-// `trouble`.
+// `error_text`.
 void answer_save(Session& session);
 void answer_path(Session& session);     // for open and save_as: `text`
 void answer_save_as(Session& session);  // prompts for a path instead, after a failed write

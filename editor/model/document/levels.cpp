@@ -70,7 +70,7 @@ void leave_subgraphs(Session& session, size_t depth) {
     exchange(session, session.parent_graphs[depth]);
     session.parent_graphs.resize(depth);
     reset_derived(session, GraphSwitch::left);
-    session.keeping.looked = 0;
+    session.keeping.checked_at = 0;
     session.status = "Back in " + session.file_name();
 }
 

@@ -39,6 +39,17 @@ const Port* output_port(const NodeType* type, std::string_view name) {
     return index == NodeType::none ? nullptr : &type->ports[index];
 }
 
+const Port* first_output(const NodeType* type, std::initializer_list<PortType> wanted) {
+    const auto fits = [&](const Port& port) {
+        return port.kind == Port::Kind::output &&
+               (wanted.size() == 0 ||
+                std::find(wanted.begin(), wanted.end(), port.type) != wanted.end());
+    };
+    if (!type) return nullptr;
+    const auto found = std::find_if(type->ports.begin(), type->ports.end(), fits);
+    return found == type->ports.end() ? nullptr : &*found;
+}
+
 Model make_model(const Document& document, const std::filesystem::path& folder,
                  const Registry& registry, const std::filesystem::path& root) {
     Model model;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 
@@ -27,6 +28,8 @@ struct Model {
 // Return the port of that name; nullptr if there is none, or no type.
 const Port* input_port(const NodeType* type, std::string_view name);
 const Port* output_port(const NodeType* type, std::string_view name);
+// Returns the first output of one of the types, by default of any; nullptr if there is none.
+const Port* first_output(const NodeType* type, std::initializer_list<PortType> wanted = {});
 
 // `folder` is the folder of the document's file; names must stay inside `root` ("": the same
 // folder).

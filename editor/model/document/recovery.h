@@ -20,7 +20,7 @@ struct Persistence {
     std::string unsettled;       // why the settings were last not written, "" if they were
     bool try_again = false;
     std::vector<Recoverable> recoverable;  // left by crashed programs
-    double looked = 0;                     // last comparison of the file with the disk, seconds
+    double checked_at = 0;                 // last comparison of the file with the disk, seconds
 };
 
 // Called once a frame after its edits; all committed edits are written when it returns. Steps of a

@@ -1,6 +1,5 @@
 #include "editor/model/document/request.h"
 
-#include <algorithm>
 #include <set>
 
 #include "editor/model/document/wiring.h"
@@ -57,13 +56,13 @@ private:
     // Finds the sums that `end` depends on, and names a copy of each node from them to `end`.
     void find_sums(const std::string& end) {
         const Document& document = result_.document;
-        const std::set<std::string> before = cycle_partners(document, end, true);
+        const std::set<std::string> before = reachable(document, {end}, Direction::upstream);
         for (const NodePtr& node : document.nodes)
             if (node->type == "gradient_add" && !node->muted && before.contains(node->id))
                 sums_.insert(node->id);
         std::set<std::string> taken;
         for (const std::string& sum : sums_)
-            for (const std::string& after : cycle_partners(document, sum, false)) {
+            for (const std::string& after : reachable(document, {sum}, Direction::downstream)) {
                 if (!before.contains(after) || twins_.contains(after)) continue;
                 twins_[after] = free_id(document, after + "_against", taken);
                 taken.insert(twins_[after]);
@@ -116,13 +115,12 @@ void add_against(Requested& result, const Link& from, std::optional<PortType> ty
 }
 
 void show_node(Requested& result, const Model& model, const std::string& id) {
-    const NodeType* type = model.type_of(id);
-    const std::string port = type ? shown_port(*type) : "";
-    if (port.empty()) {
+    const Port* port = shown_port(model.type_of(id));
+    if (!port) {
         result.why_not = id + " makes nothing that can be shown on a surface.";
         return;
     }
-    const Link from{id, port};
+    const Link from{id, port->name};
     const PortType what = model.type_of(from).value_or(PortType::normal_);
     if (what == PortType::color_ || what == PortType::vec3_)
         result.document = with_outputs(result.document, {{"color", from}});
@@ -134,18 +132,11 @@ void show_node(Requested& result, const Model& model, const std::string& id) {
 
 }  // namespace
 
-std::string shown_port(const NodeType& type) {
-    const auto first = [&](std::initializer_list<PortType> wanted) -> std::string {
-        for (const Port& port : type.ports)
-            if (port.kind == Port::Kind::output &&
-                std::find(wanted.begin(), wanted.end(), port.type) != wanted.end())
-                return port.name;
-        return {};
-    };
-    const std::string best =
-        first({PortType::gradient_, PortType::normal_, PortType::height_, PortType::color_});
-    if (!best.empty()) return best;
-    return first({PortType::derivative_, PortType::float_, PortType::vec3_});
+const Port* shown_port(const NodeType* type) {
+    const Port* best = first_output(
+        type, {PortType::gradient_, PortType::normal_, PortType::height_, PortType::color_});
+    if (best) return best;
+    return first_output(type, {PortType::derivative_, PortType::float_, PortType::vec3_});
 }
 
 Requested requested_document(const Document& document, const Model& model,
@@ -163,8 +154,8 @@ Requested requested_document(const Document& document, const Model& model,
                 result.why_not = "The graph has no output " + request.name + ".";
             break;
         case Against::node: {
-            const NodeType* type = model.type_of(request.name);
-            const Link from{request.name, type ? shown_port(*type) : ""};
+            const Port* port = shown_port(model.type_of(request.name));
+            const Link from{request.name, port ? port->name : ""};
             add_against(result, from, model.type_of(from));
             break;
         }

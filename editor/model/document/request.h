@@ -40,8 +40,8 @@ struct Requested {
 Requested requested_document(const Document& document, const Model& model,
                              const PreviewRequest& request);
 
-// Returns the output of a node that the preview shows, "" if there is none: the first gradient,
-// normal, height or color, else the first derivative, float or vec3.
-std::string shown_port(const NodeType& type);
+// Returns the output of a node that the preview shows: the first gradient, normal, height or color,
+// else the first derivative, float or vec3; nullptr if there is none.
+const Port* shown_port(const NodeType* type);
 
 }  // namespace wrinkle::editor

@@ -91,7 +91,7 @@ Value json_of(const std::vector<Text>& field) {
 
 }  // namespace
 
-Settings read_settings(const Folders& folders, std::string& trouble) {
+Settings read_settings(const Folders& folders, std::string& error_text) {
     Settings settings;
     std::string why;
     std::error_code error;
@@ -99,7 +99,7 @@ Settings read_settings(const Folders& folders, std::string& trouble) {
     if (folders.config.empty() || !fs::exists(file, error)) return settings;
     const auto text = read_file(file, why);
     if (!text) {
-        trouble = file.string() + " " + why + ". The editor begins with its own settings.";
+        error_text = file.string() + " " + why + ". The editor begins with its own settings.";
         return settings;
     }
     Diagnostics problems;
@@ -108,8 +108,8 @@ Settings read_settings(const Folders& folders, std::string& trouble) {
         fs::path kept = file;
         kept += ".bak";
         fs::rename(file, kept, error);
-        trouble = file.string() + " is damaged. It is kept as " + kept.filename().string() +
-                  ", and the editor begins with its own settings.";
+        error_text = file.string() + " is damaged. It is kept as " + kept.filename().string() +
+                     ", and the editor begins with its own settings.";
         return settings;
     }
     std::string unusable;
@@ -118,7 +118,7 @@ Settings read_settings(const Folders& folders, std::string& trouble) {
             unusable += (unusable.empty() ? "" : ", ") + std::string(name);
     });
     if (!unusable.empty())
-        trouble = file.string() + ": " + unusable + " cannot be used as written there.";
+        error_text = file.string() + ": " + unusable + " cannot be used as written there.";
     return settings;
 }
 

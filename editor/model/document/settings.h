@@ -47,9 +47,9 @@ struct Settings {
     bool operator==(const Settings&) const = default;
 };
 
-// Returns defaults if nothing is stored. `trouble` receives a sentence about unusable entries; a
+// Returns defaults if nothing is stored. `error_text` receives a sentence about unusable entries; a
 // file that is not a settings file is renamed to settings.json.bak.
-Settings read_settings(const Folders& folders, std::string& trouble);
+Settings read_settings(const Folders& folders, std::string& error_text);
 // Returns the error message; "" on success or if there is no config folder.
 std::string write_settings(const Folders& folders, const Settings& settings);
 

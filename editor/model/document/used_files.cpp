@@ -101,11 +101,11 @@ std::vector<UsedFile> follow_files(Session& session, const WindowFiles& window) 
     if (used.looker)
         if (const auto files = used.looker->take()) changed = take(session, *files, window);
     const double now = seconds_now();
-    const bool other = used.looked_of != session.model.project;
-    if (!session.is_synced || (now - used.looked < 1 && !other)) return changed;
+    const bool other = used.checked_project != session.model.project;
+    if (!session.is_synced || (now - used.checked_at < 1 && !other)) return changed;
     if (used.looker && !used.looker->idle()) return changed;
-    used.looked = now;
-    used.looked_of = session.model.project;
+    used.checked_at = now;
+    used.checked_project = session.model.project;
     if (!used.looker) return take(session, look_at_files(question_of(session, window)), window);
     used.looker->post(question_of(session, window));
     return changed;

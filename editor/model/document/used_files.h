@@ -46,9 +46,9 @@ struct UsedFiles {
     struct Known {
         Stamp read, last;  // at the last read, and at the last check
     };
-    FileLooker* looker = nullptr;              // nullptr: checks run on the calling thread
-    double looked = 0;                         // time of the last check, seconds
-    std::shared_ptr<const Project> looked_of;  // project at the last check
+    FileLooker* looker = nullptr;                    // nullptr: checks run on the calling thread
+    double checked_at = 0;                           // time of the last check, seconds
+    std::shared_ptr<const Project> checked_project;  // project at the last check
     std::map<std::filesystem::path, Known> known;
     uint64_t changes = 0;  // number of files that were read again
 };

@@ -65,18 +65,16 @@ std::set<std::string> loose_reroutes(const Document& before, const Document& aft
 }
 
 // Removes wires that no longer fit: a reroute has the type of its source, a float without one.
-Document without_invalid_links(const Model& model, const Document& before, Document after) {
+Document without_invalid_links(const Model& model, const Document& before, const Document& after) {
     const std::set<std::string> loose = loose_reroutes(before, after);
     if (loose.empty()) return after;
-    std::vector<Connection> misfits;
+    Document result = after;
     each_wire(after, [&](const Connection& wire) {
         if (loose.contains(wire.from.node) && !is_reroute(after, wire.node) &&
             !converts(PortType::float_, wanted_at(model, wire.node, wire.port)))
-            misfits.push_back(wire);
+            result = without_wire(result, wire.node, wire.port);
     });
-    for (const Connection& wire : misfits)
-        after = without_wire(after, wire.node, wire.port);
-    return after;
+    return result;
 }
 
 bool takes_wire(const Model& model, const Document& document, const std::string& node,
@@ -113,29 +111,6 @@ std::optional<Connection> misfit(const Model& model, const Document& document, P
     for (const Connection& end : ends_at(document, node, port))
         if (!converts(given, wanted_at(model, end.node, end.port))) return end;
     return std::nullopt;
-}
-
-std::set<std::string> walk(const Document& document, std::set<std::string> ids, bool up) {
-    std::vector<Connection> wires;
-    each_wire(document, [&](const Connection& wire) {
-        if (wire.from.is_node() && !wire.node.empty()) wires.push_back(wire);
-    });
-    const auto start = [&](const Connection& wire) { return up ? wire.node : wire.from.node; };
-    std::sort(wires.begin(), wires.end(),
-              [&](const auto& a, const auto& b) { return start(a) < start(b); });
-    std::vector<std::string> open(ids.begin(), ids.end());
-    while (!open.empty()) {
-        const std::string id = std::move(open.back());
-        open.pop_back();
-        auto wire = std::lower_bound(
-            wires.begin(), wires.end(), id,
-            [&](const auto& each, const auto& wanted) { return start(each) < wanted; });
-        for (; wire != wires.end() && start(*wire) == id; ++wire) {
-            const std::string& next = up ? wire->from.node : wire->node;
-            if (document.find(next) && ids.insert(next).second) open.push_back(next);
-        }
-    }
-    return ids;
 }
 
 // Returns the first two inputs of the same type, preferring those with a value or a wire. Inputs
@@ -257,17 +232,14 @@ std::optional<Passage> passage(const NodeType& type, PortType given,
 
 Document delete_and_reconnect(const Model& model, const Document& document,
                               const std::set<std::string>& ids) {
-    std::vector<Connection> healed;
+    Document result = document;
     each_wire(document, [&](const Connection& wire) {
         if (!ids.contains(wire.from.node) || ids.contains(wire.node)) return;
         const auto from = staying(model, document, ids, wire.from);
         const auto given = from ? model.type_of(*from) : std::nullopt;
         if (given && converts(*given, wanted_at(model, wire.node, wire.port)))
-            healed.push_back({*from, wire.node, wire.port});
+            result = with_wire(result, *from, wire.node, wire.port);
     });
-    Document result = document;
-    for (const Connection& wire : healed)
-        result = with_wire(result, wire.from, wire.node, wire.port);
     return without_invalid_links(model, document, remove_nodes(result, ids));
 }
 
@@ -298,14 +270,6 @@ Document insert_in_wire(const Document& document, const Connection& wire, const 
                         const Passage& through) {
     const Document fed = connect(document, wire.from, id, through.in);
     return with_wire(fed, {id, through.out}, wire.node, wire.port);
-}
-
-std::set<std::string> with_upstream(const Document& document, const std::set<std::string>& ids) {
-    return walk(document, ids, true);
-}
-
-std::set<std::string> with_downstream(const Document& document, const std::set<std::string>& ids) {
-    return walk(document, ids, false);
 }
 
 bool is_unconnected(const Document& document, const std::string& id) {

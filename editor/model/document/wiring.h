@@ -70,10 +70,6 @@ Document insert_in_wire(const Document& document, const Connection& wire, const 
 // with a value or a wire. Returns the document unchanged if there is no such type.
 Document swap_inputs(const Model& model, const Document& document, const std::string& id);
 
-// Returns the nodes and all nodes that they depend on, or all that depend on them.
-std::set<std::string> with_upstream(const Document& document, const std::set<std::string>& ids);
-std::set<std::string> with_downstream(const Document& document, const std::set<std::string>& ids);
-
 // Returns true if no wire is connected to the node.
 bool is_unconnected(const Document& document, const std::string& id);
 

@@ -196,9 +196,8 @@ private:
 // gradient.
 std::string output_in_place(const NodeType& type, const std::string& port) {
     if (type.find_output(port) != NodeType::none) return port;
-    for (const Port& each : type.ports)
-        if (each.kind == Port::Kind::output && each.type == PortType::gradient_) return each.name;
-    return {};
+    const Port* gradient = first_output(&type, {PortType::gradient_});
+    return gradient ? gradient->name : "";
 }
 
 // Returns true if every wire from the node starts at an output of a fitting type.

@@ -99,8 +99,8 @@ Document make_space(const State& state, const Document& document, const Card& ca
                                              : other.at.x + other.size.x + gap - card.at.x);
         if (!is_outputs) side.nodes.insert(other.id);
     }
-    right.nodes = with_downstream(document, right.nodes);
-    left.nodes = with_upstream(document, left.nodes);
+    right.nodes = reachable(document, right.nodes, Direction::downstream);
+    left.nodes = reachable(document, left.nodes, Direction::upstream);
     const ImVec2 to_right(grid_up(right.by), 0), to_left(grid_up(left.by), 0);
     std::vector<NodePosition> places;
     for (const Card& other : state.layout.cards) {

@@ -115,6 +115,30 @@ void pan_at_edges(CanvasState& canvas) {
     canvas.view.pan = canvas.view.pan + by;
 }
 
+void drag_view(State& state, ImVec2) {
+    state.view.pan = state.view.pan + ImGui::GetIO().MouseDelta;
+}
+
+// Functions for each motion and for the release of the button, by Gesture::Kind.
+struct GestureSteps {
+    void (*drag)(State&, ImVec2 delta) = nullptr;
+    void (*drop)(State&) = nullptr;
+};
+constexpr GestureSteps steps_of[] = {
+    {},
+    {drag_view},
+    {drag_box},
+    {drag_move, drop_cards},
+    {nullptr, drop_wire},
+    {drag_value, drop_value},
+    {drag_stroke, drop_cut},
+    {drag_stroke, drop_reroutes},
+    {nullptr, drop_lazy},
+    {drag_lasso},
+    {drag_resize},
+};
+static_assert(std::size(steps_of) == static_cast<size_t>(Kind::resize) + 1);
+
 void drag(State& state) {
     Gesture& g = state.gesture;
     const ImGuiIO& io = ImGui::GetIO();
@@ -124,53 +148,11 @@ void drag(State& state) {
     if (!g.moved && std::fabs(delta.x) < threshold && std::fabs(delta.y) < threshold) return;
     if (!g.moved && g.kind == Kind::wire) lift_wire(state);
     g.moved = true;
-    switch (g.kind) {
-        case Kind::pan:
-            state.view.pan = state.view.pan + io.MouseDelta;
-            return;
-        case Kind::box:
-            return drag_box(state);
-        case Kind::lasso:
-            return drag_lasso(state);
-        case Kind::resize:
-            return drag_resize(state, delta);
-        case Kind::move:
-            return drag_move(state, delta);
-        case Kind::value:
-            return drag_value(state, delta);
-        case Kind::cut:
-        case Kind::reroute:
-            return drag_stroke(state);
-        case Kind::wire:
-        case Kind::lazy:
-        case Kind::none:
-            return;
-    }
-}
-
-void drop(State& state, const Gesture& g) {
-    switch (g.kind) {
-        case Kind::wire:
-            return drop_wire(state);
-        case Kind::move:
-            if (g.moved) return drop_cards(state);
-            return g.node.empty() ? click_box(state, g.box) : click_card(state, g.node);
-        case Kind::value:
-            return drop_value(state);
-        case Kind::cut:
-            return drop_cut(state);
-        case Kind::reroute:
-            return drop_reroutes(state);
-        case Kind::lazy:
-            if (g.moved) drop_lazy(state);
-            return;
-        default:
-            return;
-    }
+    if (const auto drag = steps_of[static_cast<size_t>(g.kind)].drag) drag(state, delta);
 }
 
 void release(State& state) {
-    drop(state, Gesture(state.gesture));
+    if (const auto drop = steps_of[static_cast<size_t>(state.gesture.kind)].drop) drop(state);
     state.gesture = {};
     state.layout_stale = true;
 }

@@ -207,11 +207,9 @@ void close_card(const Fonts& fonts, Card& card, bool more) {
 }  // namespace
 
 bool has_preview(const View& view, const Node& node, const NodeType* type) {
-    if (!view.pictures || !type || node.type == reroute_type) return false;
-    const std::string shown = shown_port(*type);
-    const auto made = std::find_if(type->ports.begin(), type->ports.end(),
-                                   [&](const Port& port) { return port.name == shown; });
-    if (made == type->ports.end()) return false;
+    if (!view.node_previews || !type || node.type == reroute_type) return false;
+    const Port* made = shown_port(type);
+    if (!made) return false;
     const bool usual = std::none_of(type->ports.begin(), type->ports.end(), [&](const Port& port) {
         return port.is_value() && port.type == made->type;
     });

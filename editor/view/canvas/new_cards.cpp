@@ -81,11 +81,20 @@ ImVec2 free_offset(const State& state, const std::vector<Extent>& places, const 
     return free_shift(fixed, std::move(moving), by);
 }
 
-ImVec2 free_place(const State& state, ImVec2 at, const Node& node, const NodeType* type,
-                  const std::set<std::string>& except) {
-    const bool preview = has_preview(state.view, node, type);
-    const ImVec2 size = make_card(state.fonts, node, type, {}, preview).size;
-    return free_shift(card_extents(state, except), {{{0, 0}, size}}, at);
+ImVec2 free_place(const State& state, const Document& document, ImVec2 at, const Node& node,
+                  const NodeType* type, const std::set<std::string>& except) {
+    const auto extent_at = [&](ImVec2 low, const Node& placed, const NodeType* its_type) {
+        const bool preview = has_preview(state.view, placed, its_type);
+        return Extent{low, low + make_card(state.fonts, placed, its_type, {}, preview).size};
+    };
+    std::vector<Extent> fixed = card_extents(state, except);
+    for (const Position& position : document.positions) {
+        const Node* other = document.find(position.id);
+        if (!other || state.layout.find(position.id)) continue;
+        const ImVec2 low(static_cast<float>(position.x), static_cast<float>(position.y));
+        fixed.push_back(extent_at(low, *other, state.registry->find(other->type)));
+    }
+    return free_shift(fixed, {extent_at({0, 0}, node, type)}, at);
 }
 
 Document settled(const State& state, const Document& document) {

@@ -25,10 +25,10 @@ std::vector<Extent> card_extents(const CanvasState& canvas,
 ImVec2 free_offset(const State& state, const std::vector<Extent>& places, const Document& source,
                    const std::set<BoxId>& boxes, ImVec2 by);
 
-// Returns the position near `at` at which the node's card covers no other; `except` are cards about
-// to be removed.
-ImVec2 free_place(const State& state, ImVec2 at, const Node& node, const NodeType* type,
-                  const std::set<std::string>& except = {});
+// Returns the position near `at` at which the node's card covers no other, nor a node of `document`
+// that has no card yet; `except` are cards about to be removed.
+ImVec2 free_place(const State& state, const Document& document, ImVec2 at, const Node& node,
+                  const NodeType* type, const std::set<std::string>& except = {});
 
 // Returns the document with the current positions stored for cards without one: the automatic
 // layout would move them as soon as another card has a position.

@@ -13,20 +13,11 @@ Painter::Painter(const State& state, ImDrawList& list)
       plain(zoom < plain_zoom),
       origin_(to_screen(state.view, {0, 0})),
       seen_{to_canvas(state.view, view.corner), to_canvas(state.view, view.corner + view.extent)} {
-    find_selected();
+    if (view.selected.size() > 1 && !view.order.empty())
+        primary_ = state.layout.find(view.order.back());
     find_issues();
     if (view.tracing && !view.selected.empty()) find_related();
     if (view.heat && state.costs()) find_most_expensive();
-}
-
-void Painter::find_selected() {
-    if (view.selected.empty()) return;
-    selected_.assign(state.layout.cards.size(), false);
-    for (size_t i = 0; i < selected_.size(); ++i)
-        if (sees(state.layout.card_boxes[i]) || view.selected.size() < 64)
-            selected_[i] = view.selected.contains(state.layout.cards[i].id);
-    if (view.selected.size() > 1 && !view.order.empty())
-        primary_ = state.layout.find(view.order.back());
 }
 
 void Painter::find_issues() {

@@ -28,7 +28,9 @@ public:
     void text(ImVec2 at, const TextStyle& style, ImU32 color, std::string_view what) const {
         draw_magnified(list, state.fonts, style, zoom, at, color, what);
     }
-    bool is_selected(size_t card) const { return !selected_.empty() && selected_[card]; }
+    bool is_selected(size_t card) const {
+        return view.selected.contains(state.layout.cards[card].id);
+    }
     // The most severe diagnostic of a card; nullptr: none.
     const Diagnostic* issue(size_t card) const { return issues_.empty() ? nullptr : issues_[card]; }
     // The first diagnostic at a port of the card; nullptr: none.
@@ -42,7 +44,6 @@ public:
     float heat(const Price& price) const;
 
 private:
-    void find_selected();
     void find_issues();
     void add_issue(const Diagnostic& problem);
     void find_related();
@@ -50,7 +51,6 @@ private:
 
     ImVec2 origin_;
     Extent seen_;
-    std::vector<bool> selected_;                 // by card; empty: none
     std::vector<const Diagnostic*> issues_;      // by card; empty: none
     std::vector<bool> related_, related_wires_;  // by card, by wire; empty: nothing fades
     ShaderCost max_cost_;                        // maximum reads and maximum ops of any node

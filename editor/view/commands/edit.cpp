@@ -1,3 +1,4 @@
+#include "graph/edit.h"
 #include "editor/model/document/wiring.h"
 #include "editor/view/canvas/arrange.h"
 #include "editor/view/canvas/boxes.h"
@@ -50,6 +51,11 @@ void select_all(State& state) {
     state.view.boxes = {boxes.begin(), boxes.end()};
 }
 
+template <Direction Where>
+void select_reachable(State& state) {
+    state.view.selected = reachable(state.document(), state.view.selected, Where);
+}
+
 constexpr Command edit_table[] = {
     {"undo", "Undo", "Ctrl+Z", no_undo, undo},
     {"redo", "Redo", "Ctrl+Shift+Z", no_redo, redo},
@@ -65,9 +71,9 @@ constexpr Command edit_table[] = {
     {"find", "Find in graph", "Ctrl+F", always, find},
     {"select-all", "Select all", "Ctrl+A", always, select_all},
     {"select-upstream", "Select what feeds it", "L", wants_selection,
-     [](State& s) { s.view.selected = with_upstream(s.document(), s.view.selected); }},
+     select_reachable<Direction::upstream>},
     {"select-downstream", "Select what it feeds", "Shift+L", wants_selection,
-     [](State& s) { s.view.selected = with_downstream(s.document(), s.view.selected); }},
+     select_reachable<Direction::downstream>},
 };
 
 }  // namespace

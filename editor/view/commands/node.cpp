@@ -51,7 +51,7 @@ std::string_view no_values(const State& state) {
 // Shows the node previews of the selected nodes, or hides them if all are shown.
 void turn_pictures(State& state) {
     View& view = state.view;
-    view.pictures = true;
+    view.node_previews = true;
     bool all = true;
     for (const std::string& id : view.selected) {
         const Card* card = state.layout.find(id);

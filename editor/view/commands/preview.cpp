@@ -31,8 +31,7 @@ void preview_node(State& state) {
         state.status = "Previewing the outputs";
         return;
     }
-    const NodeType* type = state.type_of(selected);
-    if (!type || shown_port(*type).empty()) {
+    if (!shown_port(state.type_of(selected))) {
         state.status = selected + " makes nothing that can be shown on a surface.";
         return;
     }

@@ -73,10 +73,10 @@ constexpr Command view_table[] = {
      [](const State& s) { return s.view.heat; }},
     {"pictures", "Pictures on nodes", "Shift+V", always,
      [](State& s) {
-         s.view.pictures = !s.view.pictures;
+         s.view.node_previews = !s.view.node_previews;
          s.layout_stale = true;
      },
-     [](const State& s) { return s.view.pictures; }},
+     [](const State& s) { return s.view.node_previews; }},
     {"side", "Preview and code", "F6", always, toggle_side, shows_side},
     {"maximise", "Maximise the panel under the pointer", "F11", always, maximise, is_maximised},
     {"dark-theme", "Dark theme", "", always, use_theme<Theme::dark>, is_used<Theme::dark>},

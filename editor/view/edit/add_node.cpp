@@ -53,7 +53,8 @@ bool add_in_wire(State& state, const NodeType& type) {
     if (!through) return false;
     Node node = node_of_type(state.document(), type);
     const std::string id = node.id;
-    const ImVec2 at = free_place(state, wire->middle() - ImVec2(64, 40), node, &type);
+    const ImVec2 at =
+        free_place(state, state.document(), wire->middle() - ImVec2(64, 40), node, &type);
     Document document = add_node(state.document(), std::move(node), at.x, at.y);
     commit_new(state, type, id, insert_in_wire(document, *wire, id, *through));
     return true;
@@ -96,7 +97,7 @@ bool type_matches(const NodeType& type, const Gesture& wire) {
 void add_node_of_type(State& state, const NodeType& type, ImVec2 at, const Gesture& wire) {
     Node node = node_of_type(state.document(), type);
     const std::string id = node.id;
-    const ImVec2 place = free_place(state, at, node, &type);
+    const ImVec2 place = free_place(state, state.document(), at, node, &type);
     Document document = add_node(state.document(), std::move(node), place.x, place.y);
     if (const Port* port = wire.kind == Gesture::Kind::wire
                                ? port_for(type, wire.type, wire.from_output)
@@ -122,7 +123,8 @@ void add_node_to_selection(State& state, const NodeType& type, ImVec2 at) {
         if (!first) first = card;
     }
     const ImVec2 place =
-        free_place(state, first ? ImVec2(right + 64, first->at.y) : at, *document.find(id), &type);
+        free_place(state, state.document(), first ? ImVec2(right + 64, first->at.y) : at,
+                   *document.find(id), &type);
     commit_new(state, type, id, move_node(document, id, place.x, place.y));
 }
 
@@ -168,7 +170,7 @@ void accept_offer(State& state, size_t choice) {
     Node node = node_of_type(state.document(), *chosen.type);
     const std::string id = node.id;
     const ImVec2 wanted = to_canvas(state.view, offer.at) - ImVec2(224, 40);
-    const ImVec2 at = free_place(state, wanted, node, chosen.type);
+    const ImVec2 at = free_place(state, state.document(), wanted, node, chosen.type);
     Document document = state.document();
     if (offer.lifted)
         document = cut_wires(state.model, document,

@@ -21,7 +21,7 @@ namespace {
 // "2 nodes and a frame", "2 notes"
 std::string in_words(const Document& part) {
     std::vector<std::string> words;
-    if (!part.nodes.empty()) words.push_back(nodes_in_words(part.nodes.size()));
+    if (!part.nodes.empty()) words.push_back(counted(part.nodes.size(), "node"));
     const auto add = [&](size_t count, const std::string& what) {
         if (count > 0)
             words.push_back(count == 1 ? "a " + what : std::to_string(count) + " " + what + "s");
@@ -78,15 +78,13 @@ std::optional<Document> refuse(std::string& why, std::string reason) {
 }
 
 // Removes wires from nodes that are not in the text, such as a part of a file has.
-Document without_dangling(Document document) {
-    std::vector<Connection> dangling;
+Document without_dangling(const Document& document) {
+    Document result = document;
     each_wire(document, [&](const Connection& wire) {
         if (!wire.node.empty() && wire.from.is_node() && !document.find(wire.from.node))
-            dangling.push_back(wire);
+            result = without_wire(result, wire.node, wire.port);
     });
-    for (const Connection& wire : dangling)
-        document = without_wire(document, wire.node, wire.port);
-    return document;
+    return result;
 }
 
 // Restores the wires left out of the text if it was copied from this document and their ends exist.

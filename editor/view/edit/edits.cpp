@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "base/text.h"
 #include "editor/model/document/copies.h"
 #include "editor/model/document/field.h"
 #include "editor/model/document/wiring.h"
@@ -29,7 +28,7 @@ void remove_selected(State& state, Remove remove) {
     const size_t count = state.document().nodes.size() - document.nodes.size();
     for (const BoxId& box : state.view.boxes)
         document = without_box(document, box);
-    state.commit(count > 0 ? "Delete " + nodes_in_words(count) : "Delete frame",
+    state.commit(count > 0 ? "Delete " + counted(count, "node") : "Delete frame",
                  std::move(document));
     state.view.selected.clear();
     state.view.boxes.clear();
@@ -84,12 +83,8 @@ std::string why_not(const State& state, const Gesture& wire, const Card& card, c
 }
 
 void find_loops(const Document& document, Gesture& wire) {
-    wire.loops =
-        cycle_partners(document, wire.from_output ? wire.from.node : wire.node, wire.from_output);
-}
-
-std::string typed_value(const Node& node, const Port& port, int lane) {
-    return shortest(numbers_at(node, port)[static_cast<size_t>(lane)]);
+    wire.loops = wire.from_output ? reachable(document, {wire.from.node}, Direction::upstream)
+                                  : reachable(document, {wire.node}, Direction::downstream);
 }
 
 void open_palette(Dialogs& dialogs, ImVec2 at, const Gesture& wire) {
@@ -128,7 +123,7 @@ void duplicate_selected(State& state, bool with_inputs) {
         place.x += by.x, place.y += by.y;
     const BoxCopies boxed = with_boxes(add_nodes(state.document(), std::move(copies.nodes), places),
                                        source, boxes, by.x, by.y);
-    state.commit(fresh.empty() ? "Duplicate frame" : "Duplicate " + nodes_in_words(fresh.size()),
+    state.commit(fresh.empty() ? "Duplicate frame" : "Duplicate " + counted(fresh.size(), "node"),
                  settled(state, boxed.document));
     if (!fresh.empty() || !boxed.ids.empty()) show_new(state, fresh);
     state.view.boxes = boxed.ids;

@@ -40,9 +40,6 @@ void commit_connection(State& state, const Connection& to, const std::string& me
 // Returns the reason why a wire may not end at this pin; "" if it may.
 std::string why_not(const State& state, const Gesture& wire, const Card& card, const Pin& pin);
 
-// Initial text of the text field over a number, with all digits.
-std::string typed_value(const Node& node, const Port& port, int lane);
-
 void open_palette(Dialogs& dialogs, ImVec2 at, const Gesture& wire);
 
 // Return the selected node if it is the only one, and a sub-graph; otherwise nullptr.

@@ -114,13 +114,12 @@ private:
     }
 
     void lead_out() {
-        std::vector<Connection> wires;
-        each_wire(result, [&](const Connection& wire) {
-            if (wire.from.node == node_.id) wires.push_back(wire);
-        });
-        for (const Connection& wire : wires)
+        const Document before = result;
+        each_wire(before, [&](const Connection& wire) {
+            if (wire.from.node != node_.id) return;
             if (const auto source = source_of(wire.from.port))
                 result = with_wire(result, *source, wire.node, wire.port);
+        });
     }
 };
 
@@ -161,8 +160,8 @@ void group_selected(State& state) {
     }
     // The type of the new file's node is known only with the next model; the card without it has
     // the same width.
-    const ImVec2 at = free_place(state, middle_of(state), *group->outer.find(group->node), nullptr,
-                                 state.view.selected);
+    const ImVec2 at = free_place(state, state.document(), middle_of(state),
+                                 *group->outer.find(group->node), nullptr, state.view.selected);
     state.commit("Group in " + file,
                  settled(state, move_node(group->outer, group->node, at.x, at.y)));
     show_new(state, {group->node});

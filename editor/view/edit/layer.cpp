@@ -6,49 +6,13 @@
 
 #include "editor/model/document/field.h"
 #include "editor/model/document/wiring.h"
-#include "editor/view/canvas/layout.h"
+#include "editor/view/canvas/new_cards.h"
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
 #include "graph/edit.h"
 
 namespace wrinkle::editor {
 namespace {
-
-// Size of a card that has no layout yet.
-ImVec2 usual_size(const NodeType& type) {
-    const bool wide = std::any_of(type.ports.begin(), type.ports.end(), [](const Port& port) {
-        return port.type == PortType::image_ || lanes_of_field(port) > 1;
-    });
-    const auto rows = static_cast<float>(type.ports.size());
-    return {wide ? 240.0F : 176.0F, header_height + rows * row_height + 8};
-}
-
-// Returns the nearest position below all cards in the way.
-ImVec2 clear_place(const State& state, const Document& document, ImVec2 at, ImVec2 own) {
-    at = {std::round(at.x / 8) * 8, std::round(at.y / 8) * 8};
-    std::vector<Extent> taken;
-    for (const Card& card : state.layout.cards)
-        if (card.kind != Card::Kind::node) taken.push_back(card.extent());
-    for (const Position& place : document.positions) {
-        const Node* node = document.find(place.id);
-        const Card* card = state.layout.find(place.id);
-        const NodeType* type = node ? state.registry->find(node->type) : nullptr;
-        if (!node || (!card && !type)) continue;
-        const ImVec2 low(static_cast<float>(place.x), static_cast<float>(place.y));
-        taken.push_back({low, low + (card ? card->size : usual_size(*type))});
-    }
-    for (bool moved = true; moved;) {
-        moved = false;
-        for (const auto& [low, high] : taken) {
-            if (low.x >= at.x + own.x + 16 || at.x >= high.x + 16 || low.y >= at.y + own.y + 16 ||
-                at.y >= high.y + 16)
-                continue;
-            at.y = std::ceil((high.y + 24) / 8) * 8;
-            moved = true;
-        }
-    }
-    return at;
-}
 
 std::string id_after(const Document& document, std::string_view wish, std::string_view type) {
     std::string id(wish.substr(0, 64));
@@ -84,7 +48,7 @@ NewNode with_node(const State& state, const Document& document, const NodeType& 
     Node node = node_of_type(document, type);
     node.id = id_after(document, wish, type.id);
     const std::string id = node.id;
-    const ImVec2 place = clear_place(state, document, at, usual_size(type));
+    const ImVec2 place = free_place(state, document, at, node, &type);
     return {add_node(document, std::move(node), place.x, place.y), id};
 }
 
@@ -97,12 +61,6 @@ NewNode with_image_node(const State& state, const NodeType& type, const std::str
     return made;
 }
 
-const Port* first_output(const NodeType& type) {
-    for (const Port& port : type.ports)
-        if (port.kind == Port::Kind::output) return &port;
-    return nullptr;
-}
-
 const Port* image_port(const NodeType& type, std::string_view name) {
     for (const Port& port : type.ports)
         if (port.is_value() && port.type == PortType::image_ && (name.empty() || port.name == name))
@@ -111,13 +69,8 @@ const Port* image_port(const NodeType& type, std::string_view name) {
 }
 
 const Port* bump_of(const NodeType& type) {
-    const Port* best = nullptr;
-    for (const Port& port : type.ports) {
-        if (port.kind != Port::Kind::output) continue;
-        if (port.type == PortType::height_) return &port;
-        if (port.type == PortType::gradient_ && !best) best = &port;
-    }
-    return best;
+    const Port* height = first_output(&type, {PortType::height_});
+    return height ? height : first_output(&type, {PortType::gradient_});
 }
 
 Document with_bump_shown(const State& state, const Document& document, const Link& bump,
@@ -147,7 +100,7 @@ std::optional<Document> with_bump_on_wire(const State& state, const Document& do
     const NewNode made = with_node(state, document, *type, type->id, at);
     Document result = connect(made.document, wire.from, made.id, "a");
     result = connect(result, bump, made.id, "b");
-    return with_wire(result, {made.id, first_output(*type)->name}, wire.node, wire.port);
+    return with_wire(result, {made.id, first_output(type)->name}, wire.node, wire.port);
 }
 
 Wire before_resolve(const State& state, const Document& document, const Wire& wire) {

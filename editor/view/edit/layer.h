@@ -15,7 +15,7 @@ struct NewNode {
 };
 
 // Adds a node with an id derived from `wish` ("weave" of "weave.png") if that is a valid id; its
-// corner is at the nearest free position below `at` (canvas units).
+// corner is at a free position near `at` (canvas units).
 NewNode with_node(const State& state, const Document& document, const NodeType& type,
                   std::string_view wish, ImVec2 at);
 
@@ -23,7 +23,6 @@ NewNode with_node(const State& state, const Document& document, const NodeType& 
 NewNode with_image_node(const State& state, const NodeType& type, const std::string& file,
                         ImVec2 at);
 
-const Port* first_output(const NodeType& type);  // nullptr if there is none
 // Returns the image input `name`, or the first one for ""; nullptr if there is none.
 const Port* image_port(const NodeType& type, std::string_view name = {});
 // Returns the output with the most information about the bump: a height, else a gradient; nullptr

@@ -32,6 +32,18 @@ const ImVec2 dome[] = {{-1.05F, 0.65F}, {-0.9F, 0}, {-0.45F, -0.5F}, {0, -0.65F}
 const ImVec2 hourglass[] = {{-0.28F, 0}, {-0.9F, -1}, {0.9F, -1},
                             {0.28F, 0},  {0.9F, 1},   {-0.9F, 1}};
 
+struct PinShape {
+    PortType type;
+    std::span<const ImVec2> corners;
+    bool convex = true;
+};
+const PinShape pin_shapes[] = {
+    {PortType::vec3_, triangle},          {PortType::vec4_, square},
+    {PortType::color_, hourglass, false}, {PortType::height_, dome},
+    {PortType::derivative_, slant},       {PortType::gradient_, arrow, false},
+    {PortType::normal_, diamond},         {PortType::image_, square},
+};
+
 // Glyphs are sharp at their baked size, so a baked size near `size` is used as it is.
 float baked_size(ImFont* font, float size) {
     const float baked = font->FontSize * font->Scale;
@@ -42,46 +54,19 @@ float baked_size(ImFont* font, float size) {
 
 void draw_pin(ImDrawList& list, PortType type, ImVec2 c, float unit, ImU32 color, bool filled,
               ImU32 ground) {
-    const auto outline = [&](std::span<const ImVec2> corners, bool convex = true) {
-        draw_outline(list, corners, c, unit, color, filled, ground, convex);
-    };
-    switch (type) {
-        case PortType::float_:
-            list.AddCircleFilled(c, unit * 0.86F, filled ? color : ground);
-            if (!filled) list.AddCircle(c, unit * 0.86F, color, 0, 1.8F);
-            break;
-        case PortType::vec2_: {
-            const ImVec2 half(unit * 0.62F, unit);
-            list.AddRectFilled(c - half, c + half, filled ? color : ground, half.x);
-            if (!filled) list.AddRect(c - half, c + half, color, half.x, 0, 1.8F);
-            break;
-        }
-        case PortType::vec3_:
-            outline(triangle);
-            break;
-        case PortType::vec4_:
-            outline(square);
-            break;
-        case PortType::color_:
-            outline(hourglass, false);
-            break;
-        case PortType::height_:
-            outline(dome);
-            break;
-        case PortType::derivative_:
-            outline(slant);
-            break;
-        case PortType::gradient_:
-            outline(arrow, false);
-            break;
-        case PortType::normal_:
-            outline(diamond);
-            break;
-        case PortType::image_:
-            outline(square);
-            list.AddCircleFilled(c, unit * 0.33F, filled ? ground : color);
-            break;
+    const ImU32 inner = filled ? color : ground;
+    if (type == PortType::float_) {
+        list.AddCircleFilled(c, unit * 0.86F, inner);
+        if (!filled) list.AddCircle(c, unit * 0.86F, color, 0, 1.8F);
+    } else if (type == PortType::vec2_) {
+        const ImVec2 half(unit * 0.62F, unit);
+        list.AddRectFilled(c - half, c + half, inner, half.x);
+        if (!filled) list.AddRect(c - half, c + half, color, half.x, 0, 1.8F);
+    } else {
+        const PinShape& shape = *std::ranges::find(pin_shapes, type, &PinShape::type);
+        draw_outline(list, shape.corners, c, unit, color, filled, ground, shape.convex);
     }
+    if (type == PortType::image_) list.AddCircleFilled(c, unit * 0.33F, filled ? ground : color);
 }
 
 void draw_text(ImDrawList& list, ImFont* font, float size, ImVec2 at, ImU32 color,

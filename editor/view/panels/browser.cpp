@@ -310,7 +310,7 @@ void take_question(State& state) {
     browse(state, saving ? Purpose::save_graph : Purpose::open_graph, file);
     if (!saving) state.browser.text = asked.text.empty() ? "" : file.filename().string();
     state.browser.then = asked.then;
-    state.browser.error_text = asked.trouble;
+    state.browser.error_text = asked.error_text;
 }
 
 }  // namespace

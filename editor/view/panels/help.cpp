@@ -127,11 +127,10 @@ std::optional<HoverWords> hover_words(const State& state) {
     const Port* port = nullptr;
     if (hit.kind == Hit::Kind::field && hit.part < card.fields.size())
         port = &card.type->ports[card.fields[hit.part].index];
-    if (hit.kind == Hit::Kind::pin && hit.part < card.pins.size())
-        for (const Port& each : card.type->ports)
-            if (each.name == card.pins[hit.part].port &&
-                (each.kind == Port::Kind::output) == card.pins[hit.part].output)
-                port = &each;
+    if (hit.kind == Hit::Kind::pin && hit.part < card.pins.size()) {
+        const Pin& pin = card.pins[hit.part];
+        port = pin.output ? output_port(card.type, pin.port) : input_port(card.type, pin.port);
+    }
     if (!port && hit.kind != Hit::Kind::header) return std::nullopt;
     if (!port)
         return HoverWords{card.type->id, card.type->title, card.type->doc, "F1 says more", ""};

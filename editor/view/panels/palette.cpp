@@ -7,7 +7,6 @@
 #include "editor/view/canvas/layout.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/edit/edits.h"
-#include "editor/view/edit/layer.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/panels/panels.h"
@@ -69,7 +68,7 @@ void draw_title(const Fonts& fonts, ImDrawList& list, ImVec2 at, const PaletteRo
 }
 
 void draw_output(ImDrawList& list, const NodeType& type, ImVec2 at, bool chosen) {
-    const Port* port = first_output(type);
+    const Port* port = first_output(&type);
     if (!port) return;
     if (chosen) list.AddCircleFilled(at, 11, theme::panel);
     draw_pin(list, port->type, at, 6, theme::of(port->type), true,

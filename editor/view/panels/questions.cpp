@@ -139,7 +139,7 @@ void draw_words(const State& state, const Sheet& sheet) {
     write_paragraph(theme::text, sheet.sentence, wrap);
     ImGui::PopFont();
     write_paragraph(theme::text_dim, sheet.detail, wrap);
-    write_paragraph(theme::error, state.question.trouble, wrap);
+    write_paragraph(theme::error, state.question.error_text, wrap);
 }
 
 const Answer* draw_answers(State& state, const Sheet& sheet) {

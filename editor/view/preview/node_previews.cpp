@@ -28,11 +28,10 @@ std::vector<Shown> show_nodes(Document& document, const Model& model,
     document.outputs = Table<Output>();
     std::vector<Shown> shown;
     for (const std::string& node : wanted) {
-        const NodeType* type = model.type_of(node);
-        const std::string port = type ? shown_port(*type) : "";
-        if (port.empty()) continue;
+        const Port* port = shown_port(model.type_of(node));
+        if (!port) continue;
         shown.push_back({node, "picture" + std::to_string(shown.size())});
-        document = set_output(document, shown.back().output, {node, port});
+        document = set_output(document, shown.back().output, {node, port->name});
     }
     return shown;
 }

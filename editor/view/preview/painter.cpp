@@ -122,14 +122,12 @@ std::optional<Image> draw_requested_image(gpu::Renderer& renderer, gpu::Scene sc
 
 bool PreviewPainter::use_mesh(const PreviewJob& job, Diagnostics& problems) {
     const auto wanted = job.view.displaced ? job.displacement : nullptr;
-    const uint64_t images = wanted ? job.images : 0;
-    if (images != mesh_images_) textures_.forget();
-    if (job.view.mesh == mesh_ && job.view.scale == scale_ && wanted == displacement_ &&
-        job.meshes == mesh_read_ && images == mesh_images_)
-        return true;
+    MeshKey key{job.view.mesh, job.view.scale, wanted, job.meshes, wanted ? job.images : 0};
+    if (key.images != mesh_.images) textures_.forget();
+    if (key == mesh_) return true;
     bool double_sided = false;
     auto mesh = open_mesh(job.view.mesh, double_sided, problems);
-    if (!mesh || !(job.view.scale > 0)) return !mesh_.empty();
+    if (!mesh || !(job.view.scale > 0)) return !mesh_.mesh.empty();
     resize(*mesh, job.view.scale);
     framing_ = gpu::default_camera(*mesh, job.view.mesh);
     if (wanted) {
@@ -137,12 +135,8 @@ bool PreviewPainter::use_mesh(const PreviewJob& job, Diagnostics& problems) {
         if (moved) mesh = std::move(moved);
     }
     renderer_.set_mesh(*mesh);
-    mesh_ = job.view.mesh;
+    mesh_ = std::move(key);
     double_sided_ = double_sided;
-    scale_ = job.view.scale;
-    displacement_ = wanted;
-    mesh_read_ = job.meshes;
-    mesh_images_ = images;
     return true;
 }
 
@@ -258,7 +252,7 @@ PreviewImage PreviewPainter::draw(const PreviewJob& job, int held) {
     image.version = job.version;
     image.graph = job.graph;
     image.problems = Diagnostics();
-    const auto before = std::tuple(renderer_.programs_linked(), images_, mesh_, scale_);
+    const auto before = std::tuple(renderer_.programs_linked(), images_, mesh_.mesh, mesh_.scale);
     use_light(job);
     if (use_material(job) && use_mesh(job, image.problems) && job.width > 0 && job.height > 0) {
         PreviewImage next = image;
@@ -276,13 +270,14 @@ PreviewImage PreviewPainter::draw(const PreviewJob& job, int held) {
     gpu::Context::finish();
     image.refused = refusal_.has_errors();
     image.lost = gpu::Context::was_lost();
-    image.double_sided = double_sided_ ? mesh_ : "";
+    image.double_sided = double_sided_ ? mesh_.mesh : "";
     Diagnostics problems = refusal_;
     problems.append(dark_);
     problems.append(image.problems);
     image.problems = std::move(problems);
     image.programs = renderer_.programs_linked();
-    image.first = before != std::tuple(renderer_.programs_linked(), images_, mesh_, scale_);
+    image.first =
+        before != std::tuple(renderer_.programs_linked(), images_, mesh_.mesh, mesh_.scale);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     image.milliseconds = time.count();
     slow_ = (slow_ ? renderer_.strips_took() : time.count()) > slow_milliseconds;

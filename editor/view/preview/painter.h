@@ -101,6 +101,14 @@ public:
     PreviewImage draw(const PreviewJob& job, int held);
 
 private:
+    // Inputs of the drawn mesh.
+    struct MeshKey {
+        std::string mesh;
+        float scale = 0;
+        std::shared_ptr<const Displacement> displacement;
+        uint64_t meshes = 0, images = 0;  // changes of the job; `images` 0 without displacement
+        bool operator==(const MeshKey&) const = default;
+    };
     struct Slot {
         std::optional<gpu::Target> a, b;
     };
@@ -127,12 +135,11 @@ private:
     bool slow_ = true;  // the next rendering may take long
     uint64_t images_ = 0, graph_ = 0;
     // State of the renderer, as read from jobs.
-    uint64_t mesh_read_ = 0, mesh_images_ = 0, light_read_ = 0;
-    std::string mesh_, environment_;
+    uint64_t light_read_ = 0;
+    MeshKey mesh_;
+    std::string environment_;
     bool double_sided_ = false;  // one of the materials of mesh_ is double-sided
-    float scale_ = 0;
-    std::shared_ptr<const Displacement> displacement_;
-    TextureStore textures_;  // textures of the displacement
+    TextureStore textures_;      // textures of the displacement
     gpu::Lighting lighting_ = gpu::Lighting::ggx;
 };
 

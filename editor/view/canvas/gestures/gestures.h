@@ -13,8 +13,8 @@ void select_card(CanvasState& canvas, const std::string& id);
 void select_box(CanvasState& canvas, const BoxId& id);
 void click_card(CanvasState& canvas, const std::string& id);  // a press without a drag
 void click_box(CanvasState& canvas, const BoxId& id);
-void drag_box(State& state);
-void drag_lasso(CanvasState& canvas);
+void drag_box(State& state, ImVec2 delta);
+void drag_lasso(State& state, ImVec2 delta);
 
 // move.cpp
 void begin_box(State& state, const Hit& hit);  // moves it by its title, resizes it at its edges
@@ -22,7 +22,7 @@ void drag_resize(State& state, ImVec2 delta);
 void begin_move(State& state, const std::string& id);
 void carry_selection(State& state);  // and the contents of the selected frames
 void drag_move(State& state, ImVec2 delta);
-void drop_cards(State& state);
+void drop_cards(State& state);  // selects the pressed card or box if nothing moved
 
 // wire.cpp
 // Returns the target pin of a wire: the nearest fitting pin within 12 pixels, else the pin of the
@@ -52,7 +52,7 @@ void drop_value(State& state);
 // stroke.cpp
 // Appends the pointer position to the stroke; returns false if the pointer has not moved.
 bool follow_stroke(CanvasState& canvas);
-void drag_stroke(CanvasState& canvas);
+void drag_stroke(State& state, ImVec2 delta);
 void drop_cut(State& state);
 void drop_reroutes(State& state);
 // Inserts a reroute into the wire at `at`, in canvas units.

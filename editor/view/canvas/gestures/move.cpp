@@ -84,7 +84,9 @@ void drag_move(State& state, ImVec2 delta) {
 }
 
 void drop_cards(State& state) {
-    const ImVec2 by = state.gesture.offset;
+    const Gesture& g = state.gesture;
+    if (!g.moved) return g.node.empty() ? click_box(state, g.box) : click_card(state, g.node);
+    const ImVec2 by = g.offset;
     refresh(state);  // updates card positions to the last motion
     std::vector<NodePosition> places;
     for (const Card& card : state.layout.cards) {

@@ -61,7 +61,7 @@ void click_box(CanvasState& canvas, const BoxId& id) {
     if (!is_adding()) select_only(canvas.view.boxes, canvas.view.selected, id);
 }
 
-void drag_box(State& state) {
+void drag_box(State& state, ImVec2) {
     const ImGuiIO& io = ImGui::GetIO();
     const Gesture& g = state.gesture;
     const Extent box =
@@ -81,12 +81,12 @@ void drag_box(State& state) {
             enclose(state.view.boxes, id);
 }
 
-void drag_lasso(CanvasState& canvas) {
-    if (!follow_stroke(canvas)) return;
-    const Gesture& g = canvas.gesture;
-    canvas.view.selected = g.selected;
-    for (const Card& card : canvas.layout.cards)
-        if (encloses(g.stroke, card.at + card.size * 0.5F)) canvas.view.selected.insert(card.id);
+void drag_lasso(State& state, ImVec2) {
+    if (!follow_stroke(state)) return;
+    const Gesture& g = state.gesture;
+    state.view.selected = g.selected;
+    for (const Card& card : state.layout.cards)
+        if (encloses(g.stroke, card.at + card.size * 0.5F)) state.view.selected.insert(card.id);
 }
 
 }  // namespace wrinkle::editor

@@ -40,12 +40,12 @@ bool follow_stroke(CanvasState& canvas) {
     return true;
 }
 
-void drag_stroke(CanvasState& canvas) {
-    if (!follow_stroke(canvas)) return;
-    Gesture& g = canvas.gesture;
+void drag_stroke(State& state, ImVec2) {
+    if (!follow_stroke(state)) return;
+    Gesture& g = state.gesture;
     const ImVec2 last = g.stroke[g.stroke.size() - 2], at = g.stroke.back();
-    for (size_t i = 0; i < canvas.layout.wires.size(); ++i) {
-        const auto place = crossing(canvas.layout, i, last, at);
+    for (size_t i = 0; i < state.layout.wires.size(); ++i) {
+        const auto place = crossing(state.layout, i, last, at);
         if (!place) continue;
         const bool known = std::any_of(g.crossed.begin(), g.crossed.end(),
                                        [&](const auto& each) { return each.wire == i; });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "editor/model/document/field.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/edit/edits.h"
@@ -43,8 +44,8 @@ void open_popup(State& state, const Card& card, const Field* field, Popup::Kind 
     if (field) {
         popup.port_index = field->index;
         popup.lane = field->lane;
-        popup.text =
-            typed_value(*state.document().find(card.id), port_of(card, *field), field->lane);
+        const auto numbers = numbers_at(*state.document().find(card.id), port_of(card, *field));
+        popup.text = shortest(numbers[static_cast<size_t>(field->lane)]);  // with all digits
     }
     if (kind == Popup::Kind::file) popup.files = image_files(state.folder());
     state.popup = std::move(popup);

@@ -189,7 +189,8 @@ std::optional<LazyWire> lazy_wire(const State& state, const Card& first, const C
 
 void drop_lazy(State& state) {
     const Hit hit = state.hovered;
-    if (!hit.on_card(state.layout) || hit.card == state.gesture.card) return;
+    if (!state.gesture.moved || !hit.on_card(state.layout) || hit.card == state.gesture.card)
+        return;
     const Card &first = state.layout.cards[state.gesture.card],
                &last = state.layout.cards[hit.card];
     const auto wire = lazy_wire(state, first, last);
