@@ -159,8 +159,8 @@ private:
             for (size_t lane = 0; lane < window_.lanes; ++lane)
                 window_.values[window_.lane_at(row, lane) + x] = texel[lane];
             ++found.covered;
-            found.not_finite += !std::all_of(texel.begin(), texel.end(),
-                                             [](float value) { return std::isfinite(value); });
+            found.not_finite +=
+                !std::ranges::all_of(texel, [](float value) { return std::isfinite(value); });
         }
     }
 
@@ -213,8 +213,7 @@ private:
             for (size_t point = 0; point < count; ++point)
                 not_finite[point] |= !std::isfinite(scratch.outputs[lane * scratch.stride + point]);
         found.covered += count;
-        found.not_finite +=
-            static_cast<uint64_t>(std::count(not_finite.begin(), not_finite.end(), 1U));
+        found.not_finite += static_cast<uint64_t>(std::ranges::count(not_finite, 1U));
     }
 
     const BakeInput& input_;

@@ -36,7 +36,7 @@ std::vector<int16_t> column_distances(const RowWindow& window, uint32_t first, u
         std::vector<int32_t> nearest(columns.size(), -far);
         for (uint32_t r = std::max(low, first - std::min(first, reach)); r < last; ++r)
             visit_row(r, columns.begin(), nearest);
-        std::fill(nearest.begin(), nearest.end(), far);
+        std::ranges::fill(nearest, far);
         for (uint32_t r = std::min(high, last + reach); r-- > first;)
             visit_row(r, columns.begin(), nearest);
     };

@@ -77,7 +77,7 @@ std::string displace(Mesh& mesh, const Program& program, size_t output,
     Results results = make_results(program, points.count);
     evaluate<float>(program, points, textures, 0, points.count, results);
     const std::vector<double>& heights = results.values[output];
-    if (!std::all_of(heights.begin(), heights.end(), [](double h) { return std::isfinite(h); }))
+    if (!std::ranges::all_of(heights, [](double h) { return std::isfinite(h); }))
         return "a displacement is not finite";
     mesh.displaced.clear();
     for (size_t i = 0; i < mesh.vertex_count(); ++i)

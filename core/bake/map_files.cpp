@@ -87,10 +87,10 @@ std::optional<std::vector<ImageWriter>> open_maps(const std::vector<MapFile>& fi
 }
 
 bool finish_maps(std::vector<ImageWriter>& writers, Diagnostics& diagnostics) {
-    return std::all_of(writers.begin(), writers.end(),
-                       [&](ImageWriter& writer) { return writer.close(diagnostics); }) &&
-           std::all_of(writers.begin(), writers.end(),
-                       [&](ImageWriter& writer) { return writer.finish(diagnostics); });
+    return std::ranges::all_of(writers,
+                               [&](ImageWriter& writer) { return writer.close(diagnostics); }) &&
+           std::ranges::all_of(writers,
+                               [&](ImageWriter& writer) { return writer.finish(diagnostics); });
 }
 
 }  // namespace wrinkle

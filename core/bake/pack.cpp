@@ -44,8 +44,7 @@ std::optional<MapRequest> parse_pack(const std::string& text, Diagnostics& diagn
         if (word.empty()) continue;
         const auto channel = parse_channel(word);
         ok = ok && channel &&
-             std::none_of(request.pack.begin(), request.pack.end(),
-                          [&](const PackedChannel& c) { return c.to == channel->to; });
+             std::ranges::find(request.pack, channel->to, &PackedChannel::to) == request.pack.end();
         if (!ok) break;
         request.pack.push_back(*channel);
     }

@@ -33,8 +33,7 @@ void Report::add(Finding finding) {
     const auto same = [&](const Finding& other) {
         return other.check == finding.check && other.port == finding.port;
     };
-    if (std::none_of(findings.begin(), findings.end(), same))
-        findings.push_back(std::move(finding));
+    if (std::ranges::none_of(findings, same)) findings.push_back(std::move(finding));
 }
 
 Diagnostic to_diagnostic(const Finding& finding, const Report& report, const std::string& file) {
@@ -60,7 +59,7 @@ Report certify(const NodeType& type, const CertifyContext& context) {
     const auto hopeless = [](const Finding& finding) {
         return finding.check == "text" || finding.check == "deterministic";
     };
-    if (std::any_of(report.findings.begin(), report.findings.end(), hopeless)) return report;
+    if (std::ranges::any_of(report.findings, hopeless)) return report;
     for (const auto check : {check_derivatives, check_uniforms, check_finite, check_parity})
         check(type, context, report);
     return report;

@@ -12,8 +12,8 @@ bool mentions(const std::string& doc, std::initializer_list<std::string_view> wo
     std::string lower = doc;
     for (char& c : lower)
         c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return std::any_of(words.begin(), words.end(),
-                       [&](std::string_view word) { return lower.find(word) != lower.npos; });
+    return std::ranges::any_of(
+        words, [&](std::string_view word) { return lower.find(word) != lower.npos; });
 }
 
 bool is_angle(const Port& port) {
@@ -74,7 +74,7 @@ void check_descriptor(const NodeType& type, Report& report) {
         fault("its doc is no sentence: " + json_quoted(type.doc),
               "one or two sentences that end with a full stop");
     const auto is_output = [](const Port& port) { return port.kind == Port::Kind::output; };
-    if (std::none_of(type.ports.begin(), type.ports.end(), is_output))
+    if (std::ranges::none_of(type.ports, is_output))
         fault("it has no output", "declare one with .out<T>()");
     for (const Port& port : type.ports)
         for (const auto check : {check_texts, check_unit, check_ranges})

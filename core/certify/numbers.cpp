@@ -13,8 +13,8 @@ void expect_finite(const Trial& trial, const Values& values, const std::string& 
     const Module& module = trial.subject.compiled.module;
     for (size_t output = 0; output < values.size(); ++output) {
         const std::vector<double>& numbers = values[output];
-        const auto bad = std::find_if(numbers.begin(), numbers.end(),
-                                      [](double number) { return !std::isfinite(number); });
+        const auto bad =
+            std::ranges::find_if(numbers, [](double number) { return !std::isfinite(number); });
         if (bad == numbers.end()) continue;
         const size_t point = static_cast<size_t>(bad - numbers.begin()) / lanes_of(module, output);
         trial.add("finite", port_of(module.outputs[output].name),

@@ -88,7 +88,7 @@ public:
 private:
     bool add_file(const std::string& file) {
         const fs::path path = real_path(file);
-        if (std::find(open_.begin(), open_.end(), path) != open_.end())
+        if (std::ranges::find(open_, path) != open_.end())
             return fail(file, "names itself, or a file that names it");
         if (open_.size() == max_depth)
             return fail(file, "is more than " + std::to_string(max_depth) + " files deep");

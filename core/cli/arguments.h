@@ -34,7 +34,7 @@ std::string overwrite_fault_of_run(std::span<const std::string> outputs,
 // Names of all pixel types, in their order.
 inline constexpr std::array pixel_type_names = {"u8", "u16", "half", "float"};
 inline std::optional<PixelType> pixel_type_named(std::string_view name) {
-    const auto found = std::find(pixel_type_names.begin(), pixel_type_names.end(), name);
+    const auto found = std::ranges::find(pixel_type_names, name);
     if (found == pixel_type_names.end()) return {};
     return static_cast<PixelType>(found - pixel_type_names.begin());
 }

@@ -137,7 +137,7 @@ PartHeader header(const json::Value& root) {
     require(width > 0 && height > 0 && width <= 65536 && height <= 65536);
     // Names and suffixes become parts of paths and must not contain '/'.
     const auto is_name = [](const std::string& text) { return text.find('/') == text.npos; };
-    require(std::all_of(header.sets.begin(), header.sets.end(), is_name));
+    require(std::ranges::all_of(header.sets, is_name));
     for (const json::Member& member : item(root, "maps", json::Kind::array).children()) {
         PartHeader::Map& map = header.maps.emplace_back(read::map(member.value));
         map.writer.width = static_cast<uint32_t>(width);

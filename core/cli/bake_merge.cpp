@@ -68,8 +68,7 @@ std::vector<Part> read_parts(const std::vector<std::string>& folders, Diagnostic
     for (const std::string& folder : folders)
         if (auto header = read_header(folder, diagnostics))
             parts.push_back({folder, std::move(*header)});
-    std::stable_sort(parts.begin(), parts.end(),
-                     [](const Part& a, const Part& b) { return a.header.shard < b.header.shard; });
+    std::ranges::stable_sort(parts, {}, [](const Part& part) { return part.header.shard; });
     if (diagnostics.has_errors() || !check_parts(parts, diagnostics)) return {};
     return parts;
 }

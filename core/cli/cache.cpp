@@ -85,7 +85,7 @@ void Cache::prune() {
     for (size_t i = 0; i < parts; ++i) {
         if (!grown_[i].exchange(false)) continue;
         std::vector<CacheFile> files = list_cache_files(folder_ / std::string(1, digits[i]));
-        std::sort(files.begin(), files.end(), [](const CacheFile& a, const CacheFile& b) {
+        std::ranges::sort(files, [](const CacheFile& a, const CacheFile& b) {
             return a.used != b.used ? a.used < b.used : a.path < b.path;
         });
         uint64_t size = 0;

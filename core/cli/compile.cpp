@@ -77,7 +77,7 @@ struct CompileCommand {
         std::vector<std::string> read = outputs.files;
         std::error_code ignored;
         const auto exists = [&](const std::string& path) { return fs::exists(path, ignored); };
-        if (std::any_of(paths.begin(), paths.end(), exists)) {
+        if (std::ranges::any_of(paths, exists)) {
             std::vector<std::vector<std::string>> found(outputs.files.size());
             each_graph([&](size_t i) { found[i] = inputs_read(outputs.files[i], with); });
             for (const std::vector<std::string>& inputs : found)

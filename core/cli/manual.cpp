@@ -41,7 +41,7 @@ std::string head(const std::string& name, const std::string& summary) {
 // Value name of an option: the choices joined by |, or the type name without its validator.
 std::string value_of(const CLI::Option& option) {
     std::string names = choices_of(option);
-    std::replace(names.begin(), names.end(), ',', '|');
+    std::ranges::replace(names, ',', '|');
     const std::string type = option.get_type_name();
     return names.empty() ? type.substr(0, type.find(':')) : names;
 }
@@ -144,9 +144,7 @@ struct ManCommand {
         const auto commands = commands_of(*app);
         if (!folder.empty()) return write_all(commands);
         if (name.empty()) return write_result("-", manual_page(*app));
-        const auto found =
-            std::find_if(commands.begin(), commands.end(),
-                         [&](const CLI::App* command) { return command->get_name() == name; });
+        const auto found = std::ranges::find(commands, name, &CLI::App::get_name);
         if (found == commands.end())
             return fail(exit_usage,
                         "there is no command '" + name + "'; wrinkle --help lists them");

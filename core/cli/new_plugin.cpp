@@ -35,7 +35,7 @@ std::string why_not(const std::string& name) {
         return "is no name for a node: a letter a-z, then letters, digits and _, at most " +
                std::to_string(max_name);
     const auto words = split(reserved, ' ');
-    if (std::find(words.begin(), words.end(), name) != words.end())
+    if (std::ranges::find(words, name) != words.end())
         return "is a word of C++ or CMake; the node needs another name";
     Registry registry;
     Diagnostics ignored;
@@ -58,7 +58,7 @@ std::string sdk_prefix() {
 std::string filled(std::string_view form, std::string_view name, std::string_view prefix) {
     std::string title(name);
     title[0] = static_cast<char>(title[0] - 'a' + 'A');
-    std::replace(title.begin(), title.end(), '_', ' ');
+    std::ranges::replace(title, '_', ' ');
     const std::pair<std::string_view, std::string_view> blanks[] = {
         {"NAME", name}, {"TITLE", title}, {"PREFIX", prefix}};
     std::string text;
@@ -103,8 +103,7 @@ bool is_unfinished(const fs::path& folder, const std::vector<Result>& files) {
         const auto is_it = [&](const Result& file) {
             return path == file.path && read_file(path, why) == file.text;
         };
-        return Temporary::is_name(path.filename().string()) ||
-               std::any_of(files.begin(), files.end(), is_it);
+        return Temporary::is_name(path.filename().string()) || std::ranges::any_of(files, is_it);
     };
     std::error_code error;
     fs::directory_iterator entries(folder, error);

@@ -56,7 +56,7 @@ std::string Outputs::conflict() const {
     for (const std::string& file : files)
         if (texts || !reflect.empty()) stems.push_back(stem_of(file));
     const auto twice = [](std::vector<std::string>& list) {
-        std::sort(list.begin(), list.end());
+        std::ranges::sort(list);
         const auto found = std::adjacent_find(list.begin(), list.end());
         return found == list.end() ? std::string() : *found;
     };

@@ -55,7 +55,7 @@ Loaded load(const std::string& file, Diagnostics& diagnostics) {
         built_in.add_plugin(built_in_nodes(), Registry::built_in, ignored);
         const auto ids = built_in.ids();
         const auto is_there = [&](const std::string& id) { return alone.registry.find(id); };
-        if (alone.fine() && std::all_of(ids.begin(), ids.end(), is_there)) return alone;
+        if (alone.fine() && std::ranges::all_of(ids, is_there)) return alone;
     }
     diagnostics.append(refused);
     return loaded;
@@ -129,8 +129,7 @@ int certify_plugin(const CertifyOptions& options) {
         std::fflush(stdout);
         certify::Report found = certify::certify(*type, bench);
         const auto meant = [&](const certify::Finding& finding) {
-            return std::find(options.allow.begin(), options.allow.end(), finding.check) !=
-                   options.allow.end();
+            return std::ranges::find(options.allow, finding.check) != options.allow.end();
         };
         std::erase_if(found.findings, meant);
         failed += found.findings.empty() ? 0 : 1;

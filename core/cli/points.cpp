@@ -73,8 +73,7 @@ private:
         const auto is_number = [](const json::Member& each) {
             return each.value.is(json::Kind::number);
         };
-        if (!has_form || numbers.size() != lanes ||
-            !std::all_of(numbers.begin(), numbers.end(), is_number))
+        if (!has_form || numbers.size() != lanes || !std::ranges::all_of(numbers, is_number))
             return error(
                 member.value, name_of(need) + " does not fit",
                 lanes == 1 ? "a number" : "an array of " + std::to_string(lanes) + " numbers");

@@ -108,7 +108,7 @@ std::vector<fs::path> find_tests(const std::vector<std::string>& paths, Diagnost
         if (found.empty() && !diagnostics.has_errors())
             diagnostics.error(path + ": there is no test",
                               "a file NAME.test.json, or a folder with such files in or below it");
-        std::sort(found.begin(), found.end());
+        std::ranges::sort(found);
         tests.insert(tests.end(), found.begin(), found.end());
     }
     return tests;

@@ -77,8 +77,7 @@ std::vector<std::string> differences(const TestCase& test, const Document& docum
     for (const json::Member& member : expected.children()) {
         const std::string name(member.key);
         const std::string what = "output '" + name + "'" + source_of(document, name) + ": ";
-        const auto column = std::find_if(columns.begin(), columns.end(),
-                                         [&](const OutputColumn& c) { return c.name == name; });
+        const auto column = std::ranges::find(columns, name, &OutputColumn::name);
         if (column == columns.end()) {
             result.push_back(what + "the graph has no such output");
             continue;

@@ -21,7 +21,7 @@ std::span<const std::string_view> view_names() {
 }
 
 std::optional<View> view_named(std::string_view name) {
-    const auto* found = std::find(views.begin(), views.end(), name);
+    const auto* found = std::ranges::find(views, name);
     if (found == views.end()) return std::nullopt;
     return static_cast<View>(found - views.begin());
 }

@@ -86,8 +86,7 @@ Document change_node(const Document& document, std::string_view id, Change chang
 }
 
 bool put(Node& node, Input input) {
-    const auto old = std::find_if(node.inputs.begin(), node.inputs.end(),
-                                  [&](const Input& each) { return each.port == input.port; });
+    const auto old = std::ranges::find(node.inputs, input.port, &Input::port);
     if (old == node.inputs.end()) {
         node.inputs.push_back(std::move(input));
         return true;

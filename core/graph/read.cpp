@@ -111,7 +111,7 @@ private:
 
 void add_in_order(const Diagnostics& found, Diagnostics& diagnostics) {
     std::vector<Diagnostic> list = found.list();
-    std::stable_sort(list.begin(), list.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    std::ranges::stable_sort(list, [](const Diagnostic& a, const Diagnostic& b) {
         return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
     });
     Diagnostics sorted(found.list().size());
@@ -132,7 +132,7 @@ void report_keys(const std::vector<Extra>& extras, std::span<const std::string_v
     if (extras.empty()) return;
     const std::vector<std::string> names(known.begin(), known.end());
     for (const Extra& extra : extras) {
-        if (std::find(known.begin(), known.end(), extra.key) != known.end()) continue;
+        if (std::ranges::find(known, extra.key) != known.end()) continue;
         const std::string name = nearest(extra.key, names);
         report.at_key(extra.value, node, "unknown key " + json_quoted(extra.key),
                       name.empty() ? "" : "did you mean \"" + name + "\"?");

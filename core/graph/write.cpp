@@ -1,5 +1,7 @@
 #include "graph/write.h"
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "json/write.h"
 
@@ -52,9 +54,7 @@ private:
 };
 
 bool has(const std::vector<Extra>& extras, std::string_view key) {
-    for (const Extra& extra : extras)
-        if (extra.key == key) return true;
-    return false;
+    return std::ranges::find(extras, key, &Extra::key) != extras.end();
 }
 
 // Writes the source as it was read if it is not an object; returns false otherwise.

@@ -98,7 +98,7 @@ const Writable* format_to_write(const std::filesystem::path& path) {
 }
 
 bool plugin_keeps_numbers(std::string_view plugin) {
-    return std::any_of(writables.begin(), writables.end(), [&](const Writable& format) {
+    return std::ranges::any_of(writables, [&](const Writable& format) {
         return format.numbers && format.plugin == plugin;
     });
 }

@@ -103,10 +103,9 @@ struct NonFinite {
 void note_non_finite(const ImageInfo& info, uint32_t y, const std::vector<float>& row,
                      NonFinite& found) {
     const auto is_bad = [](float value) { return !std::isfinite(value); };
-    const auto count = std::count_if(row.begin(), row.end(), is_bad);
+    const auto count = std::ranges::count_if(row, is_bad);
     if (count == 0) return;
-    const auto first =
-        static_cast<size_t>(std::find_if(row.begin(), row.end(), is_bad) - row.begin());
+    const auto first = static_cast<size_t>(std::ranges::find_if(row, is_bad) - row.begin());
     found = {found.count + static_cast<size_t>(count), first / info.channels, y};
 }
 

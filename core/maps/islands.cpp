@@ -59,8 +59,7 @@ void IslandSums::add(const float* row, uint32_t width, uint32_t channels) {
     for (size_t square = 0; square < plain_.size(); ++square)
         for (size_t x = square * side; x < (square + 1) * side; ++x)
             plain_[square] &= here_.background[x];
-    if (rows_ % side == 0)
-        plain_count_ += static_cast<size_t>(std::count(plain_.begin(), plain_.end(), 1));
+    if (rows_ % side == 0) plain_count_ += static_cast<size_t>(std::ranges::count(plain_, 1));
     compare(here_, 0, here_, 1, width - 1);
     if (!above_.red.empty()) compare(here_, 0, above_, 0, width);
 }

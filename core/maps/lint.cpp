@@ -334,8 +334,7 @@ std::string_view words_of(MapDefect defect) {
 }
 
 bool Verdict::has_defects() const {
-    return std::any_of(findings.begin(), findings.end(),
-                       [](const Finding& finding) { return finding.is_defect; });
+    return std::ranges::any_of(findings, &Finding::is_defect);
 }
 
 std::optional<double> Verdict::measure(std::string_view name) const {

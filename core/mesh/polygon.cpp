@@ -60,7 +60,7 @@ void clip_ears(const std::vector<dvec2>& points, Emit emit) {
     const auto is_ear = [&](size_t i) {
         const dvec2 a = points[before(i)], b = points[left[i]], c = points[after(i)];
         if (!(turn(a, b, c) > 0)) return false;
-        return std::none_of(left.begin(), left.end(), [&](size_t other) {
+        return std::ranges::none_of(left, [&](size_t other) {
             const dvec2 p = points[other];
             return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 &&
                    turn(c, a, p) >= 0;

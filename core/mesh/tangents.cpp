@@ -41,7 +41,7 @@ struct Group {
 };
 
 size_t corner_at(const Triangle& triangle, uint32_t vertex) {
-    const auto* found = std::find(triangle.vertices.begin(), triangle.vertices.end(), vertex);
+    const auto* found = std::ranges::find(triangle.vertices, vertex);
     return static_cast<size_t>(found - triangle.vertices.begin());
 }
 
@@ -99,7 +99,7 @@ private:
             for (uint32_t k = 0; k < 3 && !triangles_[t].is_point; ++k)
                 edges.emplace_back(std::min(start(t, k), start(t, k + 1)),
                                    std::max(start(t, k), start(t, k + 1)), t, k);
-        std::sort(edges.begin(), edges.end());
+        std::ranges::sort(edges);
         for (size_t first = 0; first < edges.size();) {
             size_t last = first;
             while (last < edges.size() && std::get<0>(edges[last]) == std::get<0>(edges[first]) &&

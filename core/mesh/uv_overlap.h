@@ -42,10 +42,10 @@ void each_third_repeat(const std::vector<Triangle>& triangles, Drop drop) {
     for (uint32_t i = 0; i < triangles.size(); ++i) {
         const Triangle& t = triangles[i];
         Corners corners{{{t.x[0], t.y[0]}, {t.x[1], t.y[1]}, {t.x[2], t.y[2]}}};
-        std::sort(corners.begin(), corners.end());
+        std::ranges::sort(corners);
         sorted.emplace_back(corners, i);
     }
-    std::sort(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
     for (size_t i = 2; i < sorted.size(); ++i)
         if (sorted[i].first == sorted[i - 2].first) drop(sorted[i].second);
 }

@@ -118,8 +118,7 @@ void UvRaster::find_borders() {
     for (uint32_t i = 0; i < triangles_.size(); ++i)
         for (uint8_t k = 0; k < 3; ++k)
             if (rows_[i].low <= rows_[i].high) edges.push_back(uv_edge(triangles_[i], i, k));
-    std::sort(edges.begin(), edges.end(),
-              [](const UvEdge& a, const UvEdge& b) { return a.key() < b.key(); });
+    std::ranges::sort(edges, {}, &UvEdge::key);
     for (auto first = edges.begin(); first != edges.end();) {
         const auto last = std::find_if(
             first, edges.end(), [&](const UvEdge& edge) { return edge.key() != first->key(); });

@@ -260,7 +260,7 @@ private:
             if (!this->name(source.choices[i], "the name of a choice", name)) return false;
             if (!is_name(name))
                 return fault("its choice " + json_quoted(name) + " is not lower_snake_case");
-            if (std::find(port.choices.begin(), port.choices.end(), name) != port.choices.end())
+            if (std::ranges::find(port.choices, name) != port.choices.end())
                 return fault("its choice '" + name + "' stands there twice");
             port.choices.push_back(std::move(name));
         }
@@ -322,8 +322,7 @@ bool read_descriptors(const wr_plugin* plugin, std::string_view origin,
         NodeType type;
         reader.node(copy.nodes[i], i, type);
         const auto same = [&](const NodeType& other) { return other.id == type.id; };
-        if (!type.id.empty() && std::any_of(types.begin(), types.end(), same))
-            reader.duplicate(type.id);
+        if (!type.id.empty() && std::ranges::any_of(types, same)) reader.duplicate(type.id);
         types.push_back(std::move(type));
     }
     return reader.fine();

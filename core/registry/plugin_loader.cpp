@@ -75,7 +75,7 @@ private:
         for (; !error && entry != fs::directory_iterator(); entry.increment(error))
             if (entry->path().extension() == ".so") files.push_back(entry->path().string());
         if (error) return print_error(name, "the folder cannot be read: " + error.message());
-        std::sort(files.begin(), files.end());
+        std::ranges::sort(files);
         for (const std::string& path : files)
             file(path, Severity::warning);
     }

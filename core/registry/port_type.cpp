@@ -75,7 +75,7 @@ bool is_name(std::string_view text) {
     const auto lower = [](char c) { return c >= 'a' && c <= 'z'; };
     const auto inside = [&](char c) { return lower(c) || (c >= '0' && c <= '9') || c == '_'; };
     return !text.empty() && text.size() <= max_name && lower(text[0]) &&
-           std::all_of(text.begin(), text.end(), inside);
+           std::ranges::all_of(text, inside);
 }
 
 }  // namespace wrinkle

@@ -11,8 +11,7 @@ namespace {
 std::vector<std::string> families(const Registry& registry) {
     std::vector<std::string> names;
     for (const NodeType& type : registry.list())
-        if (std::find(names.begin(), names.end(), type.family) == names.end())
-            names.push_back(type.family);
+        if (std::ranges::find(names, type.family) == names.end()) names.push_back(type.family);
     return names;
 }
 

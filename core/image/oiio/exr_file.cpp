@@ -50,11 +50,9 @@ int64_t write_to_file(exr_const_context_t, void* file, const void* bytes, uint64
 }
 
 bool any_long_name(const WriterOptions& options) {
-    for (const std::string& name : options.channels)
-        if (name.size() > short_name) return true;
-    for (const ImageNumber& number : options.numbers)
-        if (number.name.size() > short_name) return true;
-    return false;
+    const auto is_long = [](const std::string& name) { return name.size() > short_name; };
+    return std::ranges::any_of(options.channels, is_long) ||
+           std::ranges::any_of(options.numbers, is_long, &ImageNumber::name);
 }
 
 // On slope maps within 4 % of the size of zlib level 4, OpenEXR's default, and three times as fast.
@@ -167,7 +165,7 @@ void ExrFile::sort_channels(const WriterOptions& options) {
     check(exr_get_channels(context_.get(), part, &sorted));
     const std::vector<std::string>& names = options.channels;
     for (int c = 0; c < sorted->num_channels; ++c) {
-        const auto found = std::find(names.begin(), names.end(), sorted->entries[c].name.str);
+        const auto found = std::ranges::find(names, sorted->entries[c].name.str);
         order_.push_back(static_cast<uint32_t>(found - names.begin()));
     }
 }

@@ -73,7 +73,7 @@ Quiet::~Quiet() {
 std::string sentence(std::string text) {
     while (!text.empty() && (text.back() == '\n' || text.back() == ' '))
         text.pop_back();
-    std::replace(text.begin(), text.end(), '\n', ' ');
+    std::ranges::replace(text, '\n', ' ');
     return text.empty() ? "it ends early or holds impossible values" : text;
 }
 

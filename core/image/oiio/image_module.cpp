@@ -32,7 +32,7 @@ constexpr uint32_t scan_lines_at_once = 256;  // complete chunks of OpenEXR, few
 
 TypeDesc::BASETYPE readable_type(const ImageSpec& spec) {
     const auto type = static_cast<TypeDesc::BASETYPE>(spec.format.basetype);
-    const bool known = std::find(types.begin(), types.end(), type) != types.end();
+    const bool known = std::ranges::find(types, type) != types.end();
     return known ? type : TypeDesc::FLOAT;
 }
 
@@ -72,7 +72,7 @@ WrinkleImageHeader header_of(const ImageSpec& spec, int channels) {
     header.height = static_cast<uint32_t>(std::max(spec.height, 0));
     header.channels = static_cast<uint32_t>(channels);
     header.has_alpha = channels == 4 || (spec.alpha_channel == 1 && channels == 2);
-    const auto found = std::find(types.begin(), types.end(), readable_type(spec));
+    const auto found = std::ranges::find(types, readable_type(spec));
     header.type = static_cast<uint32_t>(found - types.begin());
     return header;
 }

@@ -99,7 +99,7 @@ bool write_whole_tiles(const WrinkleImageWriter& writer, const char* rows, int b
         for (int x = 0; x < spec.width; x += spec.tile_width) {
             const int height = std::min(spec.tile_height, end - y);
             const int width = std::min(spec.tile_width, spec.width - x);
-            std::fill(tile.begin(), tile.end(), char{0});
+            std::ranges::fill(tile, char{0});
             for (int row = 0; row < height; ++row)
                 std::memcpy(&tile[row * texel * spec.tile_width],
                             rows + (y - begin + row) * stride + x * texel, width * texel);

@@ -35,7 +35,7 @@ std::vector<StoredAs> all_kinds() {
             split(format_to_write("x." + format)->types, ' ');
         for (const PixelType type :
              {PixelType::u8, PixelType::u16, PixelType::half, PixelType::float32})
-            if (std::find(types.begin(), types.end(), name_of(type)) != types.end())
+            if (std::ranges::find(types, name_of(type)) != types.end())
                 kinds.push_back({format + " " + std::string(name_of(type)), label_of(format, type),
                                  "." + format, type});
     }
@@ -45,12 +45,12 @@ std::vector<StoredAs> all_kinds() {
 template <class Matches>
 const StoredAs& kind_where(Matches&& matches) {
     const auto kinds = stored_kinds();
-    const auto found = std::find_if(kinds.begin(), kinds.end(), matches);
+    const auto found = std::ranges::find_if(kinds, matches);
     return found == kinds.end() ? kinds[0] : *found;
 }
 
 uint32_t listed_size(uint32_t size, uint32_t otherwise) {
-    const auto* found = std::find(std::begin(bake_sizes), std::end(bake_sizes), size);
+    const auto* found = std::ranges::find(bake_sizes, size);
     return found == std::end(bake_sizes) ? otherwise : size;
 }
 
@@ -60,7 +60,7 @@ std::string shell_word(const std::string& text) {
         return std::isalnum(c) ||
                std::string_view("_-./,:=+@%").find(static_cast<char>(c)) != std::string_view::npos;
     };
-    if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+    if (!text.empty() && std::ranges::all_of(text, plain)) return text;
     std::string quoted = "'";
     for (const char c : text)
         quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -118,7 +118,7 @@ std::vector<std::string_view> compressions_of(const StoredAs& stored) {
 
 std::string BakeChoices::compression_in(const StoredAs& kind) const {
     const auto known = compressions_of(kind);
-    const bool fits = std::find(known.begin(), known.end(), tuning.compression) != known.end();
+    const bool fits = std::ranges::find(known, tuning.compression) != known.end();
     return fits ? tuning.compression : "";
 }
 
@@ -136,9 +136,8 @@ bool BakeChoices::one_file() const {
 std::vector<AskedMap> asked_maps(const BakeChoices& choices, std::string& why) {
     std::vector<AskedMap> asked;
     const auto add = [&](MapRequest request) {
-        const bool twice = std::any_of(asked.begin(), asked.end(), [&](const AskedMap& each) {
-            return each.request.name == request.name;
-        });
+        const bool twice = std::ranges::any_of(
+            asked, [&](const AskedMap& each) { return each.request.name == request.name; });
         if (twice) {
             why = "Two maps would be called " + request.name +
                   ". A pack begins with its name: orm: r=occlusion.";
@@ -172,7 +171,7 @@ BakeChoices choices_of(const BakeSettings& settings) {
     choices.object_space = settings.space == "object";
     choices.green_down = settings.green == "dx";
     const auto& counts = bake_sample_counts;
-    if (std::find(counts.begin(), counts.end(), choices.tuning.samples) == counts.end())
+    if (std::ranges::find(counts, choices.tuning.samples) == counts.end())
         choices.tuning.samples = BakeTuning().samples;
     if (choices.tuning.tile % 16 != 0) choices.tuning.tile = 0;
     choices.stored = &kind_where([&](const StoredAs& kind) { return kind.key == settings.stored; });

@@ -111,7 +111,7 @@ std::string why_no_line(const Session& session, const std::set<std::string>& sel
     if (selected.size() != 1 || text.nodes.empty()) return {};
     const std::string& id = *selected.begin();
     const Node* node = session.document().find(id);
-    if (!node || std::find(text.nodes.begin(), text.nodes.end(), id) != text.nodes.end()) return {};
+    if (!node || std::ranges::find(text.nodes, id) != text.nodes.end()) return {};
     std::set<std::string> read;
     for (const Output& output : session.document().outputs)
         if (output.from.kind == Input::Kind::link) read.insert(output.from.link.node);

@@ -19,15 +19,14 @@ bool is_type(std::string_view word) {
         "void",  "float", "int",   "uint",  "bool",  "vec2",      "vec3",
         "vec4",  "ivec2", "ivec3", "ivec4", "uvec2", "uvec3",     "uvec4",
         "bvec2", "bvec3", "mat2",  "mat3",  "mat4",  "sampler2D", "samplerCube"};
-    return std::find(std::begin(types), std::end(types), word) != std::end(types) ||
-           word.starts_with("WrinkleSurface");
+    return std::ranges::find(types, word) != std::end(types) || word.starts_with("WrinkleSurface");
 }
 
 bool is_keyword(std::string_view word) {
     constexpr std::string_view words[] = {"struct", "uniform", "return", "for",     "while", "if",
                                           "else",   "const",   "in",     "out",     "inout", "true",
                                           "false",  "break",   "layout", "location"};
-    return std::find(std::begin(words), std::end(words), word) != std::end(words);
+    return std::ranges::find(words, word) != std::end(words);
 }
 
 // Returns the end of the number that begins at `at`: "12", "0.5", "1e-06", "3u".

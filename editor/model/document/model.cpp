@@ -11,7 +11,7 @@ namespace {
 
 // Returns true if the problem comes from reading a file in this part of the project.
 bool is_of(const Diagnostic& problem, const Project& part) {
-    return std::any_of(part.files.begin(), part.files.end(), [&](const Project::File& file) {
+    return std::ranges::any_of(part.files, [&](const Project::File& file) {
         const bool used = &file == part.files.data() || !file.document.file.empty();
         return used && file.document.file == problem.where.file &&
                (problem.node.empty() || file.document.find(problem.node));
@@ -42,11 +42,10 @@ const Port* output_port(const NodeType* type, std::string_view name) {
 const Port* first_output(const NodeType* type, std::initializer_list<PortType> wanted) {
     const auto fits = [&](const Port& port) {
         return port.kind == Port::Kind::output &&
-               (wanted.size() == 0 ||
-                std::find(wanted.begin(), wanted.end(), port.type) != wanted.end());
+               (wanted.size() == 0 || std::ranges::find(wanted, port.type) != wanted.end());
     };
     if (!type) return nullptr;
-    const auto found = std::find_if(type->ports.begin(), type->ports.end(), fits);
+    const auto found = std::ranges::find_if(type->ports, fits);
     return found == type->ports.end() ? nullptr : &*found;
 }
 

@@ -25,8 +25,7 @@ public:
         const fs::path file = (from_ / name).lexically_normal();
         if (leaves(file)) {
             auto& outside = result_.outside;
-            if (std::find(outside.begin(), outside.end(), name) == outside.end())
-                outside.push_back(name);
+            if (std::ranges::find(outside, name) == outside.end()) outside.push_back(name);
             if (files_ == OutsideFiles::copied) return copied(file);
         }
         return fs::path(name).is_absolute() ? name : file.lexically_relative(to_).string();
@@ -116,7 +115,7 @@ MovedPaths move_paths(const Document& document, const Model& model, const fs::pa
 
 bool copy_files(const std::map<fs::path, fs::path>& copies, NewPaths& made, std::string& why) {
     std::error_code ignored;
-    return std::all_of(copies.begin(), copies.end(), [&](const auto& each) {
+    return std::ranges::all_of(copies, [&](const auto& each) {
         return !fs::exists(each.second, ignored) || copy(each.second, each.first, made, why);
     });
 }

@@ -21,9 +21,8 @@ std::string first_trouble(const Plugins& plugins) {
 }
 
 size_t from_plugins(const Registry& registry) {
-    return static_cast<size_t>(
-        std::count_if(registry.list().begin(), registry.list().end(),
-                      [](const NodeType& type) { return type.origin != Registry::built_in; }));
+    return static_cast<size_t>(std::ranges::count_if(
+        registry.list(), [](const NodeType& type) { return type.origin != Registry::built_in; }));
 }
 
 }  // namespace

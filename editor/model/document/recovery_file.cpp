@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <functional>
 #include <thread>
 
 #include "base/file.h"
@@ -163,8 +164,7 @@ std::vector<Recoverable> list_recoverable(const fs::path& state_folder) {
         else if (found)
             all.push_back(std::move(*found));
     }
-    std::sort(all.begin(), all.end(),
-              [](const Recoverable& a, const Recoverable& b) { return a.when > b.when; });
+    std::ranges::sort(all, std::greater(), &Recoverable::when);
     return all;
 }
 

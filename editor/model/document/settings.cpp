@@ -142,7 +142,7 @@ void remember_recent(const Folders& folders, Settings& settings, const fs::path&
         std::vector<fs::path> all = read_settings(folders, ignored).recent;
         for (const fs::path& known :
              settings.recent)  // the list on disk is empty if the file cannot be written
-            if (std::find(all.begin(), all.end(), known) == all.end()) all.push_back(known);
+            if (std::ranges::find(all, known) == all.end()) all.push_back(known);
         settings.recent = std::move(all);
     }
     std::error_code error;

@@ -53,7 +53,7 @@ void want_image(Session& session, const fs::path& file, const Stamp& stamp, bool
     if (known != images.known.end() && known->second.stamp == stamp) return;
     if (!images.examiner) return keep_answer(session, {file, examine_file(file)});
     std::vector<fs::path>& wanted = images.wanted;
-    const auto at = std::find(wanted.begin(), wanted.end(), file);
+    const auto at = std::ranges::find(wanted, file);
     if (at == wanted.begin() && at != wanted.end()) return;
     if (at != wanted.end() && !first) return;
     if (at != wanted.end()) wanted.erase(at);
@@ -64,8 +64,7 @@ void want_image(Session& session, const fs::path& file, const Stamp& stamp, bool
 const Examined* examined(const Session& session, const fs::path& file) {
     const Images& images = session.images;
     const auto known = images.known.find(file);
-    const bool waits =
-        std::find(images.wanted.begin(), images.wanted.end(), file) != images.wanted.end();
+    const bool waits = std::ranges::find(images.wanted, file) != images.wanted.end();
     return known == images.known.end() || waits ? nullptr : &known->second;
 }
 
@@ -91,15 +90,14 @@ void follow_images(Session& session, const std::vector<UsedFile>& files,
     images.paths = std::move(paths);
     ++images.changes;
     const auto is_read = [&](const fs::path& file) {
-        return std::any_of(images.paths.begin(), images.paths.end(),
-                           [&](const auto& each) { return each.second == file; }) ||
-               std::find(dropped.begin(), dropped.end(), file) != dropped.end();
+        return std::ranges::any_of(images.paths,
+                                   [&](const auto& each) { return each.second == file; }) ||
+               std::ranges::find(dropped, file) != dropped.end();
     };
     std::erase_if(images.known, [&](const auto& each) { return !is_read(each.first); });
-    if (images.wanted.size() > 1)
-        images.wanted.erase(std::remove_if(images.wanted.begin() + 1, images.wanted.end(),
-                                           [&](const fs::path& file) { return !is_read(file); }),
-                            images.wanted.end());
+    std::erase_if(images.wanted, [&](const fs::path& file) {
+        return &file != &images.wanted.front() && !is_read(file);
+    });
 }
 
 void poll_images(Session& session) {

@@ -94,7 +94,7 @@ private:
     void add(std::string about, std::string message, std::string evidence, Remedy remedy = {}) {
         const std::vector<std::string>& dismissed = session_.keeping.settings.dismissed;
         const std::string mark = dismissal_mark(file_, examined_->stamp, about);
-        if (std::find(dismissed.begin(), dismissed.end(), mark) != dismissed.end()) return;
+        if (std::ranges::find(dismissed, mark) != dismissed.end()) return;
         ImageWarning remark;
         remark.problem.severity = Severity::warning;
         remark.problem.pointer = "/nodes/" + node_->id + "/in/" + port_->name;

@@ -60,8 +60,7 @@ Document distributed(const State& state, bool across) {
     if (cards.size() < 3) return state.document();
     const auto start = [&](const Card& card) { return across ? card.at.x : card.at.y; };
     const auto length = [&](const Card& card) { return across ? card.size.x : card.size.y; };
-    std::sort(cards.begin(), cards.end(),
-              [&](const Card* a, const Card* b) { return start(*a) < start(*b); });
+    std::ranges::sort(cards, {}, [&](const Card* card) { return start(*card); });
     float used = 0;
     for (const Card* card : cards)
         used += length(*card);

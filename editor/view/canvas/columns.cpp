@@ -61,8 +61,7 @@ public:
 
     void run() {
         for (std::vector<size_t>& column : columns_) {
-            std::stable_sort(column.begin(), column.end(),
-                             [&](size_t a, size_t b) { return boxes_[a].at.y < boxes_[b].at.y; });
+            std::ranges::stable_sort(column, {}, [&](size_t i) { return boxes_[i].at.y; });
             stack(column);
         }
         std::vector<ColumnBox> best;
@@ -158,8 +157,7 @@ private:
             const auto& [sum, count] = groups[boxes_[i].group];
             return std::pair(boxes_[i].group == 0 ? middle(i) : sum / count, middle(i));
         };
-        std::stable_sort(column.begin(), column.end(),
-                         [&](size_t a, size_t b) { return key(a) < key(b); });
+        std::ranges::stable_sort(column, {}, key);
         spread(column, wanted);
         put(c, wanted);
     }
@@ -210,8 +208,7 @@ private:
             if (range.low.y <= range.high.y)
                 lanes.push_back({line.from, line.to, range.low.y - lane, range.high.y + lane});
         }
-        std::sort(lanes.begin(), lanes.end(),
-                  [](const Lane& a, const Lane& b) { return a.top < b.top; });
+        std::ranges::sort(lanes, {}, &Lane::top);
         return lanes;
     }
 
@@ -220,7 +217,7 @@ private:
     float free_top(size_t box, float wanted, float least, const std::vector<Lane>& lanes) const {
         const float tall = boxes_[box].size.y;
         const auto is_free = [&](float top) {
-            return std::none_of(lanes.begin(), lanes.end(), [&](const Lane& each) {
+            return std::ranges::none_of(lanes, [&](const Lane& each) {
                 return each.from != box && each.to != box && each.top < top + tall &&
                        each.bottom > top;
             });

@@ -46,7 +46,7 @@ private:
         return magnified_fitting(fonts_, style, text, room);
     }
     bool is_read(std::string_view port) const {
-        return std::find(read_.begin(), read_.end(), port) != read_.end();
+        return std::ranges::find(read_, port) != read_.end();
     }
 
     float wanted_width() const {
@@ -153,10 +153,7 @@ private:
     // Ports as listed in the document.
     void fill_unknown() {
         float y = header_height;
-        std::vector<std::string_view> outputs(read_.begin(), read_.end());
-        std::sort(outputs.begin(), outputs.end());
-        outputs.erase(std::unique(outputs.begin(), outputs.end()), outputs.end());
-        for (const std::string_view port : outputs) {
+        for (const std::string_view port : std::set(read_.begin(), read_.end())) {
             add_pin(std::string(port), PortType::float_, false, true, true, y);
             y += row_height;
         }
@@ -176,8 +173,7 @@ private:
 
 void write_header(const Fonts& fonts, Card& card) {
     const bool output = card.kind == Card::Kind::outputs;
-    const bool pinned = output || std::any_of(card.pins.begin(), card.pins.end(),
-                                              [](const Pin& pin) { return pin.output; });
+    const bool pinned = output || std::ranges::any_of(card.pins, &Pin::output);
     const float room = card.size.x - (pinned ? name_left : 10) - 10;
     card.name = magnified_fitting(fonts, card_text::bold, output ? "output" : card.id, room);
     card.name_width = magnified_width(fonts, card_text::bold, card.name);
@@ -210,9 +206,8 @@ bool has_preview(const View& view, const Node& node, const NodeType* type) {
     if (!view.node_previews || !type || node.type == reroute_type) return false;
     const Port* made = shown_port(type);
     if (!made) return false;
-    const bool usual = std::none_of(type->ports.begin(), type->ports.end(), [&](const Port& port) {
-        return port.is_value() && port.type == made->type;
-    });
+    const bool usual = std::ranges::none_of(
+        type->ports, [&](const Port& port) { return port.is_value() && port.type == made->type; });
     return usual != view.turned.contains(node.id);
 }
 

@@ -21,10 +21,10 @@ constexpr int most_steps = 128;
 constexpr size_t max_things = 16;
 
 bool is_free(const std::vector<Extent>& fixed, const std::vector<Extent>& moving, ImVec2 by) {
-    return std::none_of(moving.begin(), moving.end(), [&](const Extent& thing) {
+    return std::ranges::none_of(moving, [&](const Extent& thing) {
         const ImVec2 low = thing.low + by - ImVec2(clear, clear);
         const ImVec2 high = thing.high + by + ImVec2(clear, clear);
-        return std::any_of(fixed.begin(), fixed.end(), [&](const Extent& other) {
+        return std::ranges::any_of(fixed, [&](const Extent& other) {
             return low.x < other.high.x && low.y < other.high.y && high.x > other.low.x &&
                    high.y > other.low.y;
         });

@@ -97,7 +97,7 @@ private:
         });
     }
     void pull(size_t box, const std::vector<size_t>& into, const std::vector<size_t>& from) {
-        const auto fed = std::count_if(into.begin(), into.end(), [&](size_t l) {
+        const auto fed = std::ranges::count_if(into, [&](size_t l) {
             return layout_.cards[cards_[lines_[l].from]].kind == Card::Kind::node;
         });
         if (from.empty() || fed > static_cast<std::ptrdiff_t>(from.size())) return;

@@ -215,9 +215,8 @@ void handle(State& state, const FileDrop& drop) {
             images.push_back(file);
         }
     }
-    const bool all_inside = std::all_of(images.begin(), images.end(), [&](const auto& file) {
-        return !path_in_graph(state, file).empty();
-    });
+    const bool all_inside = std::ranges::all_of(
+        images, [&](const auto& file) { return !path_in_graph(state, file).empty(); });
     if (all_inside) return add_images(state, drop, images);
     state.dropped.outside = {drop.x, drop.y, images};
     state.dropped.by_name = false;

@@ -10,8 +10,8 @@ namespace {
 
 bool says(std::string_view name, std::initializer_list<std::string_view> words) {
     const std::string lower = lower_case(name);
-    return std::any_of(words.begin(), words.end(),
-                       [&](std::string_view word) { return lower.find(word) != lower.npos; });
+    return std::ranges::any_of(
+        words, [&](std::string_view word) { return lower.find(word) != lower.npos; });
 }
 
 ImageKind by_name(std::string_view name) {

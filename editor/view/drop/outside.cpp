@@ -54,8 +54,8 @@ bool names_files(const Session& session) {
     const Project project = project_with(session.model, session.document());
     const Document& top = project.top();
     return !named_images(project, *session.model.types, 0).empty() ||
-           std::any_of(top.nodes.begin(), top.nodes.end(),
-                       [](const NodePtr& node) { return node->subgraph().has_value(); });
+           std::ranges::any_of(top.nodes,
+                               [](const NodePtr& node) { return node->subgraph().has_value(); });
 }
 
 // Returns the nearest folder that contains all of the files if the graph may adopt it and it is not

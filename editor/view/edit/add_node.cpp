@@ -37,9 +37,8 @@ std::vector<const Card*> givers(const State& state) {
     std::erase_if(found, [](const Card* card) {
         return card->pins.empty() || !card->pins.front().output || !card->pins.front().known;
     });
-    std::sort(found.begin(), found.end(), [](const Card* a, const Card* b) {
-        return std::pair(a->at.y, a->at.x) < std::pair(b->at.y, b->at.x);
-    });
+    std::ranges::sort(found, {},
+                      [](const Card* card) { return std::pair(card->at.y, card->at.x); });
     return found;
 }
 
@@ -137,8 +136,7 @@ std::vector<Offer::Choice> between(const Registry& registry, PortType from, Port
             found.emplace_back(distance(type, *through, from, to),
                                Offer::Choice{&type, through->in, through->out});
     }
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Offer::Choice> choices;
     for (size_t i = 0; i < std::min(most, found.size()); ++i)
         if (found[i].first < found[0].first + far_off) choices.push_back(found[i].second);

@@ -4,6 +4,7 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 #include <utility>
@@ -139,8 +140,7 @@ int key_named(std::string_view name) {
 
 bool InputQueue::chord(std::string_view text) {
     const auto parts = split(text, '+');
-    for (const std::string_view part : parts)
-        if (key_named(part) == 0) return false;
+    if (!std::ranges::all_of(parts, key_named)) return false;
     for (const std::string_view part : parts)
         key(key_named(part), true);
     for (auto part = parts.rbegin(); part != parts.rend(); ++part)

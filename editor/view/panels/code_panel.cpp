@@ -158,7 +158,7 @@ void scroll_to_selected(State& state) {
         state.view.selected.size() == 1 ? *state.view.selected.begin() : std::string();
     if (selected == code.scrolled_to) return;
     code.scrolled_to = selected;
-    const auto found = std::find(code.text.nodes.begin(), code.text.nodes.end(), selected);
+    const auto found = std::ranges::find(code.text.nodes, selected);
     if (selected.empty() || found == code.text.nodes.end()) return;
     const float y = static_cast<float>(found - code.text.nodes.begin()) * line_height;
     const float top = ImGui::GetScrollY(), tall = ImGui::GetWindowHeight();

@@ -12,8 +12,7 @@ namespace {
 
 bool has_extension(const std::string& name, std::span<const std::string> extensions) {
     const std::string own = lower_case(fs::path(name).extension().string());
-    return extensions.empty() ||
-           std::find(extensions.begin(), extensions.end(), own) != extensions.end();
+    return extensions.empty() || std::ranges::find(extensions, own) != extensions.end();
 }
 
 }  // namespace
@@ -38,7 +37,7 @@ Listing list_folder(const fs::path& folder, std::span<const std::string> extensi
         break;
     }
     if (error) listing.error_text = folder.string() + " cannot be read: " + error.message() + ".";
-    std::sort(listing.entries.begin(), listing.entries.end(), [](const Entry& a, const Entry& b) {
+    std::ranges::sort(listing.entries, [](const Entry& a, const Entry& b) {
         return a.folder != b.folder ? a.folder : name_before(a.name, b.name);
     });
     return listing;
@@ -63,7 +62,7 @@ std::vector<std::string> image_files(const fs::path& folder, size_t limit, size_
             const std::string extension = at->path().extension().string();
             if (at->is_directory(ignored) && !at->is_symlink(ignored))
                 inner.insert(at->path());
-            else if (std::find(std::begin(known), std::end(known), extension) != std::end(known))
+            else if (std::ranges::find(known, extension) != std::end(known))
                 images.insert(at->path());
         }
         folders.insert(folders.end(), inner.begin(), inner.end());
@@ -71,7 +70,7 @@ std::vector<std::string> image_files(const fs::path& folder, size_t limit, size_
             if (files.size() < limit)
                 files.push_back(image.lexically_relative(folder).generic_string());
     }
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     return files;
 }
 

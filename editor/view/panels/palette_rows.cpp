@@ -15,12 +15,12 @@ constexpr size_t max_recent = 8;
 size_t order_of_family(std::string_view family) {
     constexpr std::string_view first[] = {"image", "gradient", "noise",     "pattern", "height",
                                           "uv",    "decal",    "triplanar", "parallax"};
-    const auto* const found = std::find(std::begin(first), std::end(first), family);
+    const auto* const found = std::ranges::find(first, family);
     return static_cast<size_t>(found - std::begin(first));
 }
 
 size_t order_of_use(const std::vector<std::string>& recent, std::string_view id) {
-    return static_cast<size_t>(std::find(recent.begin(), recent.end(), id) - recent.begin());
+    return static_cast<size_t>(std::ranges::find(recent, id) - recent.begin());
 }
 
 // Matching node types, best first (palette.h).

@@ -32,8 +32,7 @@ std::optional<Match> match(std::string_view title, std::string_view id, std::str
 // Returns the values in ascending order of their keys; equal keys stay in order.
 template <class Key, class Value>
 std::vector<Value> best_first(std::vector<std::pair<Key, Value>> found) {
-    std::stable_sort(found.begin(), found.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<Value> values;
     for (auto& [key, value] : found)
         values.push_back(std::move(value));

@@ -206,8 +206,7 @@ std::vector<Sample> list_samples(const std::filesystem::path& folder) {
                            document.name.empty() ? stem.string() : document.name,
                            document.nodes.size()});
     }
-    std::sort(samples.begin(), samples.end(),
-              [](const Sample& a, const Sample& b) { return name_before(a.name, b.name); });
+    std::ranges::sort(samples, name_before, &Sample::name);
     return samples;
 }
 

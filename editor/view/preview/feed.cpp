@@ -29,9 +29,9 @@ std::vector<const UniformInfo*> uniforms_at(const CompileState& follow,
 // determines whether that is so.
 bool all_are_uniforms(const CompileState& follow, const Change& difference) {
     if (difference.kind == Change::Kind::structure) return false;
-    return std::all_of(
-        difference.values.begin(), difference.values.end(),
-        [&](const Change::Place& place) { return !uniforms_at(follow, place).empty(); });
+    return std::ranges::all_of(difference.values, [&](const Change::Place& place) {
+        return !uniforms_at(follow, place).empty();
+    });
 }
 
 void send(State& state, const Change::Place& place) {

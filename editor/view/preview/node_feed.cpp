@@ -19,8 +19,8 @@ bool has_same_inputs(const State& state) {
 // instead of building their set: previews are only shown or only hidden at a time, so a different
 // set has a different size.
 bool is_asked(const State& state) {
-    const auto shown = std::count_if(state.layout.cards.begin(), state.layout.cards.end(),
-                                     [](const Card& card) { return card.preview_y >= 0; });
+    const auto shown = std::ranges::count_if(state.layout.cards,
+                                             [](const Card& card) { return card.preview_y >= 0; });
     return has_same_inputs(state) &&
            static_cast<size_t>(shown) == state.node_feed.requested.nodes.size() &&
            same_document(state.node_feed.requested.document, state.document());

@@ -168,9 +168,7 @@ bool NodePainter::draw_group(const NodePreviewJob& job, const std::vector<std::s
     evaluate<float>(program, patch(program), textures_.textures_of(compiled.module.resources), 0,
                     texel_count, results);
     for (size_t i = 0; i < program.outputs.size(); ++i) {
-        const auto found = std::find_if(shown.begin(), shown.end(), [&](const Shown& one) {
-            return one.output == program.outputs[i].name;
-        });
+        const auto found = std::ranges::find(shown, program.outputs[i].name, &Shown::output);
         if (found == shown.end()) continue;
         previews.places[found->node] = static_cast<uint32_t>(previews.places.size());
         append(previews.texels, static_cast<PortType>(program.outputs[i].port_type),

@@ -47,8 +47,8 @@ void drag_stroke(State& state, ImVec2) {
     for (size_t i = 0; i < state.layout.wires.size(); ++i) {
         const auto place = crossing(state.layout, i, last, at);
         if (!place) continue;
-        const bool known = std::any_of(g.crossed.begin(), g.crossed.end(),
-                                       [&](const auto& each) { return each.wire == i; });
+        const bool known =
+            std::ranges::any_of(g.crossed, [&](const auto& each) { return each.wire == i; });
         if (!known) g.crossed.push_back({i, *place});
     }
 }
