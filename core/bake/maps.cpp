@@ -6,6 +6,7 @@
 #include <map>
 
 #include "bake/map_values.h"
+#include "base/mapped.h"
 #include "base/text.h"
 #include "base/transcendental.h"
 #include "image/writer.h"
@@ -18,9 +19,7 @@ constexpr std::array<const char*, 4> color_channels = {"R", "G", "B", "A"};
 constexpr const char* slopes_name = "slopes";
 
 const ModuleOutput* output_named(const Module& module, const std::string& name) {
-    const auto found =
-        std::find_if(module.outputs.begin(), module.outputs.end(),
-                     [&](const ModuleOutput& output) { return output.name == name; });
+    const auto found = std::ranges::find(module.outputs, name, &ModuleOutput::name);
     return found == module.outputs.end() ? nullptr : &*found;
 }
 
@@ -81,10 +80,8 @@ private:
     }
 
     void print_error(const std::string& name) {
-        std::vector<std::string> outputs;
-        for (const ModuleOutput& output : source_.outputs)
-            outputs.push_back(output.name);
-        const std::vector<std::string> names = map_names(std::move(outputs));
+        const std::vector<std::string> names =
+            map_names(mapped<std::string>(source_.outputs, &ModuleOutput::name));
         diagnostics_.error("the graph makes no map '" + name + "'",
                            did_you_mean(name, names, "it makes " + joined(names, ", ")));
     }
@@ -93,8 +90,7 @@ private:
         const bool tangent = options_.tangent_space;
         if (tangent) normal = in_tangent_space(module_, normal, options_.vertex_tangents);
         const uint32_t lane = lane_of(normal);
-        if (std::find(plan_.unit.begin(), plan_.unit.end(), lane) == plan_.unit.end())
-            plan_.unit.push_back(lane);
+        if (std::ranges::find(plan_.unit, lane) == plan_.unit.end()) plan_.unit.push_back(lane);
         for (uint32_t i = 0; i < 3; ++i) {
             const float sign = i == 1 && options_.green_down ? -1.0F : 1.0F;
             const float empty = tangent && i == 2 ? 1.0F : 0.5F;
@@ -189,7 +185,7 @@ float srgb_coded(float linear) {
 
 std::vector<std::string> map_names(std::vector<std::string> outputs) {
     const auto has = [&](const char* name) {
-        return std::find(outputs.begin(), outputs.end(), name) != outputs.end();
+        return std::ranges::find(outputs, name) != outputs.end();
     };
     if (has("normal"))
         for (const char* made : {"derivative", slopes_name})
@@ -203,12 +199,11 @@ bool fits_integers(std::string_view map) {
 
 Covariances covariances_for(const std::vector<MapRequest>& requests) {
     const auto is_moments = [](const MapRequest& request) {
-        return request.pack.empty()
-                   ? request.name == slopes_name
-                   : std::any_of(request.pack.begin(), request.pack.end(),
-                                 [](const PackedChannel& of) { return of.map == slopes_name; });
+        return request.pack.empty() ? request.name == slopes_name
+                                    : std::ranges::find(request.pack, slopes_name,
+                                                        &PackedChannel::map) != request.pack.end();
     };
-    const bool any = std::any_of(requests.begin(), requests.end(), is_moments);
+    const bool any = std::ranges::any_of(requests, is_moments);
     return any ? Covariances::kept : Covariances::dropped;
 }
 

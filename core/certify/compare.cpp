@@ -59,10 +59,7 @@ std::string allowed_words(bool normal, double range) {
 }
 
 std::vector<float> floats(const std::vector<double>& values) {
-    std::vector<float> result;
-    for (const double value : values)
-        result.push_back(static_cast<float>(value));
-    return result;
+    return {values.begin(), values.end()};
 }
 
 gpu::PointJob job_of(const Shader& shader, const PointSet& points, const ImageOf& images) {
@@ -148,8 +145,8 @@ Comparison Reference::compare(const Values& a, const Values& b) const {
                 return !(distance(&x[output][at], &y[output][at], lanes, normal, range) <= 1);
             };
             ++result.values;
-            if (std::any_of(nudged.begin(), nudged.end(),
-                            [&](const Values& each) { return differ(precise, each); }))
+            if (std::ranges::any_of(nudged,
+                                    [&](const Values& each) { return differ(precise, each); }))
                 ++result.unstable;
             else if (differ(a, b) && result.different++ == 0)
                 result.first = {output,

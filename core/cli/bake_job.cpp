@@ -3,6 +3,7 @@
 #include "bake/mesh_check.h"
 #include "base/checksum.h"
 #include "base/file.h"
+#include "base/mapped.h"
 #include "cli/identity.h"
 #include "cli/meshes.h"
 #include "mesh/uv_survey.h"
@@ -73,9 +74,7 @@ MapOptions map_options(const BakeOptions& options, const BakeRequest& request, c
 // Compiles every run of the sweep and plans its maps.
 void plan_runs(BakeJob& job, const Overrides& overrides, Diagnostics& diagnostics) {
     const Nodes nodes = load_nodes(job.options.common, diagnostics);
-    std::vector<MapRequest> requests;
-    for (const WantedMap& map : job.request.maps)
-        requests.push_back(map.request);
+    const auto requests = mapped<MapRequest>(job.request.maps, &WantedMap::request);
     const MapOptions maps = map_options(job.options, job.request, job.mesh);
     const auto use = [&](size_t, const MaterialRun& run, Diagnostics& problems) {
         read_textures(job.textures, run.compiled, run.project, problems);

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/file.h"
+#include "base/mapped.h"
 #include "cli/arguments.h"
 #include "cli/cli.h"
 #include "cli/output.h"
@@ -32,16 +33,12 @@ constexpr KindName source_kinds[] = {{"height", maps::Kind::height},
                                      {"derivative", maps::Kind::derivative}};
 
 std::vector<std::string> names_in(std::span<const KindName> table) {
-    std::vector<std::string> names;
-    for (const KindName& row : table)
-        names.emplace_back(row.name);
-    return names;
+    return mapped<std::string>(table, &KindName::name);
 }
 
 // Returns the row of a name; nullptr if there is none.
 const KindName* named(std::span<const KindName> table, std::string_view name) {
-    const auto found = std::find_if(table.begin(), table.end(),
-                                    [&](const KindName& row) { return row.name == name; });
+    const auto found = std::ranges::find(table, name, &KindName::name);
     return found == table.end() ? nullptr : &*found;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/mapped.h"
 #include "cli/output.h"
 #include "mesh/load.h"
 #include "mesh/shapes.h"
@@ -9,10 +10,7 @@
 namespace wrinkle::cli {
 
 std::vector<std::string> shape_names() {
-    std::vector<std::string> names;
-    for (const Shape& shape : shapes())
-        names.emplace_back(shape.name);
-    return names;
+    return mapped<std::string>(shapes(), &Shape::name);
 }
 
 std::string mesh_help() {
@@ -25,8 +23,7 @@ bool is_mesh_path(const std::string& name_or_path) {
 
 std::string check_mesh(const std::string& name_or_path) {
     const auto names = shape_names();
-    if (is_mesh_path(name_or_path) ||
-        std::find(names.begin(), names.end(), name_or_path) != names.end())
+    if (is_mesh_path(name_or_path) || std::ranges::find(names, name_or_path) != names.end())
         return "";
     return "'" + name_or_path + "' is none of " + mesh_help();
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "base/mapped.h"
 #include "base/text.h"
 #include "cli/arguments.h"
 #include "cli/npy.h"
@@ -106,23 +107,16 @@ public:
 
 private:
     void add_column(const std::string& name) {
-        const auto column = std::find_if(all_.begin(), all_.end(),
-                                         [&](const Column& each) { return each.name == name; });
+        const auto column = std::ranges::find(all_, name, &Column::name);
         columns_.push_back(column == all_.end() ? nullptr : &*column);
         if (column == all_.end())
             problem(1, "there is no column '" + name + "'",
-                    did_you_mean(name, column_names(), "such as position.x, dx.uv0.y or facing"));
+                    did_you_mean(name, mapped<std::string>(all_, &Column::name),
+                                 "such as position.x, dx.uv0.y or facing"));
         else if (!names_.insert(name).second)
             problem(1, "column '" + name + "' is there twice", "one of them");
         else
             inputs_.insert(name_of(column->need));
-    }
-
-    std::vector<std::string> column_names() const {
-        std::vector<std::string> names;
-        for (const Column& column : all_)
-            names.push_back(column.name);
-        return names;
     }
 
     void read_point(const std::vector<std::string_view>& fields) {

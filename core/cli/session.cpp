@@ -5,6 +5,7 @@
 
 #include "base/file.h"
 #include "base/limits.h"
+#include "base/mapped.h"
 #include "cli/output.h"
 #include "compile/inputs.h"
 #include "glsl/target.h"
@@ -146,10 +147,7 @@ Overrides parse_overrides(const CommonOptions& options, Diagnostics& diagnostics
 }
 
 std::vector<std::string> input_paths(const Project& project, const Registry& registry) {
-    std::vector<std::string> paths;
-    for (InputFile& input : inputs_of(project, Types(project, registry)))
-        paths.push_back(std::move(input.path));
-    return paths;
+    return mapped<std::string>(inputs_of(project, Types(project, registry)), &InputFile::path);
 }
 
 std::string path_of_run(const std::string& path, const Overrides& overrides, size_t run) {

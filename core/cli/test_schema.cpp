@@ -1,6 +1,7 @@
 // Keys of test files: one table for the JSON Schema and the reader.
 #include <algorithm>
 
+#include "base/mapped.h"
 #include "base/text.h"
 #include "cli/meshes.h"
 #include "cli/output.h"
@@ -134,13 +135,11 @@ struct CaseReader {
 
     void read_keys(const Value& value, const char* what, const std::vector<CaseKey>& keys) {
         if (!wants(value, Kind::object, what)) return;
-        std::vector<std::string> names;
-        for (const CaseKey& key : keys)
-            names.push_back(key.name);
+        const auto names = mapped<std::string>(keys, &CaseKey::name);
         for (const Member& member : value.children()) {
-            const auto key = std::find(names.begin(), names.end(), member.key);
-            if (key != names.end())
-                keys[static_cast<size_t>(key - names.begin())].read(*this, member);
+            const auto key = std::ranges::find(keys, member.key, &CaseKey::name);
+            if (key != keys.end())
+                key->read(*this, member);
             else
                 error(member.value, "unknown key '" + std::string(member.key) + "'",
                       did_you_mean(member.key, names, joined(names, ", ")));

@@ -1,5 +1,6 @@
 #include "registry/registry.h"
 
+#include "base/mapped.h"
 #include "registry/listing.h"
 #include "registry/plugin_code.h"
 #include "registry/recording.h"
@@ -76,10 +77,7 @@ const NodeType* Registry::find(std::string_view id) const {
 }
 
 std::vector<std::string> Registry::ids() const {
-    std::vector<std::string> result;
-    for (const NodeType& type : types_)
-        result.push_back(type.id);
-    return result;
+    return mapped<std::string>(types_, &NodeType::id);
 }
 
 }  // namespace wrinkle

@@ -7,6 +7,7 @@
 #include "bake/mesh_check.h"
 #include "bake/texture_set.h"
 #include "base/file.h"
+#include "base/mapped.h"
 #include "base/text.h"
 #include "compile/inputs.h"
 #include "compile/shader.h"
@@ -104,10 +105,7 @@ private:
     }
 
     std::vector<MapRequest> requests() const {
-        std::vector<MapRequest> result;
-        for (const AskedMap& map : asked_)
-            result.push_back(map.request);
-        return result;
+        return mapped<MapRequest>(asked_, &AskedMap::request);
     }
 
     bool plan() {
@@ -137,8 +135,7 @@ private:
             return false;
         }
         progress_.begin(uint64_t{choices_.width} * choices_.height() * squares.size());
-        return std::all_of(squares.begin(), squares.end(),
-                           [&](glm::ivec2 square) { return bake(square); });
+        return std::ranges::all_of(squares, [&](glm::ivec2 square) { return bake(square); });
     }
 
     std::string suffix_of(glm::ivec2 square) const {
@@ -180,8 +177,8 @@ private:
 
     bool finish() {
         if (progress_.cancelled) return false;
-        return std::all_of(written_.begin(), written_.end(),
-                           [&](auto& files) { return finish_maps(files, disk_); });
+        return std::ranges::all_of(written_,
+                                   [&](auto& files) { return finish_maps(files, disk_); });
     }
 
     Diagnostics warnings() const {
@@ -249,10 +246,7 @@ fs::path place_of(const Session& session, const BakeChoices& choices) {
 }
 
 std::vector<std::string> maps_of(const Document& document) {
-    std::vector<std::string> outputs;
-    for (const Output& output : document.outputs)
-        outputs.push_back(output.name);
-    return map_names(std::move(outputs));
+    return map_names(mapped<std::string>(document.outputs, &Output::name));
 }
 
 BakeChoices usual_bake(const Session& session, const std::string& mesh) {
@@ -260,8 +254,7 @@ BakeChoices usual_bake(const Session& session, const std::string& mesh) {
     const std::vector<std::string> all = maps_of(session.document());
     std::vector<std::string> maps;
     for (const std::string& map : all)
-        if (std::find(choices.maps.begin(), choices.maps.end(), map) != choices.maps.end())
-            maps.push_back(map);
+        if (std::ranges::find(choices.maps, map) != choices.maps.end()) maps.push_back(map);
     if (maps.empty() && choices.packs.empty() && !all.empty()) maps.push_back(all.front());
     choices.maps = std::move(maps);
     choices.mesh = mesh;

@@ -1,6 +1,7 @@
 // Draws the canvas from back to front: grid, frames, wires, cards, dragged wire, selection box.
 #include <cmath>
 
+#include "base/mapped.h"
 #include "editor/view/canvas/canvas.h"
 #include "editor/view/canvas/card_names.h"
 #include "editor/view/canvas/gestures/gestures.h"
@@ -102,9 +103,8 @@ void draw_stroke(const State& state, ImDrawList& list) {
 }
 
 void draw_lasso(const State& state, ImDrawList& list) {
-    std::vector<ImVec2> points;
-    for (const ImVec2 at : state.gesture.stroke)
-        points.push_back(to_screen(state.view, at));
+    const auto points =
+        mapped<ImVec2>(state.gesture.stroke, [&](ImVec2 at) { return to_screen(state.view, at); });
     list.AddPolyline(points.data(), static_cast<int>(points.size()), theme::accent,
                      ImDrawFlags_Closed, 1.5F);
 }
