@@ -109,6 +109,7 @@ MadeShader make_shader(const Project& project, const Registry& registry, ShaderO
     options.emit.bare_result = options.outputs.size() == 1;
     if (options.emit.differentials == Differentials::none)
         module = without_differentials(std::move(module));
+    module = nest_loops(std::move(module));
     made.shader = write_shader(made.compiled.module, options.emit);
     report_emit(made.shader, made.compiled, project, diagnostics);
     check_limits(made.shader.reflection, project.top().file, options.strict, diagnostics);

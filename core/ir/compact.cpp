@@ -49,21 +49,16 @@ std::vector<Id> ScopeRewriter::rewritten(std::span<const Id> roots, ModuleCloner
     return result;
 }
 
-// Replaces the loops of every scope, callees first.
-static void join_all_loops(Module& m) {
+void rewrite_scopes(Module& m, RewriteScope rewrite) {
     std::vector<uint32_t> functions;
-    bool any = false;
-    for_each_scope(m, [&](uint32_t region, std::span<const Id> values) {
+    for_each_scope(m, [&](uint32_t region, std::span<const Id>) {
         if (region != 0) functions.push_back(region);
-        any = any || std::any_of(values.begin(), values.end(),
-                                 [&](Id id) { return m[id].op == Op::loop_; });
     });
-    if (!any) return;
     std::sort(functions.begin(), functions.end());
     ScopeRewriter rewriter(m);
     for (const uint32_t index : functions) {
         Region region = m.region(index);
-        std::vector<Id> results = join_loops(m, rewriter.rewritten(region.results));
+        std::vector<Id> results = rewrite(m, rewriter.rewritten(region.results));
         if (results == region.results) continue;
         region.results = std::move(results);
         std::vector<ScopeRewriter::Place> places;
@@ -71,7 +66,7 @@ static void join_all_loops(Module& m) {
             places.push_back({k, 0});
         rewriter.replace(index, m.intern_region(std::move(region)), std::move(places));
     }
-    const auto outputs = join_loops(m, rewriter.rewritten(output_values(m)));
+    const auto outputs = rewrite(m, rewriter.rewritten(output_values(m)));
     for (size_t k = 0; k < outputs.size(); ++k)
         m.outputs[k].value = outputs[k];
 }
@@ -79,7 +74,7 @@ static void join_all_loops(Module& m) {
 Module compact(Module module) {
     if (module.region_count() > 1) {
         join_calls(module);
-        join_all_loops(module);
+        if (module.has(Op::loop_)) rewrite_scopes(module, join_loops);
     }
     return pack(std::move(module));
 }

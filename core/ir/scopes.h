@@ -1,4 +1,4 @@
-// The scopes of a module: the bodies of its functions and the outputs. Internal to compact().
+// The scopes of a module: the bodies of its functions and the outputs.
 #pragma once
 
 #include <map>
@@ -59,5 +59,9 @@ private:
     Module& m_;
     std::map<uint32_t, Replacement> replaced_;
 };
+
+// Rewrites the scopes, callees first: `rewrite` returns the roots of a scope in another form.
+using RewriteScope = std::vector<Id> (*)(Module& module, std::vector<Id> roots);
+void rewrite_scopes(Module& module, RewriteScope rewrite);
 
 }  // namespace wrinkle

@@ -155,5 +155,38 @@ TEST_F(CompactTest, AScalarThatOthersReadTooStaysOne) {
         2u);
 }
 
+// The sum of sin(k + x) for k below a number, by a function; `offset` makes calls differ.
+struct NestTest : CompactTest {
+    RegionUse sum = function("sum", [&](Id p) {
+        const auto s = m.begin_region(RegionKind::loop, "", std::array{Type::float_, Type::float_});
+        const Id term = add(Op::sin_, {add(Op::add_, {s[0], p})});
+        const auto use =
+            m.end_region(std::array{add(Op::lt_, {s[0], n(5)}), add(Op::add_, {s[0], n(1)}),
+                                    add(Op::add_, {s[1], term})},
+                         8);
+        return m.apply(use, std::array{n(0), n(0)})[1];
+    });
+    // Returns the number of loops in the module of a sum of calls.
+    size_t loops_of_calls(int calls) {
+        Id total = x;
+        for (int k = 0; k < calls; ++k)
+            total = add(Op::add_, {total, call(sum, add(Op::add_, {y, n(k)}))});
+        m.outputs = {{"o", WR_PORT_float, total}};
+        const std::vector<double> before = components(m, total);
+        const Module result = nest_loops(m);
+        EXPECT_EQ(verify(result), "");
+        EXPECT_EQ(components(result, result.outputs[0].value), before);
+        return count(result, Op::loop_);
+    }
+};
+
+TEST_F(NestTest, EightLoopsInARowStay) {
+    EXPECT_EQ(loops_of_calls(8), 1u);
+}
+
+TEST_F(NestTest, NineBecomeLoopsOfLoops) {
+    EXPECT_EQ(loops_of_calls(9), 2u);
+}
+
 }  // namespace
 }  // namespace wrinkle::test
