@@ -69,8 +69,7 @@ Rate draw(const Shader& shader, int rounds, int threads, Packed& texels, std::st
     Diagnostics diagnostics;
     auto context = gpu::Context::offscreen(diagnostics);
     if (context) context->make_current();
-    gpu::TargetOptions options{side, side, gpu::PixelFormat::rgba8};
-    options.depth = false;
+    const gpu::TargetOptions options{side, side, gpu::PixelFormat::rgba8};
     const auto target = context ? gpu::Target::make(options, diagnostics) : std::nullopt;
     why = to_text(diagnostics);
     if (!target) return {};
