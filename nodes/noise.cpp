@@ -44,14 +44,19 @@ static Float height_of(const Float& corner) {
 }
 
 // Interpolates the eight corners of the cell around p by Perlin's quintic and returns (slope,
-// height). corner(cell, from, offset) returns (slope, height) of a corner at the position cell +
-// from, or only a height.
+// height). corner(at, way) returns (slope, height) of the corner `at` at the position at + way, or
+// only a height.
 template <class Corner>
 static vec4 lattice(vec3 p, Corner corner) {
-    const vec3 cell = floor(p), from = p - cell;
+    const vec3 low = floor(p), high = low + 1, from = p - low, back = from - 1;
     const vec3 t = from * from * from * (from * (from * 6 - vec3(15)) + vec3(10));
-    const vec3 steepness = 30 * from * from * (from - 1) * (from - 1);
-    const auto at = [&](int x, int y, int z) { return corner(cell, from, vec3(x, y, z)); };
+    const vec3 steepness = 30 * from * from * back * back;
+    const auto pick = [](vec3 a, vec3 b, int x, int y, int z) {
+        return vec3(x ? b.x() : a.x(), y ? b.y() : a.y(), z ? b.z() : a.z());
+    };
+    const auto at = [&](int x, int y, int z) {
+        return corner(pick(low, high, x, y, z), pick(from, back, x, y, z));
+    };
     const auto c000 = at(0, 0, 0), c100 = at(1, 0, 0), c010 = at(0, 1, 0), c110 = at(1, 1, 0);
     const auto c001 = at(0, 0, 1), c101 = at(1, 0, 1), c011 = at(0, 1, 1), c111 = at(1, 1, 1);
     const auto c00 = mix(c000, c100, t.x()), c10 = mix(c010, c110, t.x());
@@ -90,11 +95,10 @@ static vec4 simplex(vec3 p) {
 }
 
 static vec4 gradient_noise(vec3 p) {
-    const auto corner =
-        function("gradient_corner(cell, from, corner)", [](vec3 cell, vec3 from, vec3 corner) {
-            const vec3 slope = noise_direction(cell + corner);
-            return vec4(slope, dot(slope, from - corner));
-        });
+    const auto corner = function("gradient_corner(corner, way)", [](vec3 corner, vec3 way) {
+        const vec3 slope = noise_direction(corner);
+        return vec4(slope, dot(slope, way));
+    });
     return lattice(p, corner);
 }
 
@@ -103,7 +107,7 @@ static vec4 value_noise(vec3 p) {
         const Uint bits = hash(Int(corner.x()), Int(corner.y()), Int(corner.z()));
         return unit_float(bits) * 2 - 1;
     });
-    return lattice(p, [&](vec3 cell, vec3, vec3 corner) { return value(cell + corner); });
+    return lattice(p, [&](vec3 corner, vec3) { return value(corner); });
 }
 
 Noise noise_function(Basis basis) {

@@ -226,14 +226,14 @@ void Body::assign(Id id, int indent, uint32_t group, bool single) {
 
 // A member of a loop has the name of its parameter, if it has one.
 std::vector<std::string> Body::name_members(Id tuple) {
-    const std::string& path = m_.nodes[m_.origin[tuple]].path;
+    std::string_view path;
+    if (!values_.anonymous) path = m_.nodes[m_.origin[tuple]].path;
     const std::vector<std::string>& own = m_.region(m_[tuple].extra).param_names;
     const bool loop = m_[tuple].op == Op::loop_;
     std::vector<std::string> names;
     for (const Id member : analysis_.members(tuple)) {
         const size_t k = names.size();
-        const NameHint unread{values_.anonymous ? "" : path,
-                              loop && k < own.size() ? std::string_view(own[k]) : "state"};
+        const NameHint unread{path, loop && k < own.size() ? std::string_view(own[k]) : "state"};
         const bool named = member != no_id && (!loop || own.empty());
         names.emplace_back(
             name_value(member, named ? name_hint(analysis_, values_, member) : unread));

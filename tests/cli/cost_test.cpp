@@ -40,15 +40,16 @@ TEST_F(CostTest, SaysWhatEachNodeCosts) {
               samples + "base_and_detail.json");
 }
 
-// Two nodes call the noise function; its cost is attributed to the callers.
+// Two nodes call the noise function; its cost is attributed to the callers, once for each: the body
+// of its loop over octaves counts once.
 TEST_F(CostTest, WhoCallsAFunctionPaysForIt) {
     const json::Value cost =
         cost_in(run({"compile", samples + "noise_rock.json", "--cost", "--json"}));
     const double total = number_of(cost.find("total"), "alu");
     EXPECT_EQ(cost.find("nodes").at(0).find("node").as_string(), "lumps");
     EXPECT_EQ(cost.find("nodes").at(1).find("node").as_string(), "cracks");
-    EXPECT_GT(number_of(cost.find("nodes").at(0), "alu"), total * 0.5);
-    EXPECT_GT(number_of(cost.find("nodes").at(1), "alu"), total * 0.15);
+    EXPECT_GT(number_of(cost.find("nodes").at(0), "alu"), total * 0.4);
+    EXPECT_GT(number_of(cost.find("nodes").at(1), "alu"), total * 0.4);
     EXPECT_LT(number_of(cost.find("surface_point"), "alu"), total * 0.05);
 }
 

@@ -262,7 +262,7 @@ TEST_F(Counted, FollowTheTextWithoutHoldingItUp) {
     settle();
     const uint32_t counted = price_of("noise").cost.alu;
     EXPECT_FALSE(state.costs()->estimated);
-    state.commit("Less", set_value(state.document(), "noise", "octaves", json::Value::number(1)));
+    state.commit("Less", set_value(state.document(), "noise", "amplitude", json::Value::number(0)));
     frame();
     ASSERT_TRUE(state.costs());
     EXPECT_FALSE(state.costs()->estimated);
@@ -294,7 +294,7 @@ TEST_F(Counted, ANewFileBeginsWithItsEstimate) {
 TEST_F(Counted, AGraphThatCannotBeCountedKeepsItsEstimateAndSaysWhy) {
     std::string nodes = R"("n0": {"type": "gradient_noise", "in": {"octaves": 8}})",
                 sum = "n0.height";
-    for (int i = 1; i < 12; ++i) {
+    for (int i = 1; i < 36; ++i) {
         const std::string n = std::to_string(i);
         nodes += R"(, "n)" + n + R"(": {"type": "gradient_noise", "in": {"octaves": 8, "scale": )" +
                  std::to_string(i + 1) + R"(}}, "s)" + n +

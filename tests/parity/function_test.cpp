@@ -271,7 +271,7 @@ TEST(Functions, OfThirtyLevelsAreAGoldenText) {
     EmitOptions options;
     options.name = "tower";
     const Module module = nested.compile({true, false, false, true}).module;
-    EXPECT_EQ(function_count(module), 60U);  // and their derivatives
+    EXPECT_EQ(function_count(module), 30U);  // and their derivatives
     for (const Form form : {Form::function, Form::shader}) {
         options.form = form;
         EXPECT_EQ(compile_errors(emit(module, options)), "");

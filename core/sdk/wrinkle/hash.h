@@ -5,13 +5,18 @@
 
 namespace wrinkle::sdk {
 
-// A well mixed integer of one to three integers: the PCG permutation (M. O'Neill 2014).
+namespace detail {
+// The PCG permutation (M. O'Neill 2014).
+inline Uint permuted(Uint seed) {
+    const Uint state = seed * 747796405u + 2891336453u;
+    const Uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
+}
+}  // namespace detail
+
+// A well mixed integer of one to three integers, by one function of the generated code.
 inline Uint hash(Uint x) {
-    return function("hash(x)", [](Uint seed) {
-        const Uint state = seed * 747796405u + 2891336453u;
-        const Uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-        return (word >> 22u) ^ word;
-    })(x);
+    return function("hash(x)", detail::permuted)(x);
 }
 inline Uint hash(Int x) {
     return hash(Uint(x));

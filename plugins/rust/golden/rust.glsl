@@ -26,39 +26,46 @@ vec3 wrinkle_rust_noise_direction(vec3 corner) {
     return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
 }
 
-vec4 wrinkle_rust_gradient_corner(vec3 cell, vec3 from, vec3 corner) {
-    vec3 direction = wrinkle_rust_noise_direction(cell + corner);
-    return vec4(direction, dot(direction, from - corner));
+vec4 wrinkle_rust_gradient_corner(vec3 corner, vec3 way) {
+    vec3 direction = wrinkle_rust_noise_direction(corner);
+    return vec4(direction, dot(direction, way));
 }
 
 vec4 wrinkle_rust_gradient_noise(vec3 p) {
     vec3 floored = floor(p);
     vec3 difference = p - floored;
-    vec4 corner = wrinkle_rust_gradient_corner(floored, difference, vec3(0.0));
-    vec4 corner_2 = wrinkle_rust_gradient_corner(floored, difference, vec3(1.0, 0.0, 0.0));
-    vec3 sum = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum;
+    vec4 corner = wrinkle_rust_gradient_corner(floored, difference);
+    vec3 sum = floored + 1.0;
+    vec3 difference_2 = difference - 1.0;
+    vec3 vector = vec3(difference_2.x, difference.yz);
+    vec4 corner_2 = wrinkle_rust_gradient_corner(vec3(sum.x, floored.yz), vector);
+    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
+    vec3 product = difference * difference * difference * sum_2;
     vec4 mixed = mix(corner, corner_2, product.x);
-    vec4 corner_3 = wrinkle_rust_gradient_corner(floored, difference, vec3(0.0, 1.0, 0.0));
-    vec4 corner_4 = wrinkle_rust_gradient_corner(floored, difference, vec3(1.0, 1.0, 0.0));
+    vec3 vector_2 = vec3(difference.x, difference_2.y, difference.z);
+    vec4 corner_3 = wrinkle_rust_gradient_corner(vec3(floored.x, sum.y, floored.z), vector_2);
+    vec3 vector_3 = vec3(difference_2.xy, difference.z);
+    vec4 corner_4 = wrinkle_rust_gradient_corner(vec3(sum.xy, floored.z), vector_3);
     vec4 mixed_2 = mix(corner_3, corner_4, product.x);
     vec4 mixed_3 = mix(mixed, mixed_2, product.y);
-    vec4 corner_5 = wrinkle_rust_gradient_corner(floored, difference, vec3(0.0, 0.0, 1.0));
-    vec4 corner_6 = wrinkle_rust_gradient_corner(floored, difference, vec3(1.0, 0.0, 1.0));
+    vec3 vector_4 = vec3(difference.xy, difference_2.z);
+    vec4 corner_5 = wrinkle_rust_gradient_corner(vec3(floored.xy, sum.z), vector_4);
+    vec3 vector_5 = vec3(difference_2.x, difference.y, difference_2.z);
+    vec4 corner_6 = wrinkle_rust_gradient_corner(vec3(sum.x, floored.y, sum.z), vector_5);
     vec4 mixed_4 = mix(corner_5, corner_6, product.x);
-    vec4 corner_7 = wrinkle_rust_gradient_corner(floored, difference, vec3(0.0, 1.0, 1.0));
-    vec4 corner_8 = wrinkle_rust_gradient_corner(floored, difference, vec3(1.0));
+    vec3 vector_6 = vec3(difference.x, difference_2.yz);
+    vec4 corner_7 = wrinkle_rust_gradient_corner(vec3(floored.x, sum.yz), vector_6);
+    vec4 corner_8 = wrinkle_rust_gradient_corner(sum, difference_2);
     vec4 mixed_5 = mix(corner_7, corner_8, product.x);
     vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
     vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
-    vec3 difference_2 = difference - 1.0;
     vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
     float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
     float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
     float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
-    vec3 vector = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
-    vec3 sum_2 = mixed_7.xyz + product_2 * vector;
-    return vec4(sum_2, mixed_7.w);
+    vec3 vector_7 = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
+    vec3 sum_3 = mixed_7.xyz + product_2 * vector_7;
+    return vec4(sum_3, mixed_7.w);
 }
 
 vec4 wrinkle_rust_fbm_with_slope(vec3 point, float width, int octaves, float lacunarity,
