@@ -75,14 +75,43 @@ private:
             parts.insert(parts.end(), run.begin(), run.end());
     }
 
-    // Returns a value with these components; the scalar itself if all are the same.
-    Id packed(std::span<const Id> lanes) {
-        if (std::ranges::all_of(lanes, [&](Id id) { return id == lanes[0]; })) return lanes[0];
-        const std::vector<Id> key(lanes.begin(), lanes.end());
-        if (const auto known = known_.find(key); known != known_.end()) return known->second;
-        Id vector = alike(lanes) ? packed_op(lanes) : no_id;
-        if (vector == no_id) vector = construct(lanes);
-        return known_[key] = vector;
+    using Lanes = std::vector<Id>;
+
+    // Returns a value with these components; the scalar itself if all are the same. Constant stack.
+    Id packed(std::span<const Id> root) {
+        std::vector<Lanes> open{{root.begin(), root.end()}};
+        while (!open.empty()) {
+            const Lanes lanes = open.back();
+            const std::vector<Lanes> operands = operands_of(lanes);
+            const size_t before = open.size();
+            for (const Lanes& operand : operands)
+                if (!is_splat(operand) && !known_.contains(operand)) open.push_back(operand);
+            if (open.size() > before) continue;
+            open.pop_back();
+            if (!is_splat(lanes) && !known_.contains(lanes))
+                known_[lanes] = operands.empty() ? construct(lanes) : packed_op(lanes, operands);
+        }
+        return written({root.begin(), root.end()});
+    }
+
+    static bool is_splat(std::span<const Id> lanes) {
+        return std::ranges::all_of(lanes, [&](Id id) { return id == lanes[0]; });
+    }
+    Id written(const Lanes& lanes) const { return is_splat(lanes) ? lanes[0] : known_.at(lanes); }
+
+    // Returns the lanes of each operand if the lanes are results of one op, each read by as many
+    // others, and choices by one condition; otherwise nothing.
+    std::vector<Lanes> operands_of(const Lanes& lanes) const {
+        const Inst& first = (*m_)[lanes[0]];
+        std::vector<Lanes> operands;
+        if (is_splat(lanes) || !alike(lanes)) return operands;
+        for (size_t k = 0; k < static_cast<size_t>(info(first.op).arity); ++k) {
+            Lanes& operand = operands.emplace_back();
+            for (const Id lane : lanes)
+                operand.push_back((*m_)[lane].arg[k]);
+        }
+        if (first.op == Op::select_ && !is_splat(operands[0])) operands.clear();
+        return operands;
     }
 
     Id construct(std::span<const Id> lanes) {
@@ -101,8 +130,7 @@ private:
 
     uint32_t uses(Id id) const { return id < target_uses_.size() ? target_uses_[id] : 0; }
 
-    // Returns true if all are results of one op, read by as many others each.
-    bool alike(std::span<const Id> lanes) {
+    bool alike(const Lanes& lanes) const {
         const Op op = (*m_)[lanes[0]].op;
         return acts_by_components(op) && std::all_of(lanes.begin(), lanes.end(), [&](Id id) {
                    return (*m_)[id].op == op && m_->type(id) == Type::float_ &&
@@ -110,31 +138,23 @@ private:
                });
     }
 
-    // Returns no_id for choices by different conditions.
-    Id packed_op(std::span<const Id> lanes) {
-        const Inst first = (*m_)[lanes[0]];
+    Id packed_op(const Lanes& lanes, std::span<const Lanes> operands) {
+        const Op op = (*m_)[lanes[0]].op;
         const Type type = vector_of(static_cast<int>(lanes.size()));
         std::vector<Id> args;
-        for (size_t k = 0; k < static_cast<size_t>(info(first.op).arity); ++k) {
-            std::vector<Id> operands;
-            for (const Id lane : lanes)
-                operands.push_back((*m_)[lane].arg[k]);
-            const bool equal =
-                std::ranges::all_of(operands, [&](Id id) { return id == operands[0]; });
-            if (k == 0 && first.op == Op::select_ && !equal) return no_id;
-            args.push_back(packed(operands));
-            if (k > 0 && first.op == Op::select_ && equal)
-                args[k] = m_->add(Op::construct_, operands, 0, type);
+        for (const Lanes& operand : operands) {
+            const bool widen = op == Op::select_ && !args.empty() && is_splat(operand);
+            args.push_back(widen ? m_->add(Op::construct_, operand, 0, type) : written(operand));
         }
         ++packed_;
         m_->current_node = m_->origin[lanes[0]];
-        return m_->add(first.op, args);
+        return m_->add(op, args);
     }
 
     Module* m_ = nullptr;                // the target
     std::vector<uint32_t> uses_;         // by Id of the source
     std::vector<uint32_t> target_uses_;  // by Id of the target
-    std::map<std::vector<Id>, Id> known_;
+    std::map<Lanes, Id> known_;
     size_t packed_ = 0, constructs_ = 0;
 };
 

@@ -27,7 +27,6 @@ WrinkleMaterial_rings wrinkle_rings(WrinkleSurface_rings s) {
     vec3 blended_vector = mix(flat_place_vector, shifted_vector, 0.5);  // blended: Mix vec3
     float radius_result = length(blended_vector);  // radius: Length
     float squared_result = dot(blended_vector, blended_vector);  // squared: Dot product
-    vec2 squared_vector = vec2(lengths_product.y, lengths_product_2.y);
     float root_result = sqrt(squared_result);  // root: Square root
     float root_choice = root_result > 0.0 ? 0.5 / root_result : 0.0;
     float least_result = min(radius_result, root_result);  // least: Minimum
@@ -40,11 +39,18 @@ WrinkleMaterial_rings wrinkle_rings(WrinkleSurface_rings s) {
     float curve_result = curve_test ? curve_power : 0.0;
     float phase_result = curve_result * 40.0;  // phase: Multiply
     vec2 normal_vector = vec2(lengths_product.x, lengths_product_2.x);  // normal: Resolve
+    vec2 angle_vector = vec2(lengths_product.y, lengths_product_2.y);  // angle: Arctangent of y, x
+    bool angle_test = abs(lengths_vector.x) + abs(lengths_vector.y) > 0.0;
+    vec2 angle_difference = angle_vector * lengths_vector.x - normal_vector * lengths_vector.y;
+    float angle_product = lengths_vector.y * lengths_vector.y;
+    float angle_sum = angle_product + lengths_vector.x * lengths_vector.x;
+    vec2 angle_product_2 = angle_difference * (angle_sum > 0.0 ? 1.0 / angle_sum : 0.0);
+    float angle_result = angle_test ? atan(lengths_vector.y, lengths_vector.x) : 0.0;
     // radius: Length (continued)
-    vec2 radius_sum = blended_vector.x * normal_vector + blended_vector.y * squared_vector;
+    vec2 radius_sum = blended_vector.x * normal_vector + blended_vector.y * angle_vector;
     vec2 radius_choice = radius_result > 0.0 ? radius_sum / radius_result : vec2(0.0);
     // squared: Dot product (continued)
-    vec2 squared_sum = normal_vector * blended_vector.x + squared_vector * blended_vector.y;
+    vec2 squared_sum = normal_vector * blended_vector.x + angle_vector * blended_vector.y;
     vec2 root_product = (squared_sum + radius_sum) * root_choice;  // root: Square root (continued)
     // least: Minimum (continued)
     vec2 least_choice = root_result < radius_result ? root_product : radius_choice;
@@ -55,13 +61,6 @@ WrinkleMaterial_rings wrinkle_rings(WrinkleSurface_rings s) {
     // waves: Sine
     vec2 waves_product = (curve_test ? curve_product : vec2(0.0)) * 40.0 * cos(phase_result);
     float waves_result = sin(phase_result);
-    // angle: Arctangent of y, x
-    bool angle_test = abs(lengths_vector.x) + abs(lengths_vector.y) > 0.0;
-    vec2 angle_difference = squared_vector * lengths_vector.x - normal_vector * lengths_vector.y;
-    float angle_product = lengths_vector.y * lengths_vector.y;
-    float angle_sum = angle_product + lengths_vector.x * lengths_vector.x;
-    vec2 angle_product_2 = angle_difference * (angle_sum > 0.0 ? 1.0 / angle_sum : 0.0);
-    float angle_result = angle_test ? atan(lengths_vector.y, lengths_vector.x) : 0.0;
     float turns_result = angle_result / 1.0471976;  // turns: Divide
     float spoke_result = fract(turns_result);  // spoke: Fraction
     // from_middle: Negate

@@ -195,29 +195,24 @@ WrinkleMaterial_rusty_steel wrinkle_rusty_steel(WrinkleSurface_rusty_steel s) {
     vec2 duv0_dx = dFdx(s.uv0);
     vec2 duv0_dy = dFdy(s.uv0);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    vec2 long_scratches_product = s.uv0 * 3.0;  // long_scratches: Scratches
-    float long_scratches_greatest = max(length(duv0_dx), length(duv0_dy));
-    float long_scratches_product_2 = long_scratches_greatest * 3.0;
-    vec3 long_scratches_slope = wrinkle_rusty_steel_scratches_with_slope(long_scratches_product,
-            long_scratches_product_2, 3, 0.7, vec2(1.5, 0.04), vec2(0.0, 0.6981317));
-    float long_scratches_dot_product = dot(long_scratches_slope.xy, duv0_dx);
     float bends_greatest = max(length(dpdx), length(dpdy));  // bends: Fractal noise
     float bends_product = bends_greatest * 2.0;
     vec4 bends_slope = wrinkle_rusty_steel_fbm_with_slope(s.position * 2.0, bends_product, 8, 2.0,
             0.5);
     float bends_dot_product = dot(bends_slope.xyz, surface_dpdx);
     vec2 bends_product_2 = vec2(bends_dot_product, dot(bends_slope.xyz, surface_dpdy)) * 2.0;
-    vec2 bends_vector = vec2(long_scratches_dot_product, dot(long_scratches_slope.xy, duv0_dy));
     float bends_height = bends_slope.w * 0.03;
+    vec2 long_scratches_product = s.uv0 * 3.0;  // long_scratches: Scratches
+    float long_scratches_greatest = max(length(duv0_dx), length(duv0_dy));
+    float long_scratches_product_2 = long_scratches_greatest * 3.0;
+    vec3 long_scratches_slope = wrinkle_rusty_steel_scratches_with_slope(long_scratches_product,
+            long_scratches_product_2, 3, 0.7, vec2(1.5, 0.04), vec2(0.0, 0.6981317));
+    float long_scratches_dot_product = dot(long_scratches_slope.xy, duv0_dx);
     vec2 fine_scratches_product = s.uv0 * 11.0;  // fine_scratches: Scratches
     float fine_scratches_product_2 = long_scratches_greatest * 11.0;
     vec3 fine_scratches_slope = wrinkle_rusty_steel_scratches_with_slope(fine_scratches_product,
             fine_scratches_product_2, 2, 0.5, vec2(1.4, 0.05), vec2(0.0, 6.2831855));
     float fine_scratches_dot_product = dot(fine_scratches_slope.xy, duv0_dx);
-    // steel: Add heights
-    vec2 steel_difference = bends_product_2 * 0.03 - bends_vector * 3.0 * 0.003;
-    vec2 steel_vector = vec2(fine_scratches_dot_product, dot(fine_scratches_slope.xy, duv0_dy));
-    float steel_height = bends_height - long_scratches_slope.z * 0.003;
     float grain_product = bends_greatest * 60.0;  // grain: Gradient noise
     vec4 grain_slope = wrinkle_rusty_steel_fbm_with_slope(s.position * 60.0, grain_product, 2, 2.0,
             0.5);
@@ -242,8 +237,6 @@ WrinkleMaterial_rusty_steel wrinkle_rusty_steel(WrinkleSurface_rusty_steel s) {
             2.0, 0.5);
     float patches_dot_product = dot(patches_slope.xyz, surface_dpdx);
     vec2 patches_product_3 = vec2(patches_dot_product, dot(patches_slope.xyz, surface_dpdy)) * 1.5;
-    // scratched: Add heights
-    float scratched_height = steel_height - fine_scratches_slope.z * 0.001;
     float dust_edge_result = smoothstep(0.3, 0.9, flakes_slope.w);  // dust_edge: Smooth step
     float dust_edge_clamped = clamp((flakes_slope.w - 0.3) / 0.6, 0.0, 1.0);
     vec2 dust_edge_product = flakes_product_2 * (dust_edge_clamped * (1.0 - dust_edge_clamped) *
@@ -257,8 +250,17 @@ WrinkleMaterial_rusty_steel wrinkle_rusty_steel(WrinkleSurface_rusty_steel s) {
     vec3 rust_color_vector = mix(vec3(0.28, 0.09, 0.03), vec3(0.45, 0.2, 0.07), rust_tone_result);
     float cavity_result = mix(0.6, 1.0, pores_slope.w + 0.5);  // cavity: Remap
     float glow_result = dust_mask_result * 0.2;  // glow: Multiply
+    // scratched: Add heights
+    vec2 scratched_vector = vec2(long_scratches_dot_product, dot(long_scratches_slope.xy, duv0_dy));
+    // steel: Add heights
+    vec2 steel_difference = bends_product_2 * 0.03 - scratched_vector * 3.0 * 0.003;
+    float steel_height = bends_height - long_scratches_slope.z * 0.003;
+    // scratched: Add heights (continued)
+    float scratched_height = steel_height - fine_scratches_slope.z * 0.001;
+    // mottled: Mix heights
+    vec2 mottled_vector = vec2(fine_scratches_dot_product, dot(fine_scratches_slope.xy, duv0_dy));
     // polished: Scale height
-    vec2 polished_product = (steel_difference - steel_vector * 11.0 * 0.001) * 0.5;
+    vec2 polished_product = (steel_difference - mottled_vector * 11.0 * 0.001) * 0.5;
     float polished_height = scratched_height * 0.5;
     vec3 blisters_product = s.position * 9.0;  // blisters: Gradient noise
     float blisters_product_2 = bends_greatest * 9.0;
@@ -266,19 +268,19 @@ WrinkleMaterial_rusty_steel wrinkle_rusty_steel(WrinkleSurface_rusty_steel s) {
             4, 2.0, 0.5);
     float blisters_dot_product = dot(blisters_slope.xyz, surface_dpdx);
     float blisters_height = blisters_slope.w * 0.015;
-    // polished: Scale height (continued)
-    vec2 polished_vector = vec2(blisters_dot_product, dot(blisters_slope.xyz, surface_dpdy));
-    vec2 blisters_product_3 = polished_vector * 9.0;  // blisters: Gradient noise (continued)
+    float worn_result = patches_slope.w + blisters_slope.w;  // worn: Add
+    float bias_result = worn_result + 0.1;  // bias: Add
+    // dusty: Mix heights
+    vec2 dusty_vector = vec2(blisters_dot_product, dot(blisters_slope.xyz, surface_dpdy));
+    vec2 blisters_product_3 = dusty_vector * 9.0;  // blisters: Gradient noise (continued)
     vec2 crust_sum = blisters_product_3 * 0.015 + grain_product_2 * 0.002;  // crust: Add heights
     float crust_height = blisters_height + grain_height;
     vec2 crusty_sum = crust_sum + flakes_product_2 * 0.01;  // crusty: Add heights
     float crusty_height = crust_height + flakes_height;
-    // mottled: Mix heights
+    // mottled: Mix heights (continued)
     vec2 mottled_mixed = mix(crusty_sum, pores_product_2 * 0.004, flakes_slope.w);
     vec2 mottled_sum = mottled_mixed + flakes_product_2 * (pores_height - crusty_height);
     float mottled_height = mix(crusty_height, pores_height, flakes_slope.w);
-    float worn_result = patches_slope.w + blisters_slope.w;  // worn: Add
-    float bias_result = worn_result + 0.1;  // bias: Add
     float rusty_result = smoothstep(-0.1, 0.35, bias_result);  // rusty: Smooth step
     float rusty_clamped = clamp((bias_result + 0.1) / 0.45, 0.0, 1.0);
     float rusty_product = rusty_clamped * (1.0 - rusty_clamped) * 6.0;
@@ -286,7 +288,7 @@ WrinkleMaterial_rusty_steel wrinkle_rusty_steel(WrinkleSurface_rusty_steel s) {
     vec2 rusted_mixed = mix(polished_product, mottled_sum, rusty_result);  // rusted: Mix heights
     vec2 rusted_sum = rusted_mixed + rusty_quotient * (mottled_height - polished_height);
     float rusted_height = mix(polished_height, mottled_height, rusty_result);
-    // dusty: Mix heights
+    // dusty: Mix heights (continued)
     vec2 dusty_product = dust_edge_product / 0.6 * 0.6 * (0.004 - rusted_height);
     vec2 dusty_sum = rusted_sum * (1.0 - dust_mask_result) + dusty_product;
     // normal: Resolve

@@ -3,6 +3,7 @@
 
 #include "ir/derive.h"
 #include "ir/expand.h"
+#include "ir/compact.h"
 #include "ir/inspect.h"
 #include "ir/rewrite.h"
 #include "ir/support.h"
@@ -175,6 +176,25 @@ void calls() {
 
 TEST(Chain, OfCalls) {
     on_small_stack(calls);
+}
+
+// Heights added up: their slopes along two directions are packed.
+void heights() {
+    Module m;
+    const Id uv = m.input(SurfaceInput::uv0_);
+    Id a = m.swizzle(uv, "x"), b = m.swizzle(uv, "y");
+    for (int i = 0; i < shorter; ++i) {
+        a = m.add(Op::add_, {m.add(Op::sin_, {a}), m.number(i)});
+        b = m.add(Op::add_, {m.add(Op::sin_, {b}), m.number(i)});
+    }
+    m.outputs = {{"o", WR_PORT_float, m.construct(Type::vec2_, {a, b})}};
+    const Module packed = compact(m);
+    EXPECT_EQ(verify(packed), "");
+    EXPECT_LT(packed.size(), 8u * shorter);  // with the scalars, which are dead
+}
+
+TEST(Chain, OfPackedComponents) {
+    on_small_stack(heights);
 }
 
 }  // namespace

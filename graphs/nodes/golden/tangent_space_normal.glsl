@@ -117,12 +117,6 @@ WrinkleMaterial_tangent_space_normal wrinkle_tangent_space_normal(WrinkleSurface
     vec2 duv0_dx = dFdx(s.uv0);
     vec2 duv0_dy = dFdy(s.uv0);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    // map: Normal in tangent space
-    float map_slope_v = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
-    vec3 map_along_v = cross(s.normal, s.tangent.xyz) * map_slope_v;
-    vec3 map_along_u = s.tangent.xyz * inverse_normal_length;
-    vec3 map_cross_product = cross(map_along_u, map_along_v);
-    vec3 resolved_product = normal * s.facing;  // resolved: Resolve
     vec3 dents_product = s.position * 3.0;  // dents: Dents
     float dents_product_2 = max(length(dpdx), length(dpdy)) * 3.0;
     vec4 dents_slope = wrinkle_tangent_space_normal_billows_with_slope(dents_product,
@@ -137,19 +131,26 @@ WrinkleMaterial_tangent_space_normal wrinkle_tangent_space_normal(WrinkleSurface
     vec2 dents_choice_2 = 1.0 < max(dents_quotient, 0.0) ? vec2(0.0) : dents_choice;
     float dents_choice_3 = dents_test ? 1.5 * pow(dents_clamped, 1.5) / dents_clamped : 0.0;
     vec2 dents_negated = -(dents_test ? dents_choice_2 * dents_choice_3 : vec2(0.0));
+    // map: Normal in tangent space
+    float map_slope_v = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
+    vec3 map_along_v = cross(s.normal, s.tangent.xyz) * map_slope_v;
+    vec3 map_along_u = s.tangent.xyz * inverse_normal_length;
+    vec3 map_cross_product = cross(map_along_u, map_along_v);
+    vec3 resolved_product = normal * s.facing;  // resolved: Resolve
     vec2 cloth_product = s.uv0 * 12.0;  // cloth: Weave
     vec3 cloth_slope = wrinkle_tangent_space_normal_thread_with_slope(cloth_product, 1.0, 0.9);
     vec3 cloth_slope_2 = wrinkle_tangent_space_normal_thread_with_slope(cloth_product.yx, -1.0,
             0.9);
+    bool cloth_test = cloth_slope.z < cloth_slope_2.z;
     vec2 cloth_product_2 = duv0_dx * 12.0;
     float cloth_dot_product = dot(cloth_slope_2.xy, cloth_product_2.yx);
     vec2 cloth_product_3 = duv0_dy * 12.0;
+    vec2 cloth_vector = vec2(cloth_dot_product, dot(cloth_slope_2.xy, cloth_product_3.yx));
     float cloth_greatest = max(length(cloth_product_2), length(cloth_product_3));
-    // dents: Dents (continued)
-    vec2 dents_vector = vec2(cloth_dot_product, dot(cloth_slope_2.xy, cloth_product_3.yx));
-    vec2 dents_vector_2 = vec2(dot(cloth_slope.xy, duv0_dx), dot(cloth_slope.xy, duv0_dy));
+    // resolved: Resolve (continued)
+    vec2 resolved_vector = vec2(dot(cloth_slope.xy, duv0_dx), dot(cloth_slope.xy, duv0_dy));
     // cloth: Weave (continued)
-    vec2 cloth_choice = cloth_slope.z < cloth_slope_2.z ? dents_vector : dents_vector_2 * 12.0;
+    vec2 cloth_choice = cloth_test ? cloth_vector : resolved_vector * 12.0;
     vec2 cloth_product_4 = cloth_choice * (1.0 - smoothstep(0.25, 0.75, cloth_greatest)) * 0.02;
     vec2 sum_sum = dents_negated * 0.15 + cloth_product_4;  // sum: Add heights
     // resolved: Resolve (continued)

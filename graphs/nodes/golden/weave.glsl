@@ -37,16 +37,15 @@ WrinkleMaterial_weave wrinkle_weave(WrinkleSurface_weave s) {
     vec2 relief_product_2 = duv0_dx * 8.0;
     float relief_dot_product = dot(relief_slope_2.xy, relief_product_2.yx);
     vec2 relief_product_3 = duv0_dy * 8.0;
+    vec2 relief_vector = vec2(relief_dot_product, dot(relief_slope_2.xy, relief_product_3.yx));
     float relief_greatest = max(length(relief_product_2), length(relief_product_3));
     float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
     float relief_value = mix(0.60579, max(relief_slope.z, relief_slope_2.z), relief_difference);
     // normal: Resolve
-    vec2 normal_vector = vec2(relief_dot_product, dot(relief_slope_2.xy, relief_product_3.yx));
-    vec2 normal_vector_2 = vec2(dot(relief_slope.xy, duv0_dx), dot(relief_slope.xy, duv0_dy));
+    vec2 normal_vector = vec2(dot(relief_slope.xy, duv0_dx), dot(relief_slope.xy, duv0_dy));
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
     // relief: Weave (continued)
-    vec2 relief_product_4 = (relief_test ? normal_vector : normal_vector_2 * 8.0) *
-            relief_difference;
+    vec2 relief_product_4 = (relief_test ? relief_vector : normal_vector * 8.0) * relief_difference;
     vec2 normal_product_2 = relief_product_4 * normal_product;  // normal: Resolve (continued)
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_weave m;
