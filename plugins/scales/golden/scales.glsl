@@ -40,9 +40,9 @@ WrinkleMaterial_scales wrinkle_scales(WrinkleSurface_scales s) {
         float skin_product_5 = skin_difference_2 * clamp(skin_difference_3, 0.0, 1.0);
         float skin_difference_4 = 0.5 - 0.4 * skin_way.y / 0.75;
         float skin_product_6 = skin_product_5 * skin_difference_4;
-        vec2 vector = vec2(dot(skin_product_2, skin_way), dot(skin_product_3, skin_way));
-        vec2 vector_2 = vec2(dot(skin_way, skin_product_2), dot(skin_way, skin_product_3));
-        vec2 skin_negated = -((vector + vector_2) * 1.5 / 0.5625);  // skin: Scales (continued)
+        vec2 skin_vector = vec2(dot(skin_product_2, skin_way), dot(skin_product_3, skin_way));
+        vec2 skin_vector_2 = vec2(dot(skin_way, skin_product_2), dot(skin_way, skin_product_3));
+        vec2 skin_negated = -((skin_vector + skin_vector_2) * 1.5 / 0.5625);
         vec2 skin_choice = skin_difference_3 < 0.0 ? vec2(0.0) : skin_negated;
         vec2 skin_choice_2 = 1.0 < max(skin_difference_3, 0.0) ? vec2(0.0) : skin_choice;
         vec2 skin_product_7 = skin_choice_2 * skin_difference_2 * skin_difference_4;

@@ -114,7 +114,6 @@ WrinkleMaterial_twill wrinkle_twill(WrinkleSurface_twill s) {
     vec2 cloth_product_5 = duv0_dy * 32.0;
     vec2 cloth_vector = vec2(cloth_product_4.x, cloth_product_5.x);
     vec2 cloth_product_6 = -(cloth_vector * 1.5707964 * sin(cloth_product_3)) * 0.35;
-    vec2 cloth_vector_2 = vec2(duv0_dx.y, duv0_dy.y);
     vec2 cloth_product_7 = cloth_vector * 2.0 / 0.9 * cloth_quotient;
     vec2 cloth_negated = -(cloth_product_7 + cloth_product_7);
     vec2 cloth_product_8 = (cloth_difference < 0.0 ? vec2(0.0) : cloth_negated) * cloth_sum;
@@ -131,24 +130,25 @@ WrinkleMaterial_twill wrinkle_twill(WrinkleSurface_twill s) {
     float fibres_greatest_2 = max(fibres_extent_2, length(vec3(duv0_dy.y, duv0_dy.x * 0.2, 0.0)));
     vec4 fibres_slope_2 = wrinkle_twill_fbm_with_slope(fibres_vector_2, fibres_greatest_2 * 220.0,
             2, 2.0, 0.5);
-    vec2 fibres_vector_3 = vec2(duv0_dx.x, duv0_dy.x);
-    vec2 fibres_product = fibres_slope_2.y * (fibres_vector_3 * 0.2 * 220.0);
-    vec2 fibres_product_2 = (fibres_slope_2.x * (cloth_vector_2 * 220.0) + fibres_product) * 8e-04;
-    vec2 fibres_product_3 = fibres_slope.y * (cloth_vector_2 * 0.2 * 220.0);
-    vec2 fibres_product_4 = (fibres_slope.x * (fibres_vector_3 * 220.0) + fibres_product_3) * 8e-04;
+    vec2 fibres_vector_3 = vec2(cloth_product_4.y, cloth_product_5.y);
+    vec2 fibres_vector_4 = vec2(duv0_dx.x, duv0_dy.x);
+    vec2 fibres_product = fibres_slope_2.y * (fibres_vector_4 * 0.2 * 220.0);
     // cloth: Twill (continued)
     float cloth_sum_3 = 0.012 * (cloth_greatest * cloth_sum) + fibres_height;
     float cloth_sum_4 = 0.012 * (cloth_greatest_2 * cloth_sum_2) + fibres_slope_2.w * 8e-04;
-    vec2 normal_vector = vec2(cloth_product_4.y, cloth_product_5.y);  // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * (1.0 - cloth_ramp);
-    // cloth: Twill (continued)
-    vec2 cloth_product_9 = normal_vector * 2.0 / 0.9 * cloth_quotient_2;
+    vec2 cloth_product_9 = fibres_vector_3 * 2.0 / 0.9 * cloth_quotient_2;
     vec2 cloth_negated_2 = -(cloth_product_9 + cloth_product_9);
     vec2 cloth_product_10 = (cloth_difference_2 < 0.0 ? vec2(0.0) : cloth_negated_2) * cloth_sum_2;
     vec2 cloth_product_11 = (cloth_product_10 + cloth_product_6 * cloth_greatest_2) * 0.012;
-    vec2 cloth_sum_5 = cloth_product_11 + fibres_product_2;
-    vec2 cloth_product_12 = -(normal_vector * 1.5707964 * sin(cloth_product_2)) * 0.35;
+    vec2 cloth_product_12 = -(fibres_vector_3 * 1.5707964 * sin(cloth_product_2)) * 0.35;
     vec2 cloth_product_13 = (cloth_product_8 + cloth_product_12 * cloth_greatest) * 0.012;
+    vec2 normal_vector = vec2(duv0_dx.y, duv0_dy.y);  // normal: Resolve
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * (1.0 - cloth_ramp);
+    // fibres: Fractal noise (continued)
+    vec2 fibres_product_2 = (fibres_slope_2.x * (normal_vector * 220.0) + fibres_product) * 8e-04;
+    vec2 fibres_product_3 = fibres_slope.y * (normal_vector * 0.2 * 220.0);
+    vec2 fibres_product_4 = (fibres_slope.x * (fibres_vector_4 * 220.0) + fibres_product_3) * 8e-04;
+    vec2 cloth_sum_5 = cloth_product_11 + fibres_product_2;  // cloth: Twill (continued)
     vec2 cloth_choice = cloth_sum_3 < cloth_sum_4 ? cloth_sum_5 : cloth_product_13 +
             fibres_product_4;
     vec2 normal_product_2 = cloth_choice * normal_product;  // normal: Resolve (continued)
