@@ -126,8 +126,8 @@ std::vector<const Port*> twins(const NodeType& type, const Node& node) {
         for (const Port& port : type.ports)
             if (counts(port) && port.type == first.type) same.push_back(&port);
         if (same.size() < 2) continue;
-        std::ranges::stable_partition(same,
-                                      [&](const Port* port) { return node.find(port->name); });
+        std::stable_partition(same.begin(), same.end(),
+                              [&](const Port* port) { return node.find(port->name); });
         same.resize(2);
         return same;
     }
