@@ -428,15 +428,15 @@ WrinkleMaterial_tower wrinkle_tower(WrinkleSurface_tower s) {
     float waves_product_24 = 0.512 * (1.0 - smoothstep(0.25, 0.75, waves_greatest_4));
     float waves_value = (waves_sum_4 + sin(waves_product_21) * waves_product_24) / 2.952;
     float waves_height = waves_value * 0.01;
-    vec2 waves_vector_5 = vec2(dot(waves_product_10, waves_vector_2), dot(waves_product_11,
+    vec2 waves_vector_5 = vec2(dot(waves_product_4, waves_vector), dot(waves_product_5,
+            waves_vector));
+    vec2 waves_product_25 = waves_vector_5 * 6.2831855 * cos(waves_product_3) * waves_difference_2;
+    vec2 waves_vector_6 = vec2(dot(waves_product_10, waves_vector_2), dot(waves_product_11,
             waves_vector_2));
-    vec2 waves_product_25 = waves_vector_5 * 6.2831855 * cos(waves_product_9) * waves_product_12;
-    vec2 waves_vector_6 = vec2(dot(waves_product_16, waves_vector_3), dot(waves_product_17,
+    vec2 waves_product_26 = waves_vector_6 * 6.2831855 * cos(waves_product_9) * waves_product_12;
+    vec2 waves_vector_7 = vec2(dot(waves_product_16, waves_vector_3), dot(waves_product_17,
             waves_vector_3));
-    vec2 waves_product_26 = waves_vector_6 * 6.2831855 * cos(waves_product_15) * waves_product_18;
-    vec2 waves_vector_7 = vec2(dot(waves_product_22, waves_vector_4), dot(waves_product_23,
-            waves_vector_4));
-    vec2 waves_product_27 = waves_vector_7 * 6.2831855 * cos(waves_product_21) * waves_product_24;
+    vec2 waves_product_27 = waves_vector_7 * 6.2831855 * cos(waves_product_15) * waves_product_18;
     float low_height = waves_height * 0.5;  // low: Scale height
     // left: 1
     float left_slope;
@@ -445,10 +445,11 @@ WrinkleMaterial_tower wrinkle_tower(WrinkleSurface_tower s) {
     // right: 1
     float right_slope;
     float right_relief = wrinkle_tower_1_with_slope(high_height, right_slope);
-    vec2 vector = vec2(dot(waves_product_4, waves_vector), dot(waves_product_5, waves_vector));
+    vec2 vector = vec2(dot(waves_product_22, waves_vector_4), dot(waves_product_23,
+            waves_vector_4));
     // waves: Waves (continued)
-    vec2 waves_product_28 = vector * 6.2831855 * cos(waves_product_3) * waves_difference_2;
-    vec2 waves_sum_6 = waves_product_28 + waves_product_25 + waves_product_26 + waves_product_27;
+    vec2 waves_product_28 = vector * 6.2831855 * cos(waves_product_21) * waves_product_24;
+    vec2 waves_sum_6 = waves_product_25 + waves_product_26 + waves_product_27 + waves_product_28;
     vec2 waves_product_29 = waves_sum_6 / 2.952 * 0.01;
     vec2 right_product = right_slope * (waves_product_29 * 0.75);  // right: 1 (continued)
     vec2 both_sum = left_slope * (waves_product_29 * 0.5) + right_product;  // both: Add heights
