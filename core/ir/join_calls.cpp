@@ -27,7 +27,9 @@ public:
             if (region != 0) functions_[region].body = std::move(values);
         });
         for (const auto& [first, other] : candidates_)
-            if (share_work(functions_[first].body, functions_[other].body)) join(first, other);
+            if (are_related(first, other) &&
+                share_work(functions_[first].body, functions_[other].body))
+                join(first, other);
         std::vector<uint32_t> order;
         bool changes = false;
         for (auto& [region, function] : functions_) {
@@ -64,6 +66,13 @@ private:
                 functions_[m_[inst.arg[0]].extra].used[inst.extra] = true;
             }
         }
+    }
+
+    // A sub-graph is joined with its own derivatives, not with another sub-graph.
+    bool are_related(uint32_t a, uint32_t b) const {
+        const Region &first = m_.region(a), &other = m_.region(b);
+        return first.result_names.empty() || other.result_names.empty() ||
+               first.name.starts_with(other.name) || other.name.starts_with(first.name);
     }
 
     // Functions of equal depth do not call each other, whatever is joined.
