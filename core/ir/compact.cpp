@@ -6,9 +6,10 @@
 
 namespace wrinkle {
 
-std::vector<Id> values_in_scope(const Module& m, std::span<const Id> roots) {
+std::vector<Id> values_in_scope(const Module& m, std::span<const Id> roots, int level) {
     std::vector<Id> values;
     walk(roots, [&](Id id, std::vector<Id>& open) {
+        if (m[id].level < level) return;
         values.push_back(id);
         append_dependencies(m, id, false, open);
     });

@@ -66,14 +66,15 @@ private:
                 loop.reads.push_back(members_read(result, region(loop).level));
         }
         for (const Id id : values) {
+            if (m_[id].op != Op::result_) continue;
             const auto loop = std::ranges::find(loops_, m_[id].arg[0], &Loop::tuple);
-            if (m_[id].op == Op::result_ && loop != loops_.end()) loop->used.insert(m_[id].extra);
+            if (loop != loops_.end()) loop->used.insert(m_[id].extra);
         }
     }
 
     std::set<uint32_t> members_read(Id value, uint8_t level) const {
         std::set<uint32_t> members;
-        for (const Id id : values_in_scope(m_, {&value, 1}))
+        for (const Id id : values_in_scope(m_, {&value, 1}, level))
             if (m_[id].op == Op::region_param_ && m_[id].level == level)
                 members.insert(m_[id].extra);
         return members;

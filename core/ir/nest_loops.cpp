@@ -13,7 +13,7 @@ double loops_of(const Module& m) {
         double loops = 0;
         std::vector<uint32_t> called;  // once for each call
     };
-    std::map<uint32_t, Uses> scopes;  // functions by region, callees first; 0 the outputs
+    std::map<uint32_t, Uses> scopes;  // functions by region, callees first; then the outputs
     for_each_scope(m, [&](uint32_t region, std::span<const Id> values) {
         Uses& uses = scopes[region == 0 ? ~0U : region];
         for (const Id id : values) {
@@ -60,11 +60,10 @@ std::vector<Id> nest_in_scope(Module& m, std::vector<Id> roots) {
     for (const Id id : values_in_scope(m, roots)) {
         if (m[id].op != Op::loop_) continue;
         const Region& region = m.region(m[id].extra);
-        const std::vector<Id> body = values_in_scope(m, region.results);
+        const std::vector<Id> body = values_in_scope(m, region.results, region.level);
         const uint32_t n = least_factor(region.max_iterations);
-        const bool has_loops = std::any_of(body.begin(), body.end(), [&](Id value) {
-            return m[value].op == Op::loop_ && m[value].level >= region.level;
-        });
+        const bool has_loops = std::any_of(body.begin(), body.end(),
+                                           [&](Id value) { return m[value].op == Op::loop_; });
         if (has_loops || n == region.max_iterations || region.level > 1 + Module::max_region / 2)
             continue;
         const size_t members = region.params.size();

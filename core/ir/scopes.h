@@ -8,8 +8,9 @@
 
 namespace wrinkle {
 
-// Returns the values that the roots need, without the bodies of called functions, in id order.
-std::vector<Id> values_in_scope(const Module& module, std::span<const Id> roots);
+// Returns the values at `level` and deeper that the roots need, without the bodies of called
+// functions, in id order.
+std::vector<Id> values_in_scope(const Module& module, std::span<const Id> roots, int level = 0);
 
 // Visits the results of each function that the outputs need, and the outputs, once each:
 // visit(region, values in its scope); region 0 is the outputs.
