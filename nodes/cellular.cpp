@@ -22,13 +22,13 @@ static Float offset(Float index, int k) {
     return rest - 3 * floor((rest + 0.5) * (1.0 / 3)) - 1;
 }
 
-// Returns the distances in cells to the nearest and the second nearest feature point (S. Worley
-// 1996), or their difference. Each cell has one point, at most jitter / 2 cells from its centre per
-// axis. Points two cells away are ignored; at full jitter this changes the second distance at a few
-// of 10,000 positions. The search returns cells, which do not depend on the position, so only the
-// distances to their points are differentiated.
-// A pixel that covers cells reads the mean.
 enum class Distance { first, second, difference };
+
+// Returns a distance in cells to the nearest or the second nearest feature point (S. Worley 1996),
+// or their difference; the mean where a pixel covers cells. Each cell has one point, per axis at
+// most jitter / 2 cells from its centre. Points two cells away are ignored; at full jitter this
+// changes the second distance at a few of 10,000 positions. The search returns cells, which do not
+// depend on the position, so only the distances to their points are differentiated.
 static Float worley(vec3 point, Float scale, Float jitter, Distance which) {
     const auto feature = function("feature_point(cell, jitter)", [](vec3 cell, Float jitter) {
         const Uint bits = hash(Int(cell.x()), Int(cell.y()), Int(cell.z()));
