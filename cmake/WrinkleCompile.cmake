@@ -8,10 +8,11 @@
 # TARGET   is made and built by default; a target that is there already gets the texts before its
 #          own sources are compiled, from any number of calls
 # GRAPHS   relative to the current source folder
-# LANGUAGE what `wrinkle compile --target` takes: glsl330 (default), glsl450, essl300, spirv, hlsl,
-#          msl; the last three have the form shader alone, which is their default
-# OUTPUT   default: TARGET in the current build folder; STEM.glsl, of the form shader STEM.vert and
-#          STEM.frag, behind which stands .spv, .hlsl or .msl; with REFLECT also
+# LANGUAGE what `wrinkle compile --target` takes: glsl330 (default), glsl450, essl300, hlsl, msl,
+#          wgsl, spirv (only the form shader), godot3, godot4 (only the form function)
+# OUTPUT   default: TARGET in the current build folder; STEM.glsl, STEM.hlsl, STEM.msl, STEM.wgsl,
+#          STEM.shader (Godot 3) or STEM.gdshaderinc (Godot 4); of the form shader STEM.vert and
+#          STEM.frag, followed by .hlsl, .msl, .wgsl or .spv; with REFLECT also
 #          STEM.reflection.json
 # OPTIONS  others of `wrinkle compile`, such as --params uniform or --cache DIR; --target and --form
 #          have words of their own here
@@ -40,26 +41,32 @@ function(wrinkle_compile)
         set(ARG_LANGUAGE glsl330)
     endif()
     set(form function)
-    set(behind)
+    set(suffix)
     if(ARG_LANGUAGE STREQUAL "spirv")
         set(form shader)
-        set(behind .spv)
-    elseif(ARG_LANGUAGE MATCHES "^(hlsl|msl)$")
-        set(form shader)
-        set(behind .${ARG_LANGUAGE})
+        set(suffix .spv)
+    elseif(ARG_LANGUAGE MATCHES "^(hlsl|msl|wgsl)$")
+        set(suffix .${ARG_LANGUAGE})
+    elseif(ARG_LANGUAGE STREQUAL "godot3")
+        set(suffix .shader)
+    elseif(ARG_LANGUAGE STREQUAL "godot4")
+        set(suffix .gdshaderinc)
     elseif(NOT ARG_LANGUAGE MATCHES "^(glsl330|glsl450|essl300)$")
         message(FATAL_ERROR "wrinkle_compile knows no LANGUAGE '${ARG_LANGUAGE}'")
     endif()
     if(ARG_FORM AND NOT ARG_FORM MATCHES "^(function|shader)$")
         message(FATAL_ERROR "wrinkle_compile knows FORM function and shader, not '${ARG_FORM}'")
-    elseif(behind AND ARG_FORM STREQUAL "function")
-        message(FATAL_ERROR "wrinkle_compile has no FORM function of LANGUAGE ${ARG_LANGUAGE}")
+    elseif("${ARG_LANGUAGE} ${ARG_FORM}" MATCHES "^(spirv function|godot. shader)$")
+        message(FATAL_ERROR "wrinkle_compile has no FORM ${ARG_FORM} of LANGUAGE ${ARG_LANGUAGE}")
     elseif(ARG_FORM)
         set(form ${ARG_FORM})
     endif()
-    set(suffixes .glsl)
     if(form STREQUAL "shader")
-        set(suffixes .vert${behind} .frag${behind})
+        set(suffixes .vert${suffix} .frag${suffix})
+    elseif(suffix)
+        set(suffixes ${suffix})
+    else()
+        set(suffixes .glsl)
     endif()
     list(APPEND ARG_OPTIONS --target ${ARG_LANGUAGE} --form ${form})
     file(MAKE_DIRECTORY ${folder})
@@ -71,7 +78,7 @@ function(wrinkle_compile)
         list(TRANSFORM suffixes PREPEND ${output} OUTPUT_VARIABLE made)
         set(options ${ARG_OPTIONS})
         if(form STREQUAL "function")
-            string(APPEND output .glsl)
+            string(APPEND output ${suffixes})
         endif()
         if(ARG_REFLECT)
             list(APPEND made ${folder}/${stem}.reflection.json)

@@ -13,13 +13,13 @@ constexpr const char* pure =
     "build() may look at nothing but its ports: no statics that change, no clock, no addresses, no "
     "files";
 
-// Emits the module for each GLSL target, in each form that is compatible with its differentials.
+// Emits the module for each target that is text, in each form that takes its differentials.
 std::vector<Shader> all_texts(const Module& module, bool given) {
     std::vector<Shader> texts;
     for (const Target& target : targets())
         for (const Form form : {Form::function, Form::shader}) {
             if (given && form == Form::shader) continue;
-            if (is_translated(target)) continue;
+            if (!supports(target, form) || is_binary(target)) continue;
             EmitOptions options;
             options.target = &target;
             options.form = form;

@@ -44,6 +44,7 @@ struct CompileCommand {
         if (const std::string why = wrong_usage(); !why.empty()) return fail(exit_usage, why);
         outputs.form = form_of(text);
         outputs.suffix = find_target(text.target)->suffix;
+        outputs.function_suffix = function_suffix(*find_target(text.target));
         if (const std::string why = outputs.conflict(); !why.empty()) return fail(exit_usage, why);
         if (std::string why; !have_compilers(text, why)) return fail(exit_environment, why);
         const Nodes nodes = load_nodes(common, diagnostics);
@@ -225,8 +226,8 @@ void declare_judgement(CLI::App& sub, TextOptions& text) {
 }  // namespace
 
 void declare_compile(CLI::App& app, Run& run) {
-    auto [sub, c] =
-        add_command<CompileCommand>(app, run, "compile", "Graphs to GLSL, SPIR-V, HLSL or Metal");
+    auto [sub, c] = add_command<CompileCommand>(
+        app, run, "compile", "Graphs to GLSL, HLSL, Metal, WGSL, Godot or SPIR-V");
     sub.add_option("FILE", c.outputs.files, "Graphs; - reads standard input");
     c.output = sub.add_option("-o", c.outputs.output,
                               "The file; of the shader form OUT.vert and OUT.frag; of several "

@@ -83,7 +83,8 @@ std::string wrong_text(const TextOptions& text) {
     if (!target) return "there is no target '" + text.target + "'; --list-targets lists them";
     const Form form = form_of(text);
     const std::string why = form_conflict(*target, form, differentials_of(text));
-    return why.empty() || form == Form::shader ? why : why + "; --form shader";
+    if (why.empty() || supports(*target, form)) return why;
+    return why + "; --form " + (form == Form::shader ? "function" : "shader");
 }
 
 ShaderOptions shader_options(const std::string& file, const Compilation& with) {
@@ -111,7 +112,7 @@ Form form_of(const TextOptions& options) {
 }
 
 bool needs_compilers(const TextOptions& options) {
-    return options.cost || is_translated(*find_target(options.target));
+    return options.cost || is_binary(*find_target(options.target));
 }
 
 bool have_compilers(const TextOptions& options, std::string& why) {

@@ -15,7 +15,8 @@ std::string stem_of(const std::string& file) {
 
 std::string Outputs::source_path(const std::string& file, const std::string& suffix) const {
     if (!several()) return output + (is_standard_output() ? "" : suffix);
-    return (fs::path(output) / stem_of(file)).string() + (suffix.empty() ? ".glsl" : suffix);
+    return (fs::path(output) / stem_of(file)).string() +
+           (suffix.empty() ? function_suffix : suffix);
 }
 
 std::string Outputs::reflection_path(const std::string& file) const {

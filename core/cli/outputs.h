@@ -14,7 +14,8 @@ inline const std::string vertex_suffix = ".vert", fragment_suffix = ".frag";
 struct Outputs {
     std::string output = "-";
     Form form = Form::function;
-    std::string suffix;              // file suffix of the target, after that of the stage
+    std::string suffix;  // file suffix of the target, after that of the stage
+    std::string function_suffix = ".glsl";
     std::string stage = "fragment";  // stage that is written to standard output
     std::string reflect;
     Depfile depfile;
@@ -24,8 +25,8 @@ struct Outputs {
 
     bool several() const { return files.size() > 1; }
     bool is_standard_output() const { return output == "-"; }
-    // Output path: "-", or OUT + `suffix`, for one graph; OUT/STEM + `suffix`, default .glsl, for
-    // several.
+    // Output path: "-", or OUT + `suffix`, for one graph; for several OUT/STEM + `suffix`, which is
+    // that of functions by default.
     std::string source_path(const std::string& file, const std::string& suffix) const;
     std::string reflection_path(const std::string& file) const;  // "": not requested
     std::string depfile_path() const;

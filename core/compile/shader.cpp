@@ -56,13 +56,10 @@ bool select_outputs(Module& module, const std::vector<std::string>& names, const
 
 }  // namespace
 
-Form default_form(const Target& target) {
-    return is_translated(target) ? Form::shader : Form::function;
-}
-
 std::string form_conflict(const Target& target, Form form, Differentials differentials) {
-    if (form == Form::function && is_translated(target))
-        return "the target '" + std::string(target.name) + "' is written as a complete pair";
+    if (!supports(target, form))
+        return "the target '" + std::string(target.name) + "' is only written as a " +
+               (form == Form::function ? "complete pair" : "function");
     if (form == Form::shader && differentials != Differentials::screen)
         return "the shader form takes its differentials from the screen";
     return {};

@@ -16,9 +16,6 @@ struct Document;
 // Largest descriptor set and first binding that a caller may choose.
 inline constexpr int max_descriptor_set = 31, max_first_binding = 4095;
 
-// The default form of a target.
-Form default_form(const Target& target);
-
 // Returns the reason, as a clause, if target, form and differentials are incompatible; else "".
 std::string form_conflict(const Target& target, Form form, Differentials differentials);
 

@@ -1,22 +1,26 @@
-// Resource layout for targets that number their resources: std140 uniform blocks, descriptor sets
-// and bindings. Source: OpenGL 4.6 specification, 7.6.2.2.
+// Resource layout for targets that number their resources: uniform blocks, descriptor sets and
+// bindings. Blocks have the layout std140 (OpenGL 4.6 specification, 7.6.2.2), which WGSL shares;
+// in Metal a vec3 takes 16 bytes (Metal Shading Language Specification, 2.2.3).
 #pragma once
 
 #include <string_view>
 
 #include "glsl/emit.h"
+#include "glsl/language.h"
 #include "glsl/text.h"
 
 namespace wrinkle {
 
 // Offsets in bytes of the members of one block.
-class Std140 {
+class BlockLayout {
 public:
+    explicit BlockLayout(int vec3_size = 12) : vec3_size_(vec3_size) {}
     // Adds a member of a GLSL type: "float", "vec2" ... "mat4". Returns its offset in bytes.
     int place(std::string_view type);
     int size() const { return (end_ + 15) / 16 * 16; }
 
 private:
+    int vec3_size_;
     int end_ = 0;
 };
 
@@ -24,17 +28,18 @@ private:
 // Does nothing if the target finds them by name. Precondition: the reflection lists all of them.
 void assign_bindings(const EmitOptions& options, Reflection& reflection);
 
-// Returns "layout(set = 0, binding = 2) " for an image; "" if it is found by name.
-std::string binding_text(const Binding& binding);
-
-// A member's declaration, the text of its comment, and the node that it belongs to.
+// A member's declaration in the language, the text of its comment, and the node that it belongs to.
 struct Declaration {
     std::string_view type, name, doc;
+    int offset = -1;
     uint32_t node = no_node;
 };
 
 // Appends the block with its members; without a block, each member as a separate uniform.
-void write_block(const std::optional<Block>& block, const std::vector<Declaration>& members,
-                 Text& text);
+void write_block(const Language& language, const std::optional<Block>& block,
+                 const std::vector<Declaration>& members, Text& text);
+
+// Appends text of several lines.
+void write_lines(std::string_view lines, Text& text, uint32_t node = no_node);
 
 }  // namespace wrinkle

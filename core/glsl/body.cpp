@@ -38,26 +38,54 @@ void Body::material_function(const Reflection& reflection) {
         roots.push_back(analysis_.strip_detach(output.value));
     const Scope scope = collect(analysis_, values_, roots, 0);
     decide(analysis_, values_, scope, roots);
-    const std::string argument =
-        reflection.struct_name.empty() ? "" : reflection.struct_name + " s";
-    text_.line(0, result_type(reflection) + " " + reflection.function + "(" + argument + ") {");
+    code(0, material_signature(reflection), no_node);
     const std::vector<Id> ids = schedule(analysis_, values_, scope, scope.order);
     locals_.reserve(ids.size());
     const Id first = without_views(roots[0]);
-    const bool returns_expression = reflection.result_name.empty() && is_folded(first);
+    const bool bare = reflection.result_form == ResultForm::value;
+    const bool returns_expression = bare && is_folded(first);
     statements(ids, 1,
                returns_expression ? group_of(analysis_, values_, first)
                : ids.empty()      ? no_node
                                   : group_of(analysis_, values_, ids.back()));
-    if (reflection.result_name.empty()) {
+    if (bare)
         result("return ", roots[0]);
-    } else {
-        text_.line(1, reflection.result_name + " m;");
-        for (size_t k = 0; k < roots.size(); ++k)
-            result("m." + reflection.outputs[k].member + " = ", roots[k]);
-        text_.line(1, "return m;");
-    }
+    else
+        material_results(reflection, roots);
     text_.line(0, "}");
+}
+
+std::string Body::declared(std::string_view pattern, Type type, std::string_view name,
+                           std::string_view value) const {
+    return filled(pattern, {{'t', language_.type(type)}, {'n', name}, {'v', value}});
+}
+
+std::string Body::material_signature(const Reflection& r) {
+    std::string list;
+    const auto add = [&](const std::string& parameter) {
+        list += (list.empty() || parameter.empty() ? "" : ", ") + parameter;
+    };
+    if (!r.struct_name.empty())
+        add(filled(language_.parameter, {{'t', r.struct_name}, {'n', "s"}}));
+    if (language_.arguments == Arguments::flat)
+        for (const MemberInfo& member : r.members)
+            add(declared(language_.parameter, member.type, locals_.add({{}, member.name})));
+    if (r.result_form == ResultForm::parameters)
+        for (const OutputInfo& output : r.outputs)
+            add(declared(language_.out_parameter, output.type, locals_.add({{}, output.member})));
+    add(values_.symbols.material_parameters);
+    if (r.result_form == ResultForm::parameters)
+        return filled(language_.no_value, {{'n', r.function}, {'v', list}});
+    return filled(language_.function,
+                  {{'t', result_type(r, language_)}, {'n', r.function}, {'v', list}});
+}
+
+void Body::material_results(const Reflection& r, std::span<const Id> roots) {
+    const bool structure = r.result_form == ResultForm::structure;
+    if (structure) text_.line(1, filled(language_.unset, {{'t', r.result_name}, {'n', "m"}}));
+    for (size_t k = 0; k < roots.size(); ++k)
+        result((structure ? "m." : "") + r.outputs[k].member + " = ", roots[k]);
+    if (structure) text_.line(1, "return m;");
 }
 
 // Returns the value of which `id` is a part: a component, a column.
@@ -90,26 +118,24 @@ std::vector<std::string> Body::name_parameters(const Region& region) {
     return names;
 }
 
-std::string Body::signature(const Region& region, const std::string& name,
-                            const std::vector<std::string>& parameters,
-                            const std::vector<std::string>& outs) const {
-    std::string text = type_name(m_.type(region.results[0])) + " " + name + "(";
-    std::string_view separator;
-    for (size_t k = 0; k < parameters.size(); ++k) {
-        text.append(separator).append(type_name(region.params[k])).append(" " + parameters[k]);
-        separator = ", ";
-    }
-    for (size_t k = 0; k < outs.size(); ++k) {
-        text.append(separator).append("out " + type_name(m_.type(region.results[k + 1])));
-        text += " " + outs[k];
-        separator = ", ";
-    }
-    return text + ") {";
+std::string Body::region_signature(uint32_t index, const std::vector<std::string>& parameters,
+                                   const std::vector<std::string>& outs) const {
+    const Region& region = m_.region(index);
+    std::string list;
+    const auto add = [&](const std::string& parameter) {
+        list += (list.empty() || parameter.empty() ? "" : ", ") + parameter;
+    };
+    for (size_t k = 0; k < parameters.size(); ++k)
+        add(declared(language_.parameter, region.params[k], parameters[k]));
+    for (size_t k = 0; k < outs.size(); ++k)
+        add(declared(language_.out_parameter, m_.type(region.results[k + 1]), outs[k]));
+    add(values_.symbols.resource_parameters[index]);
+    return declared(language_.function, m_.type(region.results[0]),
+                    values_.symbols.functions[index], list);
 }
 
 void Body::region_function(uint32_t index) {
     const Region& region = m_.region(index);
-    const std::string& name = values_.symbols.functions[index];
     values_.anonymous = true;
     const std::vector<std::string> parameters = name_parameters(region);
     std::vector<std::string> outs;
@@ -120,10 +146,13 @@ void Body::region_function(uint32_t index) {
     decide(analysis_, values_, scope, roots);
     if (const std::string comment = comment_on(region); !comment.empty())
         text_.line(0, comment, no_node);
-    code(0, signature(region, name, parameters, outs), no_node);
+    code(0, region_signature(index, parameters, outs), no_node);
     statements(schedule(analysis_, values_, scope, scope.order), 1);
     for (size_t k = 1; k < roots.size(); ++k)
-        code(1, outs[k - 1] + " = " + text_of(context_, roots[k]) + ";", node_of(group_));
+        code(1,
+             filled(language_.out_use, {{'n', outs[k - 1]}}) + " = " + text_of(context_, roots[k]) +
+                 ";",
+             node_of(group_));
     code(1, "return " + text_of(context_, roots[0]) + ";", node_of(group_));
     values_.anonymous = false;
     text_.line(0, "}");
@@ -218,9 +247,10 @@ std::string_view Body::name_value(Id id, const NameHint& wanted) {
 void Body::assign(Id id, int indent, uint32_t group, bool single) {
     const std::string_view name = name_value(id, name_hint(analysis_, values_, id));
     line_.clear();
-    line_.append(info(m_.type(id)).name).append(" ").append(name).append(" = ");
-    write_definition(context_, id, line_);
-    line_.append(";");
+    value_.clear();
+    write_definition(context_, id, value_);
+    append_filled(line_, language_.constant,
+                  {{'t', language_.type(m_.type(id))}, {'n', name}, {'v', value_}});
     commented_line(indent, line_, group, single);
 }
 
@@ -244,17 +274,23 @@ std::vector<std::string> Body::name_members(Id tuple) {
 // Writes a call with several results: it returns the first; the others are `out` arguments.
 void Body::call(Id id, int indent) {
     const Region& region = m_.region(m_[id].extra);
-    std::string text;
+    std::string list;
+    const auto add = [&](const std::string& argument) {
+        list += (list.empty() || argument.empty() ? "" : ", ") + argument;
+    };
     for (const Id argument : analysis_.operands(id))
-        text += (text.empty() ? "" : ", ") + text_of(context_, argument);
+        add(text_of(context_, argument));
     const std::vector<std::string> names = name_members(id);
     for (size_t k = 1; k < names.size(); ++k) {
-        code(indent, type_name(m_.type(region.results[k])) + " " + names[k] + ";", node_of(group_));
-        text += (text.empty() ? "" : ", ") + names[k];
+        code(indent, declared(language_.unset, m_.type(region.results[k]), names[k]),
+             node_of(group_));
+        add(filled(language_.out_argument, {{'n', names[k]}}));
     }
+    const uint32_t function = m_[id].extra;
+    add(values_.symbols.resource_arguments[function]);
     code(indent,
-         type_name(m_.type(region.results[0])) + " " + names[0] + " = " +
-             values_.symbols.functions[m_[id].extra] + "(" + text + ");",
+         declared(language_.constant, m_.type(region.results[0]), names[0],
+                  values_.symbols.functions[function] + "(" + list + ")"),
          node_of(group_));
 }
 

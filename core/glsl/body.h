@@ -19,7 +19,8 @@ public:
           m_(analysis.module()),
           values_(values),
           locals_(&globals),
-          context_{analysis, values, target, {}},
+          language_(target.language()),
+          context_{analysis, values, target, language_, {}},
           text_(text) {}
 
     // Append a complete function. The material's returns all outputs, declared in the reflection; a
@@ -28,16 +29,19 @@ public:
     void region_function(uint32_t region);
 
 private:
-    std::string type_name(Type type) const { return std::string(info(type).name); }
+    std::string type_name(Type type) const { return std::string(language_.type(type)); }
     bool is_folded(Id id) const {
         return analysis_.role(id) == Role::value && !values_.state[id].statement;
     }
     Id without_views(Id id) const;
     void result(std::string_view target, Id root);
     std::vector<std::string> name_parameters(const Region& region);
-    std::string signature(const Region& region, const std::string& name,
-                          const std::vector<std::string>& parameters,
-                          const std::vector<std::string>& outs) const;
+    std::string declared(std::string_view pattern, Type type, std::string_view name,
+                         std::string_view value = {}) const;
+    std::string material_signature(const Reflection& reflection);
+    void material_results(const Reflection& reflection, std::span<const Id> roots);
+    std::string region_signature(uint32_t region, const std::vector<std::string>& parameters,
+                                 const std::vector<std::string>& outs) const;
 
     // A group is a node or the surface point (group_of() in glsl/scope.h). `single`: the group ends
     // with this line.
@@ -67,9 +71,10 @@ private:
     const Module& m_;
     Values& values_;
     NameSet locals_;
+    const Language& language_;
     ExpressionContext context_;
     Text& text_;
-    std::string line_;             // buffer for the current line
+    std::string line_, value_;     // buffers for the current line and its expression
     uint32_t group_ = no_node;     // group of the last comment
     std::vector<bool> commented_;  // by node
     bool surface_commented_ = false;

@@ -42,14 +42,13 @@ void Body::loop(Id id, int indent) {
     const uint32_t node = node_of(group_);
     for (size_t k = 0; k < state.size(); ++k)
         if (k != counter)
-            code(indent, type_name(region.params[k]) + " " + state[k] + " = " + texts[k] + ";",
-                 node);
+            code(indent, declared(language_.variable, region.params[k], state[k], texts[k]), node);
     const std::string i = locals_.unique("i");
     if (counter != no_member) state[counter] = i;
     std::string most = std::to_string(std::min(region.max_iterations, 0x7FFFFFFFu));
     const Id limit = counter == no_member ? no_id : limit_of(region, counter);
     if (limit != no_id) most = "min(" + text_of(context_, limit) + ", " + most + ")";
-    code(indent, "for (int " + i + " = 0; " + i + " < " + most + "; ++" + i + ") {", node);
+    code(indent, filled(language_.loop, {{'n', i}, {'v', most}}), node);
     loop_body(id, state, limit != no_id, indent + 1);
     code(indent, "}", node);
 }
@@ -86,11 +85,12 @@ void Body::write_loop_condition(Id condition, int indent, uint32_t node) {
     if (m_.is_literal(condition, 1)) return;
     if (is_folded(condition) && m_[condition].op == Op::not_) {
         const Id inner = analysis_.strip_detach(m_[condition].arg[0]);
-        code(indent, "if (" + text_of(context_, inner) + ") break;", node);
+        code(indent, filled(language_.leave, {{'v', text_of(context_, inner)}}), node);
         return;
     }
     constexpr int postfix = 17;
-    code(indent, "if (!" + text_of(context_, condition, postfix) + ") break;", node);
+    code(indent, filled(language_.leave, {{'v', "!" + text_of(context_, condition, postfix)}}),
+         node);
 }
 
 // Returns the indices of the state members that a value's text reads.
@@ -115,7 +115,7 @@ std::string Body::assignment(const std::string& name, Id next, uint8_t level, ui
     const bool combines = inst.op == Op::add_ || inst.op == Op::sub_ || inst.op == Op::mul_;
     if (combines && is_folded(next)) {
         const auto operands = analysis_.operands(next);
-        const std::string sign = " " + std::string(info(inst.op).glsl) + "= ";
+        const std::string sign = " " + std::string(language_.op(inst.op)) + "= ";
         if (is_parameter(m_, operands[0], level, member))
             return name + sign + text_of(context_, operands[1]);
         if (is_parameter(m_, operands[1], level, member) && inst.op != Op::sub_)
@@ -158,8 +158,8 @@ void Body::next_state(Id loop, std::span<const Id> next, const std::vector<std::
         pending.pop_front();
         const std::string name = locals_.unique(state[first.member] + "_next");
         code(indent,
-             type_name(m_.type(next[first.member])) + " " + name + " = " +
-                 text_of(context_, next[first.member]) + ";",
+             declared(language_.constant, m_.type(next[first.member]), name,
+                      text_of(context_, next[first.member])),
              node);
         pending.push_back({first.member, {}, state[first.member] + " = " + name});
     }

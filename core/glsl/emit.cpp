@@ -3,30 +3,36 @@
 #include "base/text.h"
 #include "glsl/blocks.h"
 #include "glsl/interface.h"
+#include "ir/rewrite.h"
 
 namespace wrinkle {
 namespace {
 
 void write_function_form(const EmitAnalysis& analysis, const EmitOptions& options, Interface& face,
                          Shader& shader) {
+    const Language& language = options.target->language();
     assign_bindings(options, face.reflection);
+    set_resource_uses(analysis, language, face);
     Text text = reserve_text(analysis, options.max_bytes);
     std::string title = title_of(analysis.module(), face.reflection.name);
     if (analysis.implicit) title += " Call in uniform control flow.";
     text.line(0, title);
     write_precision(*options.target, text);
-    write_structs(face.reflection, text);
-    write_uniforms(analysis.module(), face.reflection, text);
+    write_structs(language, face.reflection, text);
+    write_uniforms(analysis.module(), language, face.reflection, text);
     write_functions(analysis, face, *options.target, text);
     shader.source = std::move(text.text);
     face.reflection.lines = std::move(text.nodes);
 }
 
 bool refused(const Module& module, const EmitOptions& options, Shader& shader) {
-    if (options.form == Form::function && is_translated(*options.target))
-        shader.problems.push_back(
-            {0, std::string(options.target->label) + " is written as a complete pair alone",
-             "the form 'shader'"});
+    if (!supports(*options.target, options.form)) {
+        const bool pair = options.form == Form::function;
+        shader.problems.push_back({0,
+                                   std::string(options.target->label) + " is only written as " +
+                                       (pair ? "a complete pair" : "a function"),
+                                   pair ? "the form 'shader'" : "the form 'function'"});
+    }
     if (options.form == Form::shader && options.differentials != Differentials::screen)
         shader.problems.push_back({0, "the shader form takes its differentials from the screen",
                                    "differentials 'screen', or the form 'function'"});
@@ -42,7 +48,8 @@ bool refused(const Module& module, const EmitOptions& options, Shader& shader) {
 }
 
 void write_texts(const Module& module, const EmitOptions& options, Shader& shader) {
-    const EmitAnalysis analysis(module, options.differentials == Differentials::given);
+    const EmitAnalysis analysis(module, options.target->language(),
+                                options.differentials == Differentials::given);
     Interface face = make_interface(analysis, options);
     if (options.form == Form::function)
         write_function_form(analysis, options, face, shader);
@@ -61,7 +68,10 @@ Shader emit(const Module& module, const EmitOptions& options) {
     Shader shader;
     if (refused(module, options, shader)) return shader;
     try {
-        write_texts(module, options, shader);
+        if (options.target->language().has_mod)
+            write_texts(module, options, shader);
+        else
+            write_texts(without_mod(Module(module)), options, shader);
     } catch (const OverLimit& over) {
         shader = {};
         shader.problems.push_back({over.node, over.message, over.expected});

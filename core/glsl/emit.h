@@ -47,7 +47,6 @@
 
 namespace wrinkle {
 
-enum class Form : uint8_t { function, shader };
 enum class Differentials : uint8_t { screen, given, none };
 
 struct EmitOptions {

@@ -8,9 +8,10 @@
 
 namespace wrinkle {
 
-EmitAnalysis::EmitAnalysis(const Module& module, bool given)
+EmitAnalysis::EmitAnalysis(const Module& module, const Language& language, bool given)
     : parameters_used(module.parameters.size()),
       module_(&module),
+      language_(&language),
       given_(given),
       values_(module.size()),
       seen_function_(module.region_count()),
@@ -160,7 +161,7 @@ void EmitAnalysis::use(Id id) {
     if (inst.op == Op::literal_) {
         value.literal = true;
         value.begin = static_cast<uint32_t>(literals_.size());
-        append_literal(literals_, inst.type, inst.value);
+        append_literal(*language_, literals_, inst.type, inst.value);
         value.count = static_cast<uint32_t>(literals_.size()) - value.begin;
         return;
     }
@@ -204,6 +205,7 @@ void EmitAnalysis::use_input(uint32_t extra) {
 
 void EmitAnalysis::use_resource(Id sample) {
     const uint32_t resource = (*module_)[sample].extra;
+    reads_sizes = reads_sizes || (*module_)[sample].op == Op::image_size_;
     if (!seen_resource_[resource]) resources.push_back({resource, module_->origin[sample]});
     seen_resource_[resource] = true;
 }

@@ -18,6 +18,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "glsl/language.h"
 #include "ir/module.h"
 
 namespace wrinkle {
@@ -28,7 +29,8 @@ class EmitAnalysis {
 public:
     // `given`: the caller of the shader supplies the differentials of inputs as members of the
     // surface struct, so they are leaves; otherwise they are computed by dFdx and dFdy.
-    EmitAnalysis(const Module& module, bool given);
+    // `language` spells the literals.
+    EmitAnalysis(const Module& module, const Language& language, bool given);
 
     const Module& module() const { return *module_; }
     Id strip_detach(Id id) const {
@@ -80,7 +82,8 @@ public:
     };
     std::vector<UsedResource> resources;
     std::vector<uint32_t> functions;  // regions, callees first
-    bool implicit = false;  // implicit derivatives: implicit-lod samples, differentials of inputs
+    bool reads_sizes = false;         // image_size is used
+    bool implicit = false;            // derivatives: implicit-lod samples, differentials of inputs
 
     static size_t input_slot(SurfaceInput input, Variant variant) {
         return static_cast<size_t>(input) * 3 + static_cast<size_t>(variant);
@@ -118,6 +121,7 @@ private:
     void find_gradients();
 
     const Module* module_;
+    const Language* language_;
     bool given_;
     std::vector<Value> values_;  // by Id
     size_t used_ = 0;

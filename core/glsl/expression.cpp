@@ -9,26 +9,11 @@ namespace wrinkle {
 namespace {
 
 constexpr int name_precedence = 20, call_precedence = 18, postfix = 17, prefix = 16;
-constexpr int relational = 12, conditional = 3;
+constexpr int additive = 14, relational = 12, equality = 11, conditional = 3;
 
-// Returns true if the GLSL built-in accepts a float for this operand together with vectors.
-bool takes_float(Op op, size_t operand, bool others_float) {
-    switch (op) {
-        case Op::mod_:
-        case Op::min_:
-        case Op::max_:
-            return operand == 1;
-        case Op::clamp_:
-            return operand > 0 && others_float;
-        case Op::mix_:
-            return operand == 2;
-        case Op::step_:
-            return operand == 0;
-        case Op::smoothstep_:
-            return operand < 2 && others_float;
-        default:
-            return false;
-    }
+bool is_associative(Op op) {
+    return op == Op::bit_and_ || op == Op::bit_or_ || op == Op::bit_xor_ || op == Op::and_ ||
+           op == Op::or_;
 }
 
 std::string_view suffix_of(Variant variant) {
@@ -41,6 +26,7 @@ public:
         : context_(context),
           analysis_(context.analysis),
           m_(context.analysis.module()),
+          language_(context.language),
           text_(text) {}
 
     void read(Id id, int least);
@@ -54,7 +40,7 @@ private:
     void leaf(Id id);
     void input(Id id);
     void view(Id id);
-    void list(std::span<const Id> ids);
+    void list(std::span<const Id> ids, std::string_view more);
     void parts(std::span<const Id> ids);
     void components(std::span<const Id> ids);
     size_t run_length(std::span<const Id> ids) const;
@@ -62,10 +48,21 @@ private:
     void operand(Id id, size_t k, int least);
     void operation(Id id);
     void sample(Id id);
+    void pattern(std::string_view pattern, std::span<const Id> operands, int least,
+                 std::string_view image = {});
+    void call(Id id);
+    void construct(Id id);
+    void select(Id id);
+    int least_in(Id id, Id operand, int least) const;
+    int construct_binding(Id id) const {
+        const bool cast = language_.splat_is_cast && analysis_.is_splat(id);
+        return cast ? prefix : call_precedence;
+    }
 
     const ExpressionContext& context_;
     const EmitAnalysis& analysis_;
     const Module& m_;
+    const Language& language_;
     std::string& text_;
 };
 
@@ -78,7 +75,7 @@ int Writer::leaf_binding(Id id) const {
         case Op::swizzle_:
             return postfix;
         case Op::construct_:
-            return call_precedence;
+            return construct_binding(id);
         default:
             return name_precedence;
     }
@@ -89,13 +86,13 @@ int Writer::definition_binding(Id id) const {
     switch (inst.op) {
         case Op::sign_nonzero_:
         case Op::select_:
-            return conditional;
+            return language_.select_is_call ? call_precedence : conditional;
         case Op::construct_:
-            return call_precedence;
+            return construct_binding(id);
         default:
             break;
     }
-    if (info(inst.op).precedence == 0) return call_precedence;
+    if (info(inst.op).precedence == 0 || language_.is_pattern(inst.op)) return call_precedence;
     return analysis_.operands(id).size() == 1 ? prefix : info(inst.op).precedence;
 }
 
@@ -129,13 +126,15 @@ void Writer::write_inline(Id id) {
     }
 }
 
-void Writer::list(std::span<const Id> ids) {
+// `more`: further arguments.
+void Writer::list(std::span<const Id> ids, std::string_view more) {
     text_.append("(");
     for (size_t i = 0; i < ids.size(); ++i) {
         if (i > 0) text_.append(", ");
         read(ids[i], 0);
     }
-    text_.append(")");
+    if (!ids.empty() && !more.empty()) text_.append(", ");
+    text_.append(more).append(")");
 }
 
 void Writer::input(Id id) {
@@ -145,7 +144,7 @@ void Writer::input(Id id) {
     if (change)
         text_.append(variant == Variant::dx ? context_.target.change_x : context_.target.change_y)
             .append("(");
-    text_.append("s.");
+    if (language_.arguments == Arguments::structs) text_.append("s.");
     if (!change)
         text_.append(info(which).name).append(suffix_of(variant));
     else if (which == SurfaceInput::position_)
@@ -231,18 +230,23 @@ void Writer::components(std::span<const Id> ids) {
         text_.append(".").append(letters);
 }
 
+// Fills a pattern with operands; `least` is the precedence below which they have parentheses.
+void Writer::pattern(std::string_view pattern, std::span<const Id> operands, int least,
+                     std::string_view image) {
+    std::array<std::string, 3> texts;
+    for (size_t k = 0; k < operands.size(); ++k)
+        texts[k] = text_of(context_, analysis_.strip_detach(operands[k]), least);
+    append_filled(text_, pattern,
+                  {{'0', texts[0]},
+                   {'1', texts[1]},
+                   {'2', texts[2]},
+                   {'n', image},
+                   {'f', context_.values.symbols.prefix}});
+}
+
 void Writer::sample(Id id) {
-    const std::string& image = context_.values.symbols.resources[m_[id].extra];
-    if (m_[id].op == Op::image_size_) {
-        text_.append("vec2(textureSize(").append(image).append(", 0))");
-        return;
-    }
-    text_.append(info(m_[id].op).glsl).append("(").append(image);
-    for (const Id operand : analysis_.operands(id)) {
-        text_.append(", ");
-        read(operand, 0);
-    }
-    text_.append(")");
+    pattern(language_.op(m_[id].op), analysis_.operands(id), 0,
+            context_.values.symbols.resources[m_[id].extra]);
 }
 
 void Writer::builtin(Id id) {
@@ -253,12 +257,12 @@ void Writer::builtin(Id id) {
         info(inst.op).rule == Rule::floats || info(inst.op).rule == Rule::broadcast;
     const auto floats =
         static_cast<size_t>(std::count_if(operands.begin(), operands.end(), is_float));
-    text_.append(info(inst.op).glsl).append("(");
+    text_.append(language_.op(inst.op)).append("(");
     for (size_t k = 0; k < operands.size(); ++k) {
         const bool widened = broadcasts && is_float(operands[k]) && floats < operands.size() &&
-                             !takes_float(inst.op, k, floats == 2);
+                             !language_.takes_scalar(inst.op, k, floats == 2);
         if (k > 0) text_.append(", ");
-        if (widened) text_.append(info(inst.type).name).append("(");
+        if (widened) text_.append(language_.type(inst.type)).append("(");
         read(operands[k], 0);
         if (widened) text_.append(")");
     }
@@ -273,20 +277,67 @@ void Writer::operand(Id id, size_t k, int least) {
     const bool splat = broadcast && analysis_.role(own) == Role::leaf &&
                        m_[own].op == Op::construct_ && analysis_.is_splat(own) &&
                        m_.type(other) == m_.type(own) && !m_.is_constant(other);
-    read(splat ? m_[own].arg[0] : own, least);
+    read(splat ? m_[own].arg[0] : own, least_in(id, own, least));
+}
+
+// Operators below arithmetic have parentheses around every operand of another operator: WGSL
+// requires them, and readers need not know the order.
+int Writer::least_in(Id id, Id operand, int least) const {
+    const Op op = m_[id].op;
+    const Rule rule = info(op).rule;
+    const bool chain = m_[operand].op == op && is_associative(op);
+    if (info(op).precedence >= additive || chain) return least;
+    return rule == Rule::bits ? prefix : rule == Rule::logic ? equality : additive;
 }
 
 void Writer::operation(Id id) {
-    const OpInfo& op = info(m_[id].op);
+    const Inst& inst = m_[id];
     const auto operands = analysis_.operands(id);
     if (operands.size() == 1) {
-        text_.append(op.glsl);
+        text_.append(language_.op(inst.op));
         read(operands[0], prefix + 1);
         return;
     }
-    operand(id, 0, op.precedence);
-    text_.append(" ").append(op.glsl).append(" ");
-    operand(id, 1, op.precedence + 1);
+    const int own = info(inst.op).precedence;
+    operand(id, 0, own);
+    text_.append(" ").append(language_.op(inst.op)).append(" ");
+    operand(id, 1, own + 1);
+}
+
+void Writer::construct(Id id) {
+    const auto operands = analysis_.operands(id);
+    const std::string_view type = language_.type(m_[id].type);
+    if (operands.size() == 1) {
+        const std::string value =
+            text_of(context_, operands[0], language_.splat_is_cast ? prefix + 1 : 0);
+        append_filled(text_, language_.splat, {{'t', type}, {'0', value}});
+        return;
+    }
+    text_.append(type);
+    parts(operands);
+}
+
+// A condition has parentheses within another.
+void Writer::select(Id id) {
+    const Inst& inst = m_[id];
+    const bool sign = inst.op == Op::sign_nonzero_;
+    const int least = language_.select_is_call ? 0 : conditional + 1;
+    const auto part = [&](size_t k) {
+        return text_of(context_, analysis_.strip_detach(inst.arg[k]), least);
+    };
+    const std::string condition =
+        sign ? text_of(context_, analysis_.strip_detach(inst.arg[0]), relational + 1) + " < 0.0"
+             : part(0);
+    append_filled(
+        text_, language_.select,
+        {{'0', condition}, {'1', sign ? "-1.0" : part(1)}, {'2', sign ? "1.0" : part(2)}});
+}
+
+void Writer::call(Id id) {
+    const Symbols& symbols = context_.values.symbols;
+    const uint32_t function = m_[m_[id].arg[0]].extra;
+    text_.append(symbols.functions[function]);
+    list(analysis_.operands(id), symbols.resource_arguments[function]);
 }
 
 void Writer::define(Id id) {
@@ -295,27 +346,20 @@ void Writer::define(Id id) {
         case Op::input_:
             return input(id);
         case Op::construct_:
-            text_.append(info(inst.type).name);
-            return parts(analysis_.operands(id));
+            return construct(id);
         case Op::sample_:
         case Op::sample_lod_:
         case Op::sample_grad_:
         case Op::image_size_:
             return sample(id);
         case Op::sign_nonzero_:
-            read(analysis_.strip_detach(inst.arg[0]), relational + 1);
-            text_.append(" < 0.0 ? -1.0 : 1.0");
-            return;
         case Op::select_:
-            read(analysis_.strip_detach(inst.arg[0]), conditional + 1);
-            text_.append(" ? ");
-            read(analysis_.strip_detach(inst.arg[1]), conditional + 1);
-            text_.append(" : ");
-            return read(analysis_.strip_detach(inst.arg[2]), conditional);
+            return select(id);
         case Op::result_:
-            text_.append(context_.values.symbols.functions[m_[inst.arg[0]].extra]);
-            return list(analysis_.operands(id));
+            return call(id);
         default:
+            if (language_.is_pattern(inst.op))
+                return pattern(language_.op(inst.op), analysis_.operands(id), 0);
             return info(inst.op).precedence ? operation(id) : builtin(id);
     }
 }

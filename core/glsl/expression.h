@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "glsl/emit_analysis.h"
+#include "glsl/language.h"
 #include "glsl/scope.h"
 #include "glsl/target.h"
 
@@ -14,6 +15,7 @@ struct ExpressionContext {
     const EmitAnalysis& analysis;
     const Values& values;
     const Target& target;
+    const Language& language;
     // Names of region parameters, by level and index.
     std::vector<std::vector<std::string>> parameters;
 };

@@ -98,19 +98,27 @@ void add_members(const EmitAnalysis& analysis, bool given, Reflection& reflectio
         for (const Variant variant : {Variant::dx, Variant::dy})
             if (given && used(variant)) reflection.members.push_back(member(input, variant));
     }
-    if (!reflection.members.empty()) reflection.struct_name = "WrinkleSurface_" + reflection.name;
 }
 
 void add_functions(const EmitAnalysis& analysis, const EmitOptions& options, Interface& face) {
     const Module& m = analysis.module();
     Reflection& r = face.reflection;
+    const Language& language = options.target->language();
+    const bool flat = language.arguments == Arguments::flat;
     r.function = face.globals.unique("wrinkle_" + r.name);
-    if (!options.bare_result) r.result_name = "WrinkleMaterial_" + r.name;
-    NameSet members;
+    r.result_form = options.bare_result ? ResultForm::value
+                    : flat              ? ResultForm::parameters
+                                        : ResultForm::structure;
+    if (r.result_form == ResultForm::structure) r.result_name = "WrinkleMaterial_" + r.name;
+    NameSet members(&language.reserved);
+    const std::string prefix = r.result_form == ResultForm::parameters ? "out_" : "";
     for (const ModuleOutput& output : m.outputs)
-        r.outputs.push_back({output.name, members.unique(output.name), m.type(output.value),
-                             output.port_type, -1, ""});
+        r.outputs.push_back({output.name, members.unique(prefix + output.name),
+                             m.type(output.value), output.port_type, -1, ""});
+    face.symbols.prefix = r.function;
     face.symbols.functions.resize(m.region_count());
+    face.symbols.resource_parameters.resize(m.region_count());
+    face.symbols.resource_arguments.resize(m.region_count());
     for (const uint32_t region : analysis.functions)
         face.symbols.functions[region] =
             face.globals.unique(r.function + "_" + m.region(region).name);
@@ -161,7 +169,7 @@ void write(const CommentedLines& lines, int indent, size_t farthest, Text& text)
     for (const CommentedLines::Ends& ends : lines.ends) {
         line.assign(lines.code, begin.code, ends.code - begin.code);
         if (ends.comment > begin.comment) {
-            line.resize(std::max(line.size(), column) + 2, ' ');
+            if (column > 0) line.resize(std::max(line.size(), column) + 2, ' ');
             line.append("// ");
             const std::string_view comments = lines.comments;
             append_comment_text(line, comments.substr(begin.comment, ends.comment - begin.comment));
@@ -171,42 +179,32 @@ void write(const CommentedLines& lines, int indent, size_t farthest, Text& text)
     }
 }
 
-void write_struct(const std::string& name, const CommentedLines& members, Text& text) {
+void write_struct(const Language& language, const std::string& name, const CommentedLines& members,
+                  Text& text) {
     if (name.empty()) return;
-    text.line(0, {"struct ", name, " {"});
+    text.line(0, filled(language.structure, {{'n', name}}));
     write(members, 1, max_comment_column, text);
-    text.line(0, "};");
-}
-
-// Names of the shader form, taken in both forms so that a uniform has the same name in both.
-const NameSet& fixed_names() {
-    static const NameSet fixed = [] {
-        NameSet names = NameSet::with_reserved_words();
-        names.add({{}, "WrinkleFrame"});
-        for (const char* name : {"object_to_clip", "object_to_world", "normal_to_world", "eye",
-                                 "position_relative", "frame", "parameters"})
-            names.add({"wrinkle", name});
-        for (int i = 0; i < surface_input_count; ++i)
-            names.add({"wrinkle", info(static_cast<SurfaceInput>(i)).name});
-        return names;
-    }();
-    return fixed;
+    text.line(0, language.end_structure);
 }
 
 }  // namespace
 
 Interface make_interface(const EmitAnalysis& analysis, const EmitOptions& options) {
-    Interface face{NameSet(&fixed_names()), {}, {}};
+    const Language& language = options.target->language();
+    Interface face{NameSet(&language.reserved), {}, {}};
     const Module& m = analysis.module();
-    NameSet plain;
+    NameSet plain(&language.reserved);
     face.reflection.target = options.target->name;
     face.reflection.name = plain.unique(without_underscores(identifier(options.name)));
-    for (const std::string kind : {"Surface_", "Material_", "Parameters_"})
+    for (const std::string kind :
+         {"Surface_", "Material_", "Parameters_", "Vertex_", "Varyings_", "Targets_"})
         face.globals.unique("Wrinkle" + kind + face.reflection.name);
     add_functions(analysis, options, face);
     add_samplers(analysis, face);
     add_uniforms(analysis, face);
     add_members(analysis, options.differentials == Differentials::given, face.reflection);
+    if (!face.reflection.members.empty() && language.arguments == Arguments::structs)
+        face.reflection.struct_name = "WrinkleSurface_" + face.reflection.name;
     face.reflection.uniform_control_flow = analysis.implicit;
     face.reflection.node_paths.reserve(m.nodes.size());
     for (const NodeInstance& node : m.nodes)
@@ -224,45 +222,73 @@ Text reserve_text(const EmitAnalysis& analysis, uint64_t most) {
     return text;
 }
 
-void write_structs(const Reflection& reflection, Text& text) {
+// Writes the comments of struct members for languages without structs.
+static void write_parameter_docs(const Reflection& reflection, Text& text) {
+    for (const MemberInfo& member : reflection.members) {
+        std::string doc;
+        write_doc(member, doc);
+        text.line(0, {"//   ", member.name, ": ", doc});
+    }
+    if (reflection.result_form != ResultForm::parameters) return;
+    for (const OutputInfo& output : reflection.outputs) {
+        const StandardOutput* standard = find_standard_output(output.output);
+        if (standard) text.line(0, {"//   ", output.member, ": ", standard->doc});
+    }
+}
+
+void write_structs(const Language& language, const Reflection& reflection, Text& text) {
     CommentedLines lines;
     for (const MemberInfo& member : reflection.members) {
-        lines.code.append(info(member.type).name).append(" ").append(member.name).append(";");
+        append_filled(lines.code, language.member,
+                      {{'t', language.type(member.type)}, {'n', member.name}});
         write_doc(member, lines.comments);
         lines.end_line();
     }
-    write_struct(reflection.struct_name, lines, text);
+    write_struct(language, reflection.struct_name, lines, text);
+    if (language.arguments == Arguments::flat) write_parameter_docs(reflection, text);
     lines = {};
     for (const OutputInfo& output : reflection.outputs) {
-        lines.code.append(info(output.type).name).append(" ").append(output.member).append(";");
+        append_filled(lines.code, language.member,
+                      {{'t', language.type(output.type)}, {'n', output.member}});
         if (const StandardOutput* standard = find_standard_output(output.output))
             lines.comments.append(standard->doc);
         lines.end_line();
     }
-    write_struct(reflection.result_name, lines, text);
+    write_struct(language, reflection.result_name, lines, text);
 }
 
-void write_uniforms(const Module& module, const Reflection& reflection, Text& text) {
+void write_uniforms(const Module& module, const Language& language, const Reflection& reflection,
+                    Text& text) {
     CommentedLines lines;
     for (const SamplerInfo& sampler : reflection.samplers) {
-        const std::string binding = binding_text(sampler.binding);
-        lines.code.append(binding).append("uniform sampler2D ").append(sampler.name).append(";");
-        lines.comments.append(sampler.written)
-            .append(" (")
-            .append(name_of(sampler.options.encoding));
-        lines.comments.append(", ").append(name_of(sampler.options.wrap)).append(")");
         const auto& readers = module.resources[sampler.resource].readers;
-        lines.end_line(readers.empty() ? no_node : readers.front().node);
+        const uint32_t node = readers.empty() ? no_node : readers.front().node;
+        const std::string declaration =
+            filled(language.image, {{'n', sampler.name},
+                                    {'s', std::to_string(sampler.binding.set)},
+                                    {'b', std::to_string(sampler.binding.binding)},
+                                    {'l', std::to_string(sampler.sampler_binding)}});
+        lines.comments.append(declaration.empty() ? sampler.name + ": " : "")
+            .append(sampler.written)
+            .append(" (")
+            .append(name_of(sampler.options.encoding))
+            .append(", ")
+            .append(name_of(sampler.options.wrap))
+            .append(")");
+        for (const std::string_view line : split(declaration, '\n')) {
+            lines.code.append(line);
+            lines.end_line(node);
+        }
     }
     const bool numbered = !reflection.samplers.empty() && reflection.samplers[0].binding.set >= 0;
     write(lines, 0, max_comment_column + (numbered ? 32 : 0), text);
     std::vector<Declaration> numbers;
     for (const UniformInfo& uniform : reflection.uniforms) {
         const Parameter& parameter = module.parameters[uniform.parameter];
-        numbers.push_back({info(uniform.type).name, uniform.name, "",
+        numbers.push_back({language.type(uniform.type), uniform.name, "", uniform.offset,
                            parameter.graph_input ? no_node : parameter.node});
     }
-    write_block(reflection.parameter_block, numbers, text);
+    write_block(language, reflection.parameter_block, numbers, text);
 }
 
 void write_precision(const Target& target, Text& text) {
@@ -273,6 +299,11 @@ void write_precision(const Target& target, Text& text) {
 void write_functions(const EmitAnalysis& analysis, const Interface& face, const Target& target,
                      Text& text) {
     Values values(analysis, face.symbols);
+    const std::string_view helper = target.language().image_size_helper;
+    if (analysis.reads_sizes && !helper.empty()) {
+        text.line(0, "");
+        write_lines(filled(helper, {{'f', face.symbols.prefix}}), text);
+    }
     for (const uint32_t region : analysis.functions) {
         text.line(0, "");
         Body(analysis, values, face.globals, target, text).region_function(region);

@@ -18,9 +18,15 @@ Interface make_interface(const EmitAnalysis& analysis, const EmitOptions& option
 Text reserve_text(const EmitAnalysis& analysis, uint64_t most);
 
 // Append declarations to `text`.
-void write_structs(const Reflection& reflection, Text& text);
-void write_uniforms(const Module& module, const Reflection& reflection, Text& text);
+void write_structs(const Language& language, const Reflection& reflection, Text& text);
+void write_uniforms(const Module& module, const Language& language, const Reflection& reflection,
+                    Text& text);
 void write_precision(const Target& target, Text& text);  // before fragment code
+
+// Sets the uses of numbers in the text, and the parameters and arguments that pass images and
+// numbers to functions. Precondition: assign_bindings().
+void set_resource_uses(const EmitAnalysis& analysis, const Language& language,
+                       Interface& interface);
 
 // Appends helper functions, then the material's.
 void write_functions(const EmitAnalysis& analysis, const Interface& interface, const Target& target,

@@ -9,12 +9,12 @@ namespace {
 
 constexpr double min_int = -2147483648.0;
 
-void append_float(std::string& text, double value) {
+void append_float(const Language& language, std::string& text, double value) {
     const auto narrow = static_cast<float>(value);
     if (std::isnan(narrow)) {
-        text += "uintBitsToFloat(0x7fc00000u)";
+        text += language.not_a_number;
     } else if (std::isinf(narrow)) {
-        text += narrow > 0 ? "uintBitsToFloat(0x7f800000u)" : "uintBitsToFloat(0xff800000u)";
+        text += narrow > 0 ? language.infinity : language.minus_infinity;
     } else {
         const size_t begin = text.size();
         text += shortest(narrow);
@@ -24,20 +24,21 @@ void append_float(std::string& text, double value) {
 
 }  // namespace
 
-void append_literal(std::string& text, Type type, double value) {
+void append_literal(const Language& language, std::string& text, Type type, double value) {
     switch (type) {
         case Type::int_:
-            text +=
-                value <= min_int ? "int(0x80000000u)" : std::to_string(static_cast<int64_t>(value));
+            text += value <= min_int ? "(-2147483647 - 1)"
+                                     : std::to_string(static_cast<int64_t>(value));
             break;
         case Type::uint_:
-            text += std::to_string(static_cast<int64_t>(value)) + "u";
+            append_filled(text, language.uint_literal,
+                          {{'v', std::to_string(static_cast<int64_t>(value))}});
             break;
         case Type::bool_:
             text += value != 0 ? "true" : "false";
             break;
         default:
-            append_float(text, value);
+            append_float(language, text, value);
     }
 }
 

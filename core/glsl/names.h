@@ -21,15 +21,17 @@ struct Symbols {
     std::vector<std::string> parameters;  // by index in Module::parameters; "" unused
     std::vector<std::string> resources;   // by index in Module::resources
     std::vector<std::string> functions;   // by region
+    std::string prefix;                   // begins the name of each function
+    // By region, where functions take the images and the block of numbers that they use: those
+    // parameters, and the arguments of a call.
+    std::vector<std::string> resource_parameters, resource_arguments;
+    std::string material_parameters, material_arguments;  // the material's function
 };
 
 // Names of one scope. Names of `outer` are taken here too; `outer` must outlive this set.
 class NameSet {
 public:
-    explicit NameSet(const NameSet* outer = &reserved_words()) : outer_(outer) {}
-    // Keywords, words reserved for future versions, and built-in functions.
-    static const NameSet& reserved_words();
-    static NameSet with_reserved_words();
+    explicit NameSet(const NameSet* outer) : outer_(outer) {}
 
     // Returns the hint as a legal identifier, with "_2", "_3", ... appended if it is taken. The
     // view is valid as long as the set.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "glsl/language.h"
 #include "glsl/target.h"
 #include "ir/op.h"
 
@@ -29,6 +30,8 @@ std::string list(const std::vector<T>& entries, const Write& write) {
     }
     return text + "\n  ]";
 }
+
+constexpr std::string_view result_forms[] = {"struct", "value", "parameters"};  // by ResultForm
 
 std::string quoted_type(Type type) {
     return json_quoted(info(type).name);
@@ -80,6 +83,8 @@ std::string sampler_text(const SamplerInfo& s, bool sets) {
                      {"filter", json_quoted(name_of(s.options.filter))},
                      {"readers", readers + "]"}};
     add_binding(s.binding, sets, fields);
+    if (s.sampler_binding >= 0)
+        fields.emplace_back("sampler_binding", std::to_string(s.sampler_binding));
     return object(fields);
 }
 
@@ -135,7 +140,7 @@ std::vector<Block> blocks_of(const Reflection& r) {
 
 bool uses_sets(const Reflection& r) {
     const Target* target = find_target(r.target);
-    return target && target->bindings == Bindings::by_set;
+    return target && target->bindings != Bindings::by_kind;
 }
 
 struct LineRange {
@@ -158,7 +163,11 @@ std::vector<LineRange> ranges(const std::vector<uint32_t>& lines) {
 }  // namespace
 
 std::string result_type(const Reflection& r) {
-    return r.result_name.empty() ? std::string(info(r.outputs[0].type).name) : r.result_name;
+    return result_type(r, glsl());
+}
+
+std::string result_type(const Reflection& r, const Language& language) {
+    return r.result_name.empty() ? std::string(language.type(r.outputs[0].type)) : r.result_name;
 }
 
 std::string call_text(const Reflection& r, std::string_view surface) {
@@ -184,6 +193,7 @@ std::string to_json(const Reflection& r) {
     field("function", json_quoted(r.function));
     field("struct", json_quoted(r.struct_name));
     field("result", json_quoted(r.result_name));
+    field("result_form", json_quoted(result_forms[static_cast<size_t>(r.result_form)]));
     field("uniform_control_flow", r.uniform_control_flow ? "true" : "false");
     field("outputs", list(r.outputs, output_json));
     field("members", list(r.members, member_text));

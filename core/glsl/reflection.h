@@ -16,17 +16,18 @@ namespace wrinkle {
 enum class SurfaceInput : uint8_t;  // ir/op.h, like the next two
 enum class Type : uint8_t;
 enum class Variant : uint8_t;
+struct Language;
 
 // Set and binding of a resource if the target numbers them (Bindings in glsl/target.h).
 struct Binding {
     int set = -1;      // -1: found by name
-    int binding = -1;  // HLSL: register; Metal: index; both per kind of resource
+    int binding = -1;  // HLSL: register; Metal: index; both by kind of resource
 };
 
 // A uniform block with std140 layout.
 struct Block {
     std::string name;      // "WrinkleParameters_NAME"
-    std::string variable;  // HLSL: prefix of member names; Metal: name of the argument
+    std::string variable;  // Metal: name of the argument; WGSL: of the variable
     Binding binding;
     int size = 0;  // bytes
 };
@@ -55,6 +56,7 @@ struct SamplerInfo {
     std::vector<Reader> readers;
     uint32_t resource = 0;  // index in Module::resources
     Binding binding;
+    int sampler_binding = -1;  // WGSL: numbers of the image and of its sampler differ
 };
 
 // A member of the struct that the function takes. With screen differentials, the position's are
@@ -71,7 +73,7 @@ struct MemberInfo {
 // An output of the graph: a member of the result.
 struct OutputInfo {
     std::string output;  // "normal"
-    std::string member;  // its name in the result's struct
+    std::string member;  // its name in the result's struct, or the parameter
     Type type{};
     uint32_t port_type = 0;  // WR_PORT_*
     int location = -1;       // location of the fragment output; shader form only
@@ -97,12 +99,20 @@ struct FrameUniform {
 
 inline constexpr uint32_t no_node = ~0U;
 
+// How the function returns its outputs.
+enum class ResultForm : uint8_t {
+    structure,  // a struct with a member per output
+    value,      // the only output
+    parameters  // `out` parameters, after the members of the surface
+};
+
 struct Reflection {
     std::string target;       // "glsl330"
     std::string name;         // NAME
     std::string function;     // "wrinkle_NAME"
-    std::string struct_name;  // "WrinkleSurface_NAME"; "" when the function takes no argument
-    std::string result_name;  // "WrinkleMaterial_NAME"; "" when it returns its one output itself
+    std::string struct_name;  // "WrinkleSurface_NAME"; "" if the function takes no struct
+    std::string result_name;  // "WrinkleMaterial_NAME"; "" without a struct
+    ResultForm result_form = ResultForm::structure;
     std::vector<UniformInfo> uniforms;
     std::vector<SamplerInfo> samplers;
     std::vector<MemberInfo> members;
@@ -121,9 +131,10 @@ struct Reflection {
     std::vector<std::string> node_paths;  // by index in Module::nodes
 };
 
-// GLSL around the function: the type of its result, a call with the argument `surface`, and an
-// output of the result held in the variable `result`.
-std::string result_type(const Reflection& reflection);
+// Code around the function: the type of its result, a call in GLSL with the argument `surface`, and
+// an output of the result held in the variable `result`.
+std::string result_type(const Reflection& reflection);  // in GLSL
+std::string result_type(const Reflection& reflection, const Language& language);
 std::string call_text(const Reflection& reflection, std::string_view surface);
 std::string output_text(const Reflection& reflection, const OutputInfo& output,
                         std::string_view result);

@@ -157,6 +157,16 @@ Module without_differentials(Module source) {
     return rebuild(std::move(source), replace, nullptr);
 }
 
+Module without_mod(Module source) {
+    const Replace replace = [](void*, Module& target, const Module& from, Id id,
+                               std::span<const Id> mapped) {
+        if (from[id].op != Op::mod_) return no_id;
+        const Id quotient = target.add(Op::floor_, {target.add(Op::div_, {mapped[0], mapped[1]})});
+        return target.add(Op::sub_, {mapped[0], target.add(Op::mul_, {quotient, mapped[1]})});
+    };
+    return rebuild(std::move(source), replace, nullptr);
+}
+
 Module explicit_lod(Module source) {
     LodWriter writer;
     return rebuild(std::move(source), write_lod, &writer);

@@ -47,6 +47,9 @@ Module explicit_lod(Module source);
 // sample_lod of level 0: the values that a vertex stage can compute.
 Module without_differentials(Module source);
 
+// Replaces mod(x, y) by x - y floor(x / y), for languages without it.
+Module without_mod(Module source);
+
 // Splits each loop into a loop of loops if the outputs run more than 8 loops in a row, those of
 // called functions included. LLVM's loop strength reduction takes time exponential in the number of
 // loops in a row: in llvmpipe 16 loops took 25 s to compile, and 1 s as loops of loops.

@@ -1,19 +1,7 @@
-// Targets other than GLSL: SPIR-V for Vulkan, and HLSL and Metal translated from it. Uses glslang,
-// SPIRV-Tools and SPIRV-Cross, in a dynamic library that is loaded on first use (searched as in
-// base/dynamic_library.h), so that other programs do not load them. Equal inputs give equal bytes.
-// Thread-safe.
-//
-// spirv   SPIR-V 1.0 words, little-endian as in files. Optimised inside functions; calls are not
-//         inlined. Names are preserved.
-// hlsl    shader model 5.0, entry points `main`. Vertex attributes have the semantics POSITION,
-//         NORMAL, TANGENT, TEXCOORD0 ... and COLOR0. An image is a texture and a sampler
-//         state _NAME_sampler with the same register number. Matrices are column-major, as in
-//         GLSL. Uniforms are called VARIABLE_NAME, with the block's variable first.
-// msl     Metal 2.0, entry points NAME_vertex and NAME_fragment. An image has a sampler
-//         NAMESmplr with the same index.
-//
-// HLSL and Metal have a comment where the code of each node begins, as in GLSL. These comments and
-// the line table are derived from #line directives, because SPIR-V stores lines but not nodes.
+// SPIR-V for Vulkan: SPIR-V 1.0 words, little-endian as in files, optimised inside functions; calls
+// are not inlined and names are preserved. Uses glslang and SPIRV-Tools, in a dynamic library that
+// is loaded on first use (searched as in base/dynamic_library.h), so that other programs do not
+// load it. Equal inputs give equal bytes. Thread-safe.
 #pragma once
 
 #include <optional>
@@ -28,9 +16,9 @@ namespace wrinkle {
 // Returns true if the module can be loaded; otherwise sets `why` (hint: library_remedy).
 bool have_spirv_tools(std::string& why);
 
-// Calls emit(); for a target other than GLSL also translates the result: `vertex` and `fragment`
-// hold the target's bytes, and the reflection its names, numbers and lines. Rejected source is
-// reported as a problem on the node of the offending line; `vertex` and `fragment` are then empty.
+// Calls emit(); for the target SPIR-V also compiles the result: `vertex` and `fragment` hold its
+// bytes. Rejected source is reported as a problem on the node of the offending line; `vertex` and
+// `fragment` are then empty.
 Shader write_shader(const Module& module, const EmitOptions& options);
 
 using SpirvWords = std::vector<uint32_t>;

@@ -26,8 +26,8 @@ WrinkleMaterial_box_crate wrinkle_box_crate(WrinkleSurface_box_crate s) {
     vec2 sides_vector_2 = vec2(s.position.x, sides_negated_2 * s.position.z);
     float sides_sign = normal.z < 0.0 ? -1.0 : 1.0;
     vec2 sides_vector_3 = vec2(sides_sign * s.position.x, s.position.y);
-    vec2 sides_choice = sides_test_2 ? sides_vector : sides_test_3 ? sides_vector_2 :
-            sides_vector_3;
+    vec2 sides_choice = sides_test_2 ? sides_vector : (sides_test_3 ? sides_vector_2 :
+            sides_vector_3);
     vec2 sides_uv = sides_choice * 2.0;
     vec2 sides_vector_4 = vec2(dpdx.x, dpdx.z * sides_negated_2);
     vec2 sides_choice_2 = sides_test_3 ? sides_vector_4 : vec2(dpdx.x * sides_sign, dpdx.y);
@@ -40,14 +40,14 @@ WrinkleMaterial_box_crate wrinkle_box_crate(WrinkleSurface_box_crate s) {
     vec2 sides_vector_6 = vec2(surface_dpdy.z * sides_negated, surface_dpdy.y);
     vec2 sides_vector_7 = vec2(surface_dpdy.x, surface_dpdy.z * sides_negated_2);
     vec2 sides_vector_8 = vec2(surface_dpdy.x * sides_sign, surface_dpdy.y);
-    vec2 sides_choice_6 = sides_test_2 ? sides_vector_6 : sides_test_3 ? sides_vector_7 :
-            sides_vector_8;
+    vec2 sides_choice_6 = sides_test_2 ? sides_vector_6 : (sides_test_3 ? sides_vector_7 :
+            sides_vector_8);
     vec2 sides_product_3 = sides_choice_6 * 2.0;
     vec2 sides_vector_9 = vec2(surface_dpdx.z * sides_negated, surface_dpdx.y);
     vec2 sides_vector_10 = vec2(surface_dpdx.x, surface_dpdx.z * sides_negated_2);
     vec2 sides_vector_11 = vec2(surface_dpdx.x * sides_sign, surface_dpdx.y);
-    vec2 sides_choice_7 = sides_test_2 ? sides_vector_9 : sides_test_3 ? sides_vector_10 :
-            sides_vector_11;
+    vec2 sides_choice_7 = sides_test_2 ? sides_vector_9 : (sides_test_3 ? sides_vector_10 :
+            sides_vector_11);
     vec2 sides_product_4 = sides_choice_7 * 2.0;
     // g: Tangent normal map
     vec4 g_texel = textureGrad(box_crate_g_image, sides_uv, sides_product, sides_product_2);

@@ -17,7 +17,7 @@ WrinkleMaterial_cube_ball wrinkle_cube_ball(WrinkleSurface_cube_ball s) {
     vec3 g_magnitude = abs(s.position);  // g: Cube normal map
     bool g_test = g_magnitude.x >= g_magnitude.y && g_magnitude.x >= g_magnitude.z;
     bool g_test_2 = g_magnitude.y >= g_magnitude.z;
-    float g_choice = g_test ? g_magnitude.x : g_test_2 ? g_magnitude.y : g_magnitude.z;
+    float g_choice = g_test ? g_magnitude.x : (g_test_2 ? g_magnitude.y : g_magnitude.z);
     bool g_test_3 = g_choice != 0.0;
     float g_sign = s.position.x < 0.0 ? -1.0 : 1.0;
     float g_negated = -g_sign;
@@ -33,7 +33,7 @@ WrinkleMaterial_cube_ball wrinkle_cube_ball(WrinkleSurface_cube_ball s) {
     vec2 g_choice_5 = g_test ? vec2(dpdx.z * g_negated, dpdx.y) : g_choice_4;
     vec3 g_sign_4 = sign(s.position);
     vec3 g_product = dpdx * g_sign_4;
-    float g_choice_6 = g_test ? g_product.x : g_test_2 ? g_product.y : g_product.z;
+    float g_choice_6 = g_test ? g_product.x : (g_test_2 ? g_product.y : g_product.z);
     vec2 g_quotient_2 = (g_choice_5 - g_choice_6 * g_quotient) / g_choice;
     vec2 g_product_2 = (g_test_3 ? g_quotient_2 : vec2(0.0)) * 0.5;
     vec2 g_quotient_3 = vec2(textureSize(cube_ball_g_image, 0)) / vec2(6.0, 1.0);
@@ -41,7 +41,7 @@ WrinkleMaterial_cube_ball wrinkle_cube_ball(WrinkleSurface_cube_ball s) {
     vec2 g_choice_7 = g_test_2 ? g_vector_3 : vec2(dpdy.x * g_sign_3, dpdy.y);
     vec2 g_choice_8 = g_test ? vec2(dpdy.z * g_negated, dpdy.y) : g_choice_7;
     vec3 g_product_3 = dpdy * g_sign_4;
-    float g_choice_9 = g_test ? g_product_3.x : g_test_2 ? g_product_3.y : g_product_3.z;
+    float g_choice_9 = g_test ? g_product_3.x : (g_test_2 ? g_product_3.y : g_product_3.z);
     vec2 g_quotient_4 = (g_choice_8 - g_choice_9 * g_quotient) / g_choice;
     vec2 g_product_4 = (g_test_3 ? g_quotient_4 : vec2(0.0)) * 0.5;
     float g_greatest = max(length(g_product_2 * g_quotient_3), length(g_product_4 * g_quotient_3));

@@ -14,18 +14,18 @@ uniform sampler2D decals_ball_image;    // textures/ball_cube.png (normal_gl, re
 
 uint wrinkle_decals_hash(uint x) {
     uint sum = x * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    return product >> 22u ^ product;
+    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
+    return (product >> 22u) ^ product;
 }
 
 vec3 wrinkle_decals_noise_direction(vec3 corner) {
     uint sum = uint(int(corner.y)) + wrinkle_decals_hash(uint(int(corner.z)));
     uint sum_2 = uint(int(corner.x)) + wrinkle_decals_hash(sum);
     uint hash = wrinkle_decals_hash(sum_2);
-    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
-    float number = float(2237013u >> product & 3u);
-    float number_2 = float(5573130u >> product & 3u);
-    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+    uint product = ((((hash >> 8u) * 3u) >> 24u) * 4u + (hash & 3u)) * 2u;
+    float number = float((2237013u >> product) & 3u);
+    float number_2 = float((5573130u >> product) & 3u);
+    return vec3(number, float((677154u >> product) & 3u), number_2) - 1.0;
 }
 
 vec4 wrinkle_decals_gradient_corner(vec3 corner, vec3 way) {
@@ -251,13 +251,14 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec2 ball_vector_2 = vec2(hit_direction.x, ball_negated_2 * hit_direction.z);
     float ball_sign_3 = hit_direction.z < 0.0 ? -1.0 : 1.0;
     vec2 ball_vector_3 = vec2(ball_sign_3 * hit_direction.x, hit_direction.y);
-    vec2 ball_choice_4 = ball_test_3 ? ball_vector : ball_test_4 ? ball_vector_2 : ball_vector_3;
+    vec2 ball_choice_4 = ball_test_3 ? ball_vector : (ball_test_4 ? ball_vector_2 : ball_vector_3);
     vec2 ball_quotient = ball_choice_4 / ball_choice_3;
     vec2 ball_sum = (ball_test_5 ? ball_quotient : vec2(0.0)) * 0.5 + 0.5;
     vec2 ball_vector_4 = vec2(hit_choice_2.z * ball_negated, hit_choice_2.y);
     vec2 ball_vector_5 = vec2(hit_choice_2.x, hit_choice_2.z * ball_negated_2);
     vec2 ball_vector_6 = vec2(hit_choice_2.x * ball_sign_3, hit_choice_2.y);
-    vec2 ball_choice_5 = ball_test_3 ? ball_vector_4 : ball_test_4 ? ball_vector_5 : ball_vector_6;
+    vec2 ball_choice_5 = ball_test_3 ? ball_vector_4 : (ball_test_4 ? ball_vector_5 :
+            ball_vector_6);
     vec3 ball_sign_4 = sign(hit_direction);
     vec3 ball_product = hit_choice_2 * ball_sign_4;
     float ball_choice_6 = ball_test_4 ? ball_product.y : ball_product.z;
@@ -269,7 +270,8 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec2 ball_vector_7 = vec2(hit_choice_3.z * ball_negated, hit_choice_3.y);
     vec2 ball_vector_8 = vec2(hit_choice_3.x, hit_choice_3.z * ball_negated_2);
     vec2 ball_vector_9 = vec2(hit_choice_3.x * ball_sign_3, hit_choice_3.y);
-    vec2 ball_choice_7 = ball_test_3 ? ball_vector_7 : ball_test_4 ? ball_vector_8 : ball_vector_9;
+    vec2 ball_choice_7 = ball_test_3 ? ball_vector_7 : (ball_test_4 ? ball_vector_8 :
+            ball_vector_9);
     vec3 ball_product_4 = hit_choice_3 * ball_sign_4;
     float ball_choice_8 = ball_test_4 ? ball_product_4.y : ball_product_4.z;
     vec2 ball_product_5 = (ball_test_3 ? ball_product_4.x : ball_choice_8) * ball_quotient;
@@ -304,10 +306,10 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float scratch_extent = length(scratch_vector);
     bool scratch_test = 1.0 < max(scratch_quotient, 0.0);
     bool scratch_test_2 = scratch_quotient < 0.0;
-    float scratch_choice = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : 1.0666667;
+    float scratch_choice = scratch_test ? 0.0 : (scratch_test_2 ? 0.0 : 1.0666667);
     float scratch_product = scratch_difference_2 * (1.0 - scratch_choice * 0.6);
     float scratch_sum_2 = scratch_product + scratch_difference_3 * -(scratch_choice * 0.45);
-    float scratch_choice_2 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : 0.8;
+    float scratch_choice_2 = scratch_test ? 0.0 : (scratch_test_2 ? 0.0 : 0.8);
     float scratch_product_2 = scratch_difference_3 * (1.0 - scratch_choice_2 * 0.45);
     float scratch_sum_3 = scratch_difference_2 * -(scratch_choice_2 * 0.6) + scratch_product_2;
     vec3 scratch_quotient_2 = vec3(scratch_sum_2, scratch_difference.y,

@@ -32,8 +32,8 @@ vec3 wrinkle_hex_pebbles_hex_grid(vec2 at, out vec2 result_2, out vec2 result_3,
 
 uint wrinkle_hex_pebbles_hash(uint x) {
     uint sum = x * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    return product >> 22u ^ product;
+    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
+    return (product >> 22u) ^ product;
 }
 
 vec4 wrinkle_hex_pebbles_hex_copy(vec2 corner, float rotation) {

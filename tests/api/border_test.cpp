@@ -58,11 +58,11 @@ TEST(Border, OptionsThatAreNone) {
     options.target = "glsl33";
     expect_refused(options, "there is no target 'glsl33' (did you mean 'glsl330'?)");
     options.target = "nothing like it";
-    expect_refused(options, "glsl330, glsl450, essl300, spirv, hlsl, msl");
+    expect_refused(options, "glsl330, glsl450, essl300, spirv, hlsl, msl, wgsl, godot3, godot4");
     options = {};
-    options.target = "hlsl";
+    options.target = "spirv";
     options.form = CompileOptions::Form::function;
-    expect_refused(options, "the target 'hlsl' is written as a complete pair");
+    expect_refused(options, "the target 'spirv' is only written as a complete pair");
     options = {};
     options.form = CompileOptions::Form::shader;
     options.differentials = CompileOptions::Differentials::given;

@@ -40,7 +40,9 @@ void expect_same(const Written& written, const fs::path& graph, const fs::path& 
     ASSERT_TRUE(shader.ok) << graph << to_text(shader.problems);
     EXPECT_EQ(shader.reflection, bytes_of(stem + ".json")) << graph;
     if (written.form == Form::function) {
-        EXPECT_EQ(shader.source, bytes_of(stem + ".glsl")) << graph;
+        EXPECT_EQ(shader.source,
+                  bytes_of(stem + (written.suffix.empty() ? ".glsl" : written.suffix)))
+            << graph;
         EXPECT_TRUE(shader.vertex.empty() && shader.fragment.empty());
         return;
     }
@@ -91,6 +93,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Written{"glsl330", "", Form::shader}, Written{"glsl450", "", Form::shader},
                     Written{"essl300", "", Form::shader}, Written{"spirv", ".spv", Form::shader},
                     Written{"hlsl", ".hlsl", Form::shader}, Written{"msl", ".msl", Form::shader},
+                    Written{"wgsl", ".wgsl", Form::shader}, Written{"hlsl", ".hlsl"},
+                    Written{"wgsl", ".wgsl"}, Written{"godot3", ".shader"},
                     Written{"glsl330",
                             "",
                             Form::function,

@@ -88,7 +88,7 @@ TEST_F(ExplainLogTest, JsonHoldsThePlaces) {
 
 // Covers every language that has lines, with the log of the compiler that rejects the source.
 TEST_F(ExplainLogTest, KnowsTheLinesOfEveryLanguage) {
-    for (const std::string target : {"glsl330", "glsl450", "essl300", "hlsl", "msl"}) {
+    for (const std::string target : {"glsl330", "glsl450", "essl300", "hlsl", "msl", "wgsl"}) {
         const Names options{"--target", target, "--form", "shader", "--params", "uniform"};
         Names args{"compile", "g.json"};
         args.insert(args.end(), options.begin(), options.end());

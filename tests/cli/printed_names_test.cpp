@@ -67,12 +67,10 @@ TEST_F(PrintedNamesTest, CommentsOfEveryLanguageHoldNoControlCharacters) {
     put("g.json",
         R"({"wrinkle": 1, "nodes": {"m\u061cn\u202e": {"type": "image", "in": {"image": ")" +
             evil_json + R"(.png"}}}, "outputs": {"color": {"from": "m\u061cn\u202e.color"}}})");
-    for (const std::string target : {"glsl330", "essl300", "glsl450", "hlsl", "msl"}) {
+    for (const std::string target : {"glsl330", "essl300", "glsl450", "hlsl", "msl", "wgsl"}) {
         const Ran ran = run({"compile", "g.json", "--target", target, "--form", "shader"});
         EXPECT_EQ(ran.code, 0) << ran.err;
-        if (target != "hlsl" && target != "msl") {
-            EXPECT_TRUE(says(ran.out, "// m n"));
-        }
+        EXPECT_TRUE(says(ran.out, "// m n"));
         expect_harmless(ran, target);
     }
 }

@@ -9,7 +9,8 @@ using Names = std::vector<std::string>;
 
 TEST_F(TargetTest, EveryOneIsListed) {
     const std::string list = run({"compile", "--list-targets"}).out;
-    for (const char* name : {"glsl330", "glsl450", "essl300", "spirv", "hlsl", "msl"})
+    for (const char* name :
+         {"glsl330", "glsl450", "essl300", "spirv", "hlsl", "msl", "wgsl", "godot3", "godot4"})
         EXPECT_TRUE(says(list, std::string(name) + "  "));
 }
 
@@ -19,7 +20,8 @@ TEST_F(TargetTest, FilesAreCalledAfterStageAndLanguage) {
                                       {"essl300", ""},
                                       {"spirv", ".spv"},
                                       {"hlsl", ".hlsl"},
-                                      {"msl", ".msl"}}) {
+                                      {"msl", ".msl"},
+                                      {"wgsl", ".wgsl"}}) {
         const std::string out = std::string("out-") + target + "/g";
         fs::create_directories(folder / fs::path(out).parent_path());
         const Ran ran = run({"compile", "g.json", "--form", "shader", "--target", target, "-o", out,
@@ -42,7 +44,7 @@ TEST_F(TargetTest, FilesAreCalledAfterStageAndLanguage) {
     EXPECT_TRUE(get("out-essl300/g.frag").starts_with("#version 300 es\n"));
     EXPECT_TRUE(get("out-glsl450/g.frag").starts_with("#version 450\n"));
     EXPECT_TRUE(says(get("out-hlsl/g.frag.hlsl"), "SV_Target0"));
-    EXPECT_TRUE(says(get("out-msl/g.frag.msl"), "fragment g_fragment_out g_fragment("));
+    EXPECT_TRUE(says(get("out-msl/g.frag.msl"), "fragment WrinkleTargets_g g_fragment("));
 }
 
 TEST_F(TargetTest, SeveralGraphsGoIntoAFolder) {
@@ -53,17 +55,30 @@ TEST_F(TargetTest, SeveralGraphsGoIntoAFolder) {
                               "out/b.frag.spv", "out/b.vert.spv"}));
 }
 
-TEST_F(TargetTest, WithoutAFunctionFormIsWrongUsage) {
+TEST_F(TargetTest, AFormThatATargetLacksIsWrongUsage) {
     put("g.json", tilt_graph());
-    for (const char* target : {"spirv", "hlsl", "msl"}) {
-        const Ran ran = run({"compile", "g.json", "--target", target, "--form", "function"});
+    for (const auto& [target, form, other] :
+         {std::tuple("spirv", "function", "shader"), std::tuple("godot3", "shader", "function"),
+          std::tuple("godot4", "shader", "function")}) {
+        const Ran ran = run({"compile", "g.json", "--target", target, "--form", form});
         EXPECT_EQ(ran.code, 2);
-        EXPECT_TRUE(says(ran.err, "--form shader"));
-        EXPECT_EQ(run({"compile", "g.json", "--target", target, "--differentials", "given"}).code,
-                  2);
+        EXPECT_TRUE(says(ran.err, std::string("--form ") + other)) << ran.err;
         EXPECT_EQ(run({"compile", "g.json", "--target", target}).code, 0);
     }
+    const Ran ran = run({"compile", "g.json", "--target", "spirv", "--differentials", "given"});
+    EXPECT_EQ(ran.code, 2);
     EXPECT_EQ(files(), Names{"g.json"});
+}
+
+TEST_F(TargetTest, FunctionsOfSeveralGraphsHaveTheSuffixOfTheLanguage) {
+    put("a.json", tilt_graph("0.5"));
+    put("b.json", tilt_graph("0.25"));
+    for (const auto& [target, end] : {std::pair("essl300", ".glsl"), std::pair("hlsl", ".hlsl"),
+                                      std::pair("godot4", ".gdshaderinc")}) {
+        const std::string out = std::string("out-") + target;
+        ASSERT_EQ(run({"compile", "a.json", "b.json", "--target", target, "-o", out}).code, 0);
+        EXPECT_TRUE(says(get(out + "/b" + end), "wrinkle_b(")) << target;
+    }
 }
 
 TEST_F(TargetTest, BindingsBeginWhereAsked) {
@@ -96,7 +111,7 @@ TEST_F(TargetTest, AMissingModuleIsTheEnvironmentsFault) {
 
 TEST_F(TargetTest, OutputIsTheSameInEveryLocale) {
     put("g.json", ramp_graph("0.5"));
-    for (const char* target : {"spirv", "hlsl", "msl"}) {
+    for (const char* target : {"spirv", "hlsl", "msl", "wgsl"}) {
         const Names arguments{"compile", "g.json", "--target", target};
         const Ran plain = run(arguments);
         ASSERT_EQ(plain.code, 0) << plain.err;

@@ -41,7 +41,8 @@ TEST(Limits, NamesOutputsBeyondTheDrawBuffers) {
                                        {"essl300", 4},
                                        {"spirv", 4},
                                        {"hlsl", 8},
-                                       {"msl", 8}}) {
+                                       {"msl", 8},
+                                       {"wgsl", 8}}) {
         EXPECT_EQ(excess_of(target, most), "") << target;
         EXPECT_NE(excess_of(target, most + 1), "") << target;
     }

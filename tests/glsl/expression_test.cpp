@@ -24,7 +24,7 @@ protected:
 
     static std::string literal_text(Type type, double value) {
         std::string text;
-        append_literal(text, type, value);
+        append_literal(glsl(), text, type, value);
         return text;
     }
 
@@ -75,7 +75,7 @@ TEST_F(Expressions, choose_with_the_conditional_operator) {
     EXPECT_EQ(returned(op(Op::select_, test, x, z)), "x < y ? x : z");
     EXPECT_EQ(returned(op(Op::add_, op(Op::select_, test, x, z), y)), "(x < y ? x : z) + y");
     EXPECT_EQ(returned(op(Op::select_, test, z, op(Op::select_, op(Op::gt_, z, y), x, y))),
-              "x < y ? z : z > y ? x : y");
+              "x < y ? z : (z > y ? x : y)");
     EXPECT_EQ(returned(op(Op::sign_nonzero_, op(Op::sub_, x, y))), "x - y < 0.0 ? -1.0 : 1.0");
     const Id both = op(Op::and_, test, op(Op::or_, op(Op::ge_, y, z), op(Op::le_, x, z)));
     EXPECT_EQ(returned(op(Op::select_, op(Op::not_, both), x, y)),
@@ -84,13 +84,13 @@ TEST_F(Expressions, choose_with_the_conditional_operator) {
 
 TEST_F(Expressions, of_whole_numbers) {
     const Id mixed = op(Op::bit_xor_, u(x), op(Op::shift_right_, u(y), m.literal(Type::uint_, 7)));
-    EXPECT_EQ(returned(f(mixed)), "float(uint(int(x)) ^ uint(int(y)) >> 7u)");
+    EXPECT_EQ(returned(f(mixed)), "float(uint(int(x)) ^ (uint(int(y)) >> 7u))");
     const Id added = op(Op::bit_and_, op(Op::add_, i(x), i(y)), m.literal(Type::int_, 3));
-    EXPECT_EQ(returned(f(added)), "float(int(x) + int(y) & 3)");
+    EXPECT_EQ(returned(f(added)), "float((int(x) + int(y)) & 3)");
     EXPECT_EQ(returned(f(op(Op::mul_, u(x), m.literal(Type::uint_, 4294967295.0)))),
               "float(uint(int(x)) * 4294967295u)");
     EXPECT_EQ(returned(f(op(Op::max_, i(x), m.literal(Type::int_, -2147483648.0)))),
-              "float(max(int(x), int(0x80000000u)))");
+              "float(max(int(x), (-2147483647 - 1)))");
     EXPECT_EQ(returned(f(op(Op::eq_, i(x), i(y)))), "float(int(x) == int(y))");
 }
 

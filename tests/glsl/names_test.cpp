@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "glsl/language.h"
 #include "glslang/validate.h"
 #include "graphs.h"
 
@@ -9,7 +10,7 @@ namespace wrinkle::test {
 namespace {
 
 TEST(Names, are_legal_and_unique) {
-    NameSet names;
+    NameSet names(&glsl().reserved);
     EXPECT_EQ(names.unique("weave.normal"), "weave_normal");
     EXPECT_EQ(names.unique("weave normal"), "weave_normal_2");
     EXPECT_EQ(names.unique("weave_normal_2"), "weave_normal_2_2");
@@ -23,7 +24,7 @@ TEST(Names, are_legal_and_unique) {
 }
 
 TEST(Names, of_inner_scopes_differ_from_outer_ones) {
-    NameSet globals;
+    NameSet globals(&glsl().reserved);
     globals.unique("weave_image");
     NameSet locals(&globals);
     EXPECT_EQ(locals.unique("weave_image"), "weave_image_2");
@@ -32,7 +33,7 @@ TEST(Names, of_inner_scopes_differ_from_outer_ones) {
 
 // The table is rehashed many times; names that were returned stay valid.
 TEST(Names, of_which_there_are_many_keep_their_texts) {
-    NameSet globals;
+    NameSet globals(&glsl().reserved);
     globals.unique("map_7");
     NameSet names(&globals);
     std::vector<std::pair<std::string_view, std::string>> given;

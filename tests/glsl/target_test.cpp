@@ -119,8 +119,11 @@ TEST(Targets, OutputsFollowOneAnotherWithoutGaps) {
          {"second", "displacement", "first", "height", "color", "emission", "most"})
         output(m, name, value);
     for (const Target& target : targets()) {
+        if (!supports(target, Form::shader)) continue;
         const Shader shader = emit(m, options(std::string(target.name).c_str(), Form::shader));
-        EXPECT_TRUE(is_translated(target) || compile_errors(shader).empty());
+        if (has_validator(target)) {
+            EXPECT_EQ(compile_errors(shader), "");
+        }
         std::map<std::string, int> at;
         std::set<int> locations;
         for (const OutputInfo& each : shader.reflection.outputs)

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "ir/op.h"
+#include "glsl/language.h"
 
 namespace wrinkle::test {
 namespace {
@@ -95,31 +95,46 @@ std::map<std::string, Place> places(const std::string& text, Stage stage) {
     return found;
 }
 
-std::string wrapped(std::span<const Shader> shaders) {
-    const Target& target = *find_target(shaders[0].reflection.target);
-    std::string text = std::string(target.version) + "\n#line 1\n", body;
+namespace {
+
+// The inputs of several materials: one member of a name for all of them.
+std::map<std::string, Type> inputs_of(std::span<const Shader> shaders) {
     std::map<std::string, Type> inputs;
-    for (const Shader& shader : shaders) {
-        const Reflection& r = shader.reflection;
-        text += shader.source;
-        body += "    {\n";
-        if (!r.struct_name.empty()) body += "    " + r.struct_name + " s;\n";
-        for (const MemberInfo& member : r.members) {
+    for (const Shader& shader : shaders)
+        for (const MemberInfo& member : shader.reflection.members)
             inputs.emplace(member.name, member.type);
-            body += "    s." + member.name + " = WrTest_" + member.name + ";\n";
-        }
-        body += "    " + result_type(r) + " m = " + call_text(r, "s") + ";\n";
-        for (const OutputInfo& output : r.outputs)
-            body += "    WrTest_sum += vec4(" + output_text(r, output, "m") +
-                    (output.type == Type::float_  ? ")"
-                     : output.type == Type::vec2_ ? ", 0.0, 0.0)"
-                     : output.type == Type::vec3_ ? ", 0.0)"
-                                                  : ")") +
-                    ";\n";
-        body += "    }\n";
+    return inputs;
+}
+
+// Returns code that calls the material with inputs named `prefix` + member and adds its outputs to
+// WrTest_sum.
+std::string call(const Reflection& r, const Language& language, const std::string& prefix) {
+    std::string body = "    {\n";
+    if (!r.struct_name.empty()) body += "    " + r.struct_name + " s;\n";
+    for (const MemberInfo& member : r.members)
+        body += "    s." + member.name + " = " + prefix + member.name + ";\n";
+    body += "    " + result_type(r, language) + " m = " + call_text(r, "s") + ";\n";
+    constexpr const char* rest[] = {"", "", ", 0.0, 0.0", ", 0.0", ""};  // by lanes
+    for (const OutputInfo& output : r.outputs) {
+        const std::string value = output_text(r, output, "m");
+        const bool scalar = output.type == Type::float_;
+        body += "    WrTest_sum += " +
+                (scalar ? value
+                        : std::string(language.type(Type::vec4_)) + "(" + value +
+                              rest[info(output.type).lanes] + ")") +
+                ";\n";
+    }
+    return body + "    }\n";
+}
+
+std::string wrapped_glsl(std::span<const Shader> shaders, const Target& target) {
+    std::string text = std::string(target.version) + "\n#line 1\n", body;
+    for (const Shader& shader : shaders) {
+        text += shader.source;
+        body += call(shader.reflection, target.language(), "WrTest_");
     }
     size_t location = 0;
-    for (const auto& [name, type] : inputs) {
+    for (const auto& [name, type] : inputs_of(shaders)) {
         if (target.bindings != Bindings::by_name)
             text += "layout(location = " + std::to_string(location++) + ") ";
         text += "in " + std::string(info(type).name) + " WrTest_" + name + ";\n";
@@ -128,11 +143,43 @@ std::string wrapped(std::span<const Shader> shaders) {
            "    WrTest_sum = vec4(0.0);\n" + body + "}\n";
 }
 
+std::string wrapped_hlsl(std::span<const Shader> shaders) {
+    std::string text, body;
+    for (const Shader& shader : shaders) {
+        text += shader.source;
+        body += call(shader.reflection, hlsl(), "v.");
+    }
+    text += "struct WrTest_inputs {\n";
+    size_t location = 0;
+    for (const auto& [name, type] : inputs_of(shaders))
+        text += "    " + std::string(hlsl().type(type)) + " " + name + " : TEXCOORD" +
+                std::to_string(location++) + ";\n";
+    return text +
+           "    float4 place : SV_Position;\n};\n"
+           "float4 main(WrTest_inputs v) : SV_Target0 {\n"
+           "    float4 WrTest_sum = 0.0;\n" +
+           body + "    return WrTest_sum;\n}\n";
+}
+
+}  // namespace
+
+std::string wrapped(std::span<const Shader> shaders) {
+    const Target& target = *find_target(shaders[0].reflection.target);
+    return target.name == "hlsl" ? wrapped_hlsl(shaders) : wrapped_glsl(shaders, target);
+}
+
+bool has_validator(const Target& target) {
+    return target.name == "hlsl" || (target.version.starts_with("#version") && !is_binary(target));
+}
+
 std::string compile_errors(const Shader& shader) {
     if (!shader.problems.empty()) return shader.problems[0].message;
-    if (!shader.source.empty()) return compile_errors(wrapped({&shader, 1}), Stage::fragment);
-    return compile_errors(shader.vertex, Stage::vertex) +
-           compile_errors(shader.fragment, Stage::fragment);
+    const auto errors = [&](const std::string& text, Stage stage) {
+        return shader.reflection.target == "hlsl" ? hlsl_errors(text, stage)
+                                                  : compile_errors(text, stage);
+    };
+    if (!shader.source.empty()) return errors(wrapped({&shader, 1}), Stage::fragment);
+    return errors(shader.vertex, Stage::vertex) + errors(shader.fragment, Stage::fragment);
 }
 
 }  // namespace wrinkle::test

@@ -18,7 +18,10 @@ std::string compile_errors(const std::string& text, Stage stage);
 // The same for HLSL, with glslang's HLSL front end.
 std::string hlsl_errors(const std::string& text, Stage stage);
 
-// The same for all sources of `shader`, which must have a GLSL target; function form is called by a
+// True for GLSL and HLSL.
+bool has_validator(const Target& target);
+
+// The same for all sources of `shader`, for a target with a validator; function form is called by a
 // small main().
 std::string compile_errors(const Shader& shader);
 

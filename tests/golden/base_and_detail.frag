@@ -56,11 +56,13 @@ WrinkleMaterial_strap wrinkle_strap(WrinkleSurface_strap s) {
     return m;
 }
 
-// A normal of the object in the world: cof(M) n, times the sign of det(M).
-vec3 wrinkle_normal_to_world(vec3 n) {
-    mat3 m = mat3(wrinkle_object_to_world);
-    mat3 cofactor = mat3(cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]));
-    return normalize(cofactor * n) * (dot(m[0], cofactor[0]) < 0.0 ? -1.0 : 1.0);
+// A normal of the object in the world: cof(m) n, times the sign of det(m).
+vec3 wrinkle_normal_to_world(mat4 m, vec3 n) {
+    vec3 x = m[0].xyz;
+    vec3 y = m[1].xyz;
+    vec3 z = m[2].xyz;
+    vec3 turned = cross(y, z) * n.x + cross(z, x) * n.y + cross(x, y) * n.z;
+    return normalize(dot(x, cross(y, z)) < 0.0 ? -turned : turned);
 }
 
 void main() {
@@ -72,5 +74,5 @@ void main() {
     s.uv1 = wrinkle_uv1;
     s.facing = gl_FrontFacing ? 1.0 : -1.0;
     WrinkleMaterial_strap m = wrinkle_strap(s);
-    out_normal = wrinkle_normal_to_world(m.normal);
+    out_normal = wrinkle_normal_to_world(wrinkle_object_to_world, m.normal);
 }

@@ -22,8 +22,8 @@ expect() {
     [ "${made% }" = "${wanted% }" ] || fail "made '$made' in place of '$wanted'" "$(cat "$here/log")"
 }
 
-# 6 languages in their default, 6 in shader, 3 in function, 2 for the viewer.
-mapfile -t rivets < <(printf 'rivet\n%.0s' {1..17})
+# 9 languages in their default, 7 in shader, 8 in function, 2 for the viewer.
+mapfile -t rivets < <(printf 'rivet\n%.0s' {1..26})
 expect rivet rivet strap "${rivets[@]}"
 "$here/build/viewer" || fail "the shader is not there"
 for file in materials/strap.glsl materials/strap.reflection.json materials/rivet.glsl shaders/rivet.vert \
@@ -31,7 +31,7 @@ for file in materials/strap.glsl materials/strap.reflection.json materials/rivet
     [ -s "$here/build/$file" ] || fail "$file is not there"
 done
 # The project writes down what wrinkle_compile() promised; Ninja would build again what is not there.
-[ "$(wc -l <"$here/build/made.txt")" -eq 24 ] || fail "$(cat "$here/build/made.txt")"
+[ "$(wc -l <"$here/build/made.txt")" -eq 32 ] || fail "$(cat "$here/build/made.txt")"
 while read -r file; do
     [ -s "$file" ] || fail "$file is not there"
 done <"$here/build/made.txt"
@@ -39,8 +39,8 @@ listed=$("$here/prefix/bin/wrinkle" compile --list-targets | cut -d' ' -f1)
 for language in $listed; do
     grep -q "/${language}_default/" "$here/build/made.txt" || fail "CMake has not heard of $language"
 done
-for file in spirv_shader/rivet.vert.spv spirv_default/rivet.frag.spv hlsl_default/rivet.vert.hlsl \
-    msl_default/rivet.frag.msl essl300_default/rivet.glsl glsl450_shader/rivet.frag; do
+for file in spirv_shader/rivet.vert.spv spirv_default/rivet.frag.spv hlsl_shader/rivet.vert.hlsl \
+    hlsl_default/rivet.hlsl msl_shader/rivet.frag.msl godot4_default/rivet.gdshaderinc essl300_default/rivet.glsl glsl450_shader/rivet.frag; do
     grep -q "/$file\$" "$here/build/made.txt" || fail "$file is not promised"
 done
 [ "$(head -c 4 "$here/build/spirv_default/rivet.frag.spv" | od -An -tx4 | tr -d ' ')" = 07230203 ] ||
@@ -59,6 +59,7 @@ refuses() {
 }
 refuses LANGUAGE pascal
 refuses LANGUAGE spirv FORM function
+refuses LANGUAGE godot3 FORM shader
 refuses FORM poem
 refuses OPTIONS --target hlsl
 

@@ -177,7 +177,7 @@ bool is_plain(const std::string& text) {
 void judge(const Module& module, const Hostile& hostile, bool translated) {
     for (const Target& target : targets())
         for (const Form form : {Form::function, Form::shader}) {
-            if (is_translated(target) && (form == Form::function || !translated)) continue;
+            if (!supports(target, form) || (is_binary(target) && !translated)) continue;
             EmitOptions options;
             options.target = &target;
             options.form = form;

@@ -19,11 +19,10 @@ std::string errors_of(const Shader& shader) {
     const std::string& target = shader.reflection.target;
     if (!shader.problems.empty()) return shader.problems[0].message;
     if (target == "spirv") return spirv_errors(shader.vertex) + spirv_errors(shader.fragment);
-    if (target == "hlsl")
-        return hlsl_errors(shader.vertex, Stage::vertex) +
-               hlsl_errors(shader.fragment, Stage::fragment);
     if (target == "msl") return metal_errors(shader);
-    return compile_errors(shader);
+    if (has_validator(*find_target(target))) return compile_errors(shader);
+    return bracket_errors(shader.source) + bracket_errors(shader.vertex) +
+           bracket_errors(shader.fragment);
 }
 
 }  // namespace wrinkle::test

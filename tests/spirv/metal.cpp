@@ -26,18 +26,6 @@ std::string at(const char* kind, int number) {
     return std::string(" [[") + kind + "(" + std::to_string(number) + ")]]";
 }
 
-std::string unbalanced(const std::string& text) {
-    std::string open;
-    for (const char c : text) {
-        if (c == '(' || c == '[' || c == '{') open += c;
-        if (c != ')' && c != ']' && c != '}') continue;
-        const char wanted = c == ')' ? '(' : c == ']' ? '[' : '{';
-        if (open.empty() || open.back() != wanted) return std::string("a loose ") + c + "\n";
-        open.pop_back();
-    }
-    return open.empty() ? "" : "an open " + open + "\n";
-}
-
 std::string without_comments(const std::string& text) {
     std::string code;
     for (size_t at = 0; at < text.size();) {
@@ -49,9 +37,25 @@ std::string without_comments(const std::string& text) {
     return code;
 }
 
+}  // namespace
+
+std::string bracket_errors(const std::string& text) {
+    std::string open;
+    for (const char c : without_comments(text)) {
+        if (c == '(' || c == '[' || c == '{') open += c;
+        if (c != ')' && c != ']' && c != '}') continue;
+        const char wanted = c == ')' ? '(' : c == ']' ? '[' : '{';
+        if (open.empty() || open.back() != wanted) return std::string("a loose ") + c + "\n";
+        open.pop_back();
+    }
+    return open.empty() ? "" : "an open " + open + "\n";
+}
+
+namespace {
+
 std::string vertex_errors(const Reflection& r, const std::string& text) {
-    Check check{text, unbalanced(text)};
-    check.once("vertex " + r.vertex_entry + "_out " + r.vertex_entry + "(");
+    Check check{text, bracket_errors(text)};
+    check.once("vertex WrinkleVaryings_" + r.name + " " + r.vertex_entry + "(");
     for (const AttributeInfo& attribute : r.attributes)
         check.once(" " + attribute.name + at("attribute", attribute.location));
     check.once("constant WrinkleFrame& wrinkle_frame" +
@@ -60,8 +64,8 @@ std::string vertex_errors(const Reflection& r, const std::string& text) {
 }
 
 std::string fragment_errors(const Reflection& r, const std::string& text) {
-    Check check{text, unbalanced(text)};
-    check.once("fragment " + r.fragment_entry + "_out " + r.fragment_entry + "(");
+    Check check{text, bracket_errors(text)};
+    check.once("fragment WrinkleTargets_" + r.name + " " + r.fragment_entry + "(");
     for (const OutputInfo& output : r.outputs)
         check.once(" " + output.variable + at("color", output.location));
     if (r.parameter_block)
@@ -69,7 +73,7 @@ std::string fragment_errors(const Reflection& r, const std::string& text) {
                    at("buffer", r.parameter_block->binding.binding));
     for (const SamplerInfo& sampler : r.samplers) {
         check.once(" " + sampler.name + at("texture", sampler.binding.binding));
-        check.once(" " + sampler.name + "Smplr" + at("sampler", sampler.binding.binding));
+        check.once(" " + sampler.name + "_sampler" + at("sampler", sampler.binding.binding));
     }
     return check.errors;
 }
@@ -77,6 +81,7 @@ std::string fragment_errors(const Reflection& r, const std::string& text) {
 }  // namespace
 
 std::string metal_errors(const Shader& shader) {
+    if (!shader.source.empty()) return bracket_errors(shader.source);
     const std::string vertex = without_comments(shader.vertex);
     const std::string fragment = without_comments(shader.fragment);
     const std::string errors =

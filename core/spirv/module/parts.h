@@ -17,7 +17,5 @@ int32_t optimise(WrinkleSpirvWords in, int32_t inlining, WrinkleSpirvSink words,
                  WrinkleSpirvSink log);
 int32_t validate(WrinkleSpirvWords in, WrinkleSpirvSink log);
 int32_t disassemble(WrinkleSpirvWords in, WrinkleSpirvSink text, WrinkleSpirvSink log);
-int32_t translate(WrinkleSpirvWords in, const WrinkleSpirvJob* job, WrinkleSpirvSink text,
-                  WrinkleSpirvSink log);
 
 }  // namespace wrinkle::spirv

@@ -1,4 +1,4 @@
-/* C interface between core/spirv and the module with glslang, SPIRV-Tools and SPIRV-Cross.
+/* C interface between core/spirv and the module with glslang and SPIRV-Tools.
  *
  * The module exports one symbol, wrinkle_spirv_module, which returns a table of functions. Only
  * plain data is passed: strings are UTF-8 with their length, SPIR-V is words in native byte order,
@@ -11,7 +11,7 @@
 
 #include <stdint.h>
 
-#define WRINKLE_SPIRV_MODULE_VERSION 1u
+#define WRINKLE_SPIRV_MODULE_VERSION 2u
 #define WRINKLE_SPIRV_MODULE_SYMBOL "wrinkle_spirv_module"
 
 #ifdef __cplusplus
@@ -35,30 +35,6 @@ typedef struct WrinkleSpirvWords {
 } WrinkleSpirvWords;
 
 enum { WRINKLE_SPIRV_VERTEX = 0, WRINKLE_SPIRV_FRAGMENT = 1 };
-enum { WRINKLE_SPIRV_HLSL = 0, WRINKLE_SPIRV_MSL = 1 };
-
-/* HLSL semantic of a vertex attribute. */
-typedef struct WrinkleSpirvSemantic {
-    uint32_t location;
-    const char* semantic;
-} WrinkleSpirvSemantic;
-
-/* Variable name of a uniform block. */
-typedef struct WrinkleSpirvName {
-    const char* block;
-    const char* variable;
-} WrinkleSpirvName;
-
-/* A translation. In Metal, the index of a buffer, texture or sampler is its SPIR-V binding. */
-typedef struct WrinkleSpirvJob {
-    uint32_t language; /* WRINKLE_SPIRV_HLSL or _MSL */
-    uint32_t stage;
-    const char* entry; /* the entry point's name */
-    const WrinkleSpirvName* names;
-    uint32_t name_count;
-    const WrinkleSpirvSemantic* semantics;
-    uint32_t semantic_count;
-} WrinkleSpirvJob;
 
 typedef struct WrinkleSpirvModule {
     uint32_t size; /* sizeof this struct when the module was built */
@@ -71,9 +47,6 @@ typedef struct WrinkleSpirvModule {
                         WrinkleSpirvSink log);
     int32_t (*validate)(WrinkleSpirvWords in, WrinkleSpirvSink log);
     int32_t (*disassemble)(WrinkleSpirvWords in, WrinkleSpirvSink text, WrinkleSpirvSink log);
-    /* SPIR-V to HLSL or Metal; with "#line N" directives if the words have line information. */
-    int32_t (*translate)(WrinkleSpirvWords in, const WrinkleSpirvJob* job, WrinkleSpirvSink text,
-                         WrinkleSpirvSink log);
 } WrinkleSpirvModule;
 
 typedef const WrinkleSpirvModule* (*WrinkleSpirvModuleEntry)(void);

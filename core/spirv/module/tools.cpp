@@ -87,7 +87,6 @@ extern "C" __attribute__((visibility("default"))) const WrinkleSpirvModule* wrin
                                              compile,
                                              optimise,
                                              validate,
-                                             disassemble,
-                                             translate};
+                                             disassemble};
     return &table;
 }

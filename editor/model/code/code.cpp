@@ -103,7 +103,8 @@ const std::string& CodeText::node(size_t line) const {
 }
 
 Form form_of(const CodeOptions& options) {
-    return is_translated(target_of(options)) ? Form::shader : options.form;
+    const Target& target = target_of(options);
+    return supports(target, options.form) ? options.form : default_form(target);
 }
 
 std::string why_no_line(const Session& session, const std::set<std::string>& selected) {
@@ -171,7 +172,8 @@ void start_code_export(Session& session, const fs::path& file) {
 
 fs::path usual_export(const Session& session) {
     const std::string stem = session.path.stem().string();
-    return session.folder() / (has_stages(session.code.options) ? stem : stem + ".glsl");
+    const std::string suffix(function_suffix(target_of(session.code.options)));
+    return session.folder() / (has_stages(session.code.options) ? stem : stem + suffix);
 }
 
 }  // namespace wrinkle::editor

@@ -66,20 +66,23 @@ void follow(State& state) {
         take(code, make_code(job));
 }
 
-// Translated targets do not have the form "Function".
+// Offers the forms that the target has.
 void draw_forms(State& state, float width) {
     CodeOptions& options = state.code.options;
     static const Item forms[] = {{"Function", "code:form:Function"},
                                  {"Vertex", "code:form:Vertex"},
                                  {"Fragment", "code:form:Fragment"}};
-    const int first = is_translated(*find_target(options.target)) ? 1 : 0;
-    const bool functions = first == 0 && options.form == Form::function;
-    int form = functions ? 0 : options.vertex ? 1 : 2;
-    const auto possible = std::span(forms).subspan(static_cast<size_t>(first));
-    const int picked = choose(state, "code:form", forms[form].label, possible, width);
-    if (picked >= 0) form = first + picked;
-    options.form = form == 0 ? Form::function : Form::shader;
-    options.vertex = form == 1;
+    const Forms possible = find_target(options.target)->forms;
+    const bool function = form_of(options) == Form::function;
+    const int form = function ? 0 : options.vertex ? 1 : 2;
+    const size_t first = possible == Forms::shader ? 1 : 0;
+    const size_t count = possible == Forms::function ? 1 : 3 - first;
+    const int picked = choose(state, "code:form", forms[form].label,
+                              std::span(forms).subspan(first, count), width);
+    if (picked < 0) return;
+    const int chosen = picked + static_cast<int>(first);
+    options.form = chosen == 0 ? Form::function : Form::shader;
+    options.vertex = chosen == 1;
 }
 
 void draw_options(State& state, float width) {

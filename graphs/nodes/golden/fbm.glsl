@@ -12,18 +12,18 @@ struct WrinkleMaterial_fbm {
 
 uint wrinkle_fbm_hash(uint x) {
     uint sum = x * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    return product >> 22u ^ product;
+    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
+    return (product >> 22u) ^ product;
 }
 
 vec3 wrinkle_fbm_noise_direction(vec3 corner) {
     uint hash = wrinkle_fbm_hash(uint(int(corner.y)) + wrinkle_fbm_hash(uint(int(corner.z))));
     uint sum = uint(int(corner.x)) + hash;
     uint hash_2 = wrinkle_fbm_hash(sum);
-    uint product = (((hash_2 >> 8u) * 3u >> 24u) * 4u + (hash_2 & 3u)) * 2u;
-    float number = float(2237013u >> product & 3u);
-    float number_2 = float(5573130u >> product & 3u);
-    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+    uint product = ((((hash_2 >> 8u) * 3u) >> 24u) * 4u + (hash_2 & 3u)) * 2u;
+    float number = float((2237013u >> product) & 3u);
+    float number_2 = float((5573130u >> product) & 3u);
+    return vec3(number, float((677154u >> product) & 3u), number_2) - 1.0;
 }
 
 vec4 wrinkle_fbm_simplex_corner(vec3 corner, vec3 from) {

@@ -12,8 +12,8 @@ struct WrinkleMaterial_scratches {
 
 uint wrinkle_scratches_hash(uint x) {
     uint sum = x * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    return product >> 22u ^ product;
+    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
+    return (product >> 22u) ^ product;
 }
 
 vec3 wrinkle_scratches_scratch_with_slope(vec2 p, int index, float density, vec2 size,

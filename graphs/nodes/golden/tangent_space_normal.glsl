@@ -13,18 +13,18 @@ struct WrinkleMaterial_tangent_space_normal {
 
 uint wrinkle_tangent_space_normal_hash(uint x) {
     uint sum = x * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    return product >> 22u ^ product;
+    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
+    return (product >> 22u) ^ product;
 }
 
 vec3 wrinkle_tangent_space_normal_noise_direction(vec3 corner) {
     uint sum = uint(int(corner.y)) + wrinkle_tangent_space_normal_hash(uint(int(corner.z)));
     uint sum_2 = uint(int(corner.x)) + wrinkle_tangent_space_normal_hash(sum);
     uint hash = wrinkle_tangent_space_normal_hash(sum_2);
-    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
-    float number = float(2237013u >> product & 3u);
-    float number_2 = float(5573130u >> product & 3u);
-    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+    uint product = ((((hash >> 8u) * 3u) >> 24u) * 4u + (hash & 3u)) * 2u;
+    float number = float((2237013u >> product) & 3u);
+    float number_2 = float((5573130u >> product) & 3u);
+    return vec3(number, float((677154u >> product) & 3u), number_2) - 1.0;
 }
 
 vec4 wrinkle_tangent_space_normal_gradient_corner(vec3 corner, vec3 way) {
@@ -109,7 +109,8 @@ vec3 wrinkle_tangent_space_normal_thread_with_slope(vec2 p, float side, float wi
     return vector * vec3(sum, greatest, sum);
 }
 
-WrinkleMaterial_tangent_space_normal wrinkle_tangent_space_normal(WrinkleSurface_tangent_space_normal s) {
+WrinkleMaterial_tangent_space_normal
+        wrinkle_tangent_space_normal(WrinkleSurface_tangent_space_normal s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);

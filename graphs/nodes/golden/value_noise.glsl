@@ -12,8 +12,8 @@ struct WrinkleMaterial_value_noise {
 
 uint wrinkle_value_noise_hash(uint x) {
     uint sum = x * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    return product >> 22u ^ product;
+    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
+    return (product >> 22u) ^ product;
 }
 
 float wrinkle_value_noise_value_corner(vec3 corner) {

@@ -12,8 +12,8 @@ struct WrinkleMaterial_waves {
 
 uint wrinkle_waves_hash(uint x) {
     uint sum = x * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    return product >> 22u ^ product;
+    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
+    return (product >> 22u) ^ product;
 }
 
 WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {

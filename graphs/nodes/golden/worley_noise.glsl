@@ -12,8 +12,8 @@ struct WrinkleMaterial_worley_noise {
 
 uint wrinkle_worley_noise_hash(uint x) {
     uint sum = x * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    return product >> 22u ^ product;
+    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
+    return (product >> 22u) ^ product;
 }
 
 vec3 wrinkle_worley_noise_feature_point(vec3 cell, float jitter) {
@@ -42,7 +42,7 @@ vec4 wrinkle_worley_noise_worley_with_slope(vec3 p, float width, float jitter) {
         vec3 difference_3 = sum_2 - difference;
         float dot_product = dot(difference_3, difference_3);
         bool test = dot_product < first;
-        next = test ? nearest : dot_product < second ? difference_2 : next;
+        next = test ? nearest : (dot_product < second ? difference_2 : next);
         second = min(second, max(first, dot_product));
         first = min(first, dot_product);
         nearest = test ? difference_2 : nearest;

@@ -1,12 +1,12 @@
-#include "base/text.h"
-#include "glsl/names.h"
+// GLSL: the language of the op table, and the defaults of struct Language.
+#include "glsl/language.h"
 
 namespace wrinkle {
 namespace {
 
-// GLSL 3.30 and 4.60 (sections 3.6 and 8), GLSL ES 3.00, GL_KHR_vulkan_glsl; and `s` and `m`,
-// argument and result of the generated function.
-constexpr std::string_view reserved =
+// GLSL 3.30 and 4.60 (sections 3.6 and 8), GLSL ES 3.00, GL_KHR_vulkan_glsl; and `s` and `m`, the
+// argument and the result of the generated function.
+constexpr std::string_view glsl_words =
     "abs acos acosh active all any asin asinh asm atan atanh atomic_uint attribute bool "
     "break buffer bvec2 bvec3 bvec4 case cast ceil centroid clamp class coherent common "
     "const continue cos cosh cross default degrees determinant dFdx dFdxCoarse dFdxFine dFdy "
@@ -46,18 +46,70 @@ constexpr std::string_view reserved =
     "utexture2DRect utexture3D utextureBuffer utextureCube utextureCubeArray uvec2 uvec3 "
     "uvec4 varying vec2 vec3 vec4 void volatile while writeonly";
 
-}  // namespace
+// Global names of the shader form, taken in both forms so that a uniform has one name.
+constexpr std::string_view own_words =
+    "WrinkleFrame wrinkle_object_to_clip wrinkle_object_to_world wrinkle_normal_to_world "
+    "wrinkle_eye wrinkle_position_relative wrinkle_frame wrinkle_parameters wrinkle_position "
+    "wrinkle_normal wrinkle_tangent wrinkle_uv0 wrinkle_uv1 wrinkle_uv2 wrinkle_uv3 "
+    "wrinkle_color0 wrinkle_view wrinkle_facing";
 
-NameSet NameSet::with_reserved_words() {
-    NameSet names(nullptr);
-    for (const std::string_view word : split(reserved, ' '))
-        names.add({{}, word});
-    return names;
+bool glsl_takes_scalar(Op op, size_t operand, bool others) {
+    switch (op) {
+        case Op::mod_:
+        case Op::min_:
+        case Op::max_:
+            return operand == 1;
+        case Op::clamp_:
+            return operand > 0 && others;
+        case Op::mix_:
+            return operand == 2;
+        case Op::step_:
+            return operand == 0;
+        case Op::smoothstep_:
+            return operand < 2 && others;
+        default:
+            return false;
+    }
 }
 
-const NameSet& NameSet::reserved_words() {
-    static const NameSet words = with_reserved_words();
-    return words;
+}  // namespace
+
+Language glsl_language() {
+    Language language;
+    for (size_t type = 0; type < language.types.size(); ++type)
+        language.types[type] = info(static_cast<Type>(type)).name;
+    for (size_t op = 0; op < language.ops.size(); ++op)
+        language.ops[op] = info(static_cast<Op>(op)).glsl;
+    const auto spell = [&](Op op, std::string_view text) {
+        language.ops[static_cast<size_t>(op)] = text;
+    };
+    spell(Op::sample_, "texture($n, $0)");
+    spell(Op::sample_lod_, "textureLod($n, $0, $1)");
+    spell(Op::sample_grad_, "textureGrad($n, $0, $1, $2)");
+    spell(Op::image_size_, "vec2(textureSize($n, 0))");
+    language.takes_scalar = glsl_takes_scalar;
+    reserve_words(language, glsl_words);
+    reserve_words(language, own_words);
+    return language;
+}
+
+const Language& glsl() {
+    static const Language language = glsl_language();
+    return language;
+}
+
+const Language& vulkan_glsl() {
+    static const Language language = [] {
+        Language vulkan = glsl_language();
+        vulkan.image = "layout(set = $s, binding = $b) uniform sampler2D $n;";
+        vulkan.block = "layout(std140, set = $s, binding = $b) uniform $n {";
+        vulkan.block_member = "$t $n;";
+        vulkan.end_block = "};";
+        vulkan.stage.varying_out = "layout(location = $l) out $t $n;";
+        vulkan.stage.varying_in = "layout(location = $l) in $t $n;";
+        return vulkan;
+    }();
+    return language;
 }
 
 }  // namespace wrinkle
