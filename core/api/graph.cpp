@@ -140,6 +140,8 @@ Shader Graph::compile(const CompileOptions& wanted) const noexcept {
         options.material.uniform_parameters =
             wanted.parameters == CompileOptions::Parameters::uniform;
         options.material.vertex_tangents = wanted.vertex_tangents;
+        if (wanted.srgb == CompileOptions::Srgb::shader)
+            options.material.lower.srgb = SrgbDecoder::shader;
         options.strict = wanted.strict;
         if (!problems.has_errors()) {
             problems = parts.problems;

@@ -1,6 +1,7 @@
 // Sampling options of an image: encoding, wrap and filter, as set in a graph file. They are
-// metadata of a texture; their arithmetic (2t - 1, the sRGB curve, z from x and y) is emitted where
-// an expression samples the texture. t is the stored value.
+// metadata of a texture; the arithmetic of an encoding (2t - 1, z from x and y) is emitted where an
+// expression samples the texture. t is the stored value. The texels of srgb images are decoded when
+// they are loaded, so mips and filters work on linear values.
 //
 //   linear      the stored value                 srgb         sRGB-encoded colour, linearised
 //   normal_gl   2t - 1, green = +v               normal_dx    2t - 1, green = -v
@@ -31,10 +32,20 @@ enum class Encoding : uint8_t {
 enum class Wrap : uint8_t { repeat, clamp, mirror };
 enum class Filter : uint8_t { linear, nearest };
 
+// Decoder of srgb images: the sampler, or for hosts without sRGB textures the shader, which decodes
+// the filtered stored value.
+enum class SrgbDecoder : uint8_t { sampler, shader };
+
 struct TextureOptions {
     Encoding encoding = Encoding::linear;
     Wrap wrap = Wrap::repeat;
     Filter filter = Filter::linear;
+    SrgbDecoder srgb = SrgbDecoder::sampler;
+
+    // Returns true if the texels are decoded from sRGB when they are loaded.
+    bool decodes_texels() const {
+        return encoding == Encoding::srgb && srgb == SrgbDecoder::sampler;
+    }
 
     friend bool operator==(const TextureOptions&, const TextureOptions&) = default;
 };

@@ -8,6 +8,7 @@
 #include "cli/arguments.h"
 #include "cli/identity.h"
 #include "graph/write.h"
+#include "image/formats.h"
 #include "lower/named_images.h"
 
 namespace wrinkle::cli {
@@ -24,6 +25,8 @@ void add_images(const Project& project, const Types& types, size_t file,
         const size_t number =
             there ? known.try_emplace(*image.path, known.size()).first->second : 0;
         fields.push_back(there ? "image " + std::to_string(number) : "no image");
+        // A warning depends on them.
+        if (there) fields.push_back(std::to_string(png_bits(*image.path)));
     }
 }
 
@@ -89,6 +92,7 @@ std::string cache_key(const Project& project, const Types& types, const std::str
                      options.target,
                      options.form,
                      options.params,
+                     options.srgb,
                      options.differentials,
                      name,
                      with.common.no_tangents ? "derived" : "vertex",

@@ -69,6 +69,9 @@ void declare_text(CLI::App& sub, TextOptions& text) {
     add_choice(sub, "--differentials", text.differentials, {"screen", "given", "none"},
                "Taken from the screen, passed by the caller, or zero, for a vertex stage; default: "
                "screen, and none for --outputs displacement");
+    add_choice(sub, "--srgb", text.srgb, {"sampler", "shader"},
+               "The decoder of images of encoding srgb: the sampler, or the text for hosts without "
+               "sRGB textures");
     sub.add_option("--descriptor-set", text.set, "The descriptor set of the blocks and images")
         ->check(CLI::Range(0, max_descriptor_set))
         ->capture_default_str();
@@ -94,6 +97,7 @@ ShaderOptions shader_options(const std::string& file, const Compilation& with) {
     options.material.vertex_tangents = !with.common.no_tangents;
     if (wanted.cost) options.material.runs_calls = "--cost";
     options.material.lower.max_values /= with.sharing;
+    if (wanted.srgb == "shader") options.material.lower.srgb = SrgbDecoder::shader;
     options.emit.max_bytes /= with.sharing;
     options.emit.form = form_of(wanted);
     options.emit.differentials = differentials_of(wanted);

@@ -114,8 +114,9 @@ bool OffscreenRenderer::can_compare(const Shader& shader, Diagnostics& diagnosti
 bool OffscreenRenderer::set_material(const Shader& material, const TextureStore& textures,
                                      Diagnostics& diagnostics) {
     for (const SamplerInfo& sampler : material.reflection.samplers) {
-        const auto chain = textures.find(sampler.file);
-        if (!chain || !renderer_.add_image(sampler.file, *chain, diagnostics)) return false;
+        const TexelSource source = texels_of(sampler);
+        const auto chain = textures.find(source);
+        if (!chain || !renderer_.add_image(source, *chain, diagnostics)) return false;
     }
     return renderer_.set_material(material, diagnostics);
 }

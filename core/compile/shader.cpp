@@ -9,6 +9,7 @@
 #include "cpu/texture_store.h"
 #include "graph/document.h"
 #include "graph/subgraph.h"
+#include "image/formats.h"
 #include "ir/rewrite.h"
 #include "lower/check.h"
 #include "spirv/spirv.h"
@@ -29,6 +30,22 @@ Diagnostic at_reader(const Diagnostic& problem, const Resource& resource, const 
     result.severity = problem.severity;
     result.node = compiled.module.nodes[reader.node].path;
     return result;
+}
+
+// Warns of images that a host is likely to cut to 8 bits: no GPU format of 16 bits is sRGB.
+void warn_of_16_bits(const Reflection& reflection, const Compiled& compiled, const Project& project,
+                     Diagnostics& diagnostics) {
+    for (const SamplerInfo& sampler : reflection.samplers) {
+        if (!sampler.options.decodes_texels() || png_bits(sampler.file) != 16) continue;
+        Diagnostic warning;
+        warning.severity = Severity::warning;
+        warning.message = "image '" + sampler.written +
+                          "' has 16 bits per channel and encoding srgb, for which no texture "
+                          "format exists";
+        warning.expected = "decode it when it is loaded, to rgba16; as srgb8 it loses 8 bits";
+        diagnostics.add(
+            at_reader(warning, compiled.module.resources[sampler.resource], compiled, project));
+    }
 }
 
 // Removes the outputs that are not listed, in the order of the list; an empty list removes none.
@@ -110,6 +127,7 @@ MadeShader make_shader(const Project& project, const Registry& registry, ShaderO
     made.shader = write_shader(made.compiled.module, options.emit);
     report_emit(made.shader, made.compiled, project, diagnostics);
     check_limits(made.shader.reflection, project.top().file, options.strict, diagnostics);
+    warn_of_16_bits(made.shader.reflection, made.compiled, project, diagnostics);
     return made;
 }
 
@@ -131,7 +149,7 @@ void read_textures(TextureStore& textures, const Compiled& compiled, const Proje
                    Diagnostics& diagnostics) {
     for (const Resource& resource : compiled.module.resources) {
         Diagnostics own;
-        textures.read(resource.file, own);
+        textures.read(texels_of(resource), own);
         for (const Diagnostic& problem : own.list())
             diagnostics.add(at_reader(problem, resource, compiled, project));
     }

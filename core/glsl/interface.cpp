@@ -263,6 +263,8 @@ void write_uniforms(const Module& module, const Language& language, const Reflec
     for (const SamplerInfo& sampler : reflection.samplers) {
         const auto& readers = module.resources[sampler.resource].readers;
         const uint32_t node = readers.empty() ? no_node : readers.front().node;
+        const bool as_stored = sampler.options.srgb == SrgbDecoder::shader &&
+                               sampler.options.encoding == Encoding::srgb;
         const std::string declaration =
             filled(language.image, {{'n', sampler.name},
                                     {'s', std::to_string(sampler.binding.set)},
@@ -272,7 +274,7 @@ void write_uniforms(const Module& module, const Language& language, const Reflec
             .append(sampler.written)
             .append(" (")
             .append(name_of(sampler.options.encoding))
-            .append(", ")
+            .append(as_stored ? " as stored, " : ", ")
             .append(name_of(sampler.options.wrap))
             .append(")");
         for (const std::string_view line : split(declaration, '\n')) {

@@ -71,6 +71,19 @@ std::string uniform_text(const UniformInfo& u) {
     return object(fields);
 }
 
+// Formats to upload, by the type of the file's values. In the color space srgb, values of more than
+// 8 bits are decoded first, because no such format is sRGB.
+std::string upload_text(const TextureOptions& options) {
+    const bool srgb = options.decodes_texels();
+    return object({{"color_space", srgb ? "\"srgb\"" : "\"linear\""},
+                   {"u8", srgb ? "\"srgb8_alpha8\"" : "\"rgba8\""},
+                   {"u16", "\"rgba16\""},
+                   {"half", "\"rgba16f\""},
+                   {"float", "\"rgba32f\""},
+                   {"first_row", "\"bottom\""},
+                   {"mips", "true"}});
+}
+
 std::string sampler_text(const SamplerInfo& s, bool sets) {
     std::string readers = "[";
     for (const SamplerInfo::Reader& reader : s.readers)
@@ -81,6 +94,7 @@ std::string sampler_text(const SamplerInfo& s, bool sets) {
                      {"encoding", json_quoted(name_of(s.options.encoding))},
                      {"wrap", json_quoted(name_of(s.options.wrap))},
                      {"filter", json_quoted(name_of(s.options.filter))},
+                     {"upload", upload_text(s.options)},
                      {"readers", readers + "]"}};
     add_binding(s.binding, sets, fields);
     if (s.sampler_binding >= 0)

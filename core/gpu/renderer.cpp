@@ -23,7 +23,6 @@
 #include "gpu/program.h"
 #include "gpu/texture.h"
 #include "gpu/wrapper.h"
-#include "image/load.h"
 
 namespace wrinkle::gpu {
 namespace {
@@ -78,22 +77,23 @@ bool wants_seen_range(const ViewOptions& options) {
 
 }  // namespace
 
-bool Renderer::upload(const std::string& file, const MipChain& chain, bool is_file,
+bool Renderer::upload(const TexelSource& source, const MipChain& chain, bool is_file,
                       Diagnostics& diagnostics) {
     if (chain.levels.empty()) {
-        diagnostics.error("image " + in_quotes(file) + " has no texels");
+        diagnostics.error("image " + in_quotes(source.file) + " has no texels");
         return false;
     }
     GLint limit = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     const Image& image = chain.levels.front();
     if (std::max(image.width, image.height) > static_cast<uint32_t>(limit)) {
-        diagnostics.error("image " + in_quotes(file) + " is larger than this driver can draw",
-                          "at most " + std::to_string(limit) + " texels a side");
+        diagnostics.error(
+            "image " + in_quotes(source.file) + " is larger than this driver can draw",
+            "at most " + std::to_string(limit) + " texels a side");
         return false;
     }
     images_.insert_or_assign(
-        file, CachedTexture{Texture::upload(chain), bytes_with_mips(chain.levels[0]), is_file});
+        source, CachedTexture{Texture::upload(chain), bytes_with_mips(chain.levels[0]), is_file});
     return true;
 }
 
@@ -112,13 +112,13 @@ bool Renderer::upload_stale_images(const std::vector<SamplerInfo>& needed,
     ImageLimits limits = image_limits_from_environment(diagnostics);
     limits.left_bytes = limit_of(Limit::all_images_bytes);
     for (const SamplerInfo& sampler : needed) {
-        const auto cached = images_.find(sampler.file);
+        const TexelSource source = texels_of(sampler);
+        const auto cached = images_.find(source);
         if (cached == images_.end() || cached->second.stale) {
-            std::optional<Image> image = load_image(sampler.file, limits, diagnostics);
-            ok = image && upload(sampler.file, build_mips(std::move(*image)), true, diagnostics) &&
-                 ok;
+            const auto chain = load_texels(source, limits, diagnostics);
+            ok = chain && upload(source, *chain, true, diagnostics) && ok;
         }
-        if (const auto now = images_.find(sampler.file); now != images_.end())
+        if (const auto now = images_.find(source); now != images_.end())
             limits.left_bytes -= std::min(limits.left_bytes, now->second.bytes);
     }
     return ok;
@@ -167,7 +167,7 @@ bool Renderer::can_draw(Diagnostics& diagnostics) const {
 void Renderer::draw_mesh(const Program& program) const {
     for (size_t i = 0; i < samplers_.size(); ++i) {
         const SamplerInfo& sampler = material_->reflection.samplers[i];
-        images_.at(sampler.file).texture.bind(static_cast<int>(i));
+        images_.at(texels_of(sampler)).texture.bind(static_cast<int>(i));
         samplers_[i].bind(static_cast<int>(i));
         program.set(sampler.name.c_str(), static_cast<int>(i));
     }
@@ -247,12 +247,13 @@ bool Renderer::set_uniform(std::string_view name, std::span<const float> value) 
     return false;
 }
 
-bool Renderer::add_image(const std::string& file, const MipChain& chain, Diagnostics& diagnostics) {
-    return upload(file, chain, false, diagnostics);
+bool Renderer::add_image(const TexelSource& source, const MipChain& chain,
+                         Diagnostics& diagnostics) {
+    return upload(source, chain, false, diagnostics);
 }
 
 void Renderer::forget_images() {
-    for (auto& [file, image] : images_)
+    for (auto& [source, image] : images_)
         image.stale = image.is_file;
 }
 

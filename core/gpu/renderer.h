@@ -24,7 +24,7 @@
 #include "gpu/target.h"
 #include "gpu/texture.h"
 #include "image/image.h"
-#include "image/mips.h"
+#include "image/texels.h"
 #include "mesh/mesh.h"
 
 namespace wrinkle::gpu {
@@ -127,17 +127,16 @@ public:
     // Compiles the shaded view and uploads the images; on failure returns false and retains the
     // previous material. A material that differs only in samplers and uniforms compiles nothing.
     // Precondition: the shader has no problems, is in the function form and has differentials from
-    // the screen. Uniforms get the values of the graph; SamplerInfo::file is also the renderer's
-    // key for the texture.
+    // the screen. Uniforms get the values of the graph.
     bool set_material(const Shader& material, Diagnostics& diagnostics);
     // Sets a uniform of the current material; returns false if it has no such uniform of this size.
     bool set_uniform(std::string_view name, std::span<const float> value);
     uint64_t programs_linked() const { return linked_; }  // total number, by this renderer
 
-    // Uploads an image under a name that samplers may use as their file; other files are read when
-    // a material first uses them. forget_images() makes the next set_material() read those files
+    // Uploads texels under a name that samplers may use as their file; other files are read when a
+    // material first uses them. forget_images() makes the next set_material() read those files
     // again.
-    bool add_image(const std::string& file, const MipChain& chain, Diagnostics& diagnostics);
+    bool add_image(const TexelSource& source, const MipChain& chain, Diagnostics& diagnostics);
     void forget_images();
 
     // Clears the target, draws and resolves it.
@@ -166,7 +165,7 @@ private:
     };
 
     bool upload_stale_images(const std::vector<SamplerInfo>& needed, Diagnostics& diagnostics);
-    bool upload(const std::string& file, const MipChain& chain, bool is_file,
+    bool upload(const TexelSource& source, const MipChain& chain, bool is_file,
                 Diagnostics& diagnostics);
     const Program* program_for(const ViewOptions& options, Diagnostics& diagnostics);
     bool can_draw(Diagnostics& diagnostics) const;
@@ -178,7 +177,7 @@ private:
     std::optional<Shader> material_;
     std::vector<Sampler> samplers_;  // one per sampler of the material
     std::map<ProgramKey, Program> programs_;
-    std::map<std::string, CachedTexture> images_;
+    std::map<TexelSource, CachedTexture> images_;
     std::optional<EnvironmentTexture> environment_;
     std::optional<Backdrop> backdrop_;
     Shading wanted_, shading_;  // for the next material; of the current one

@@ -40,7 +40,7 @@ bool is_pnm(std::string_view head) {
 std::string read_head(const fs::path& path, std::string& why) {
     const OpenedFile file = open_to_read(path, why);
     if (!file) return {};
-    char buffer[16];
+    char buffer[32];
     const size_t count = std::fread(buffer, 1, sizeof buffer, file.get());
     if (count == 0) why = std::ferror(file.get()) ? "cannot be read" : "is empty (0 bytes)";
     return std::string(buffer, count);
@@ -86,6 +86,14 @@ ImageFormat sniff_format(const fs::path& path, std::string& why) {
     if (is_pnm(head)) return {"pnm", "pnm"};
     why = "is not an image of a known format";
     return {};
+}
+
+int png_bits(const fs::path& path) {
+    constexpr size_t bit_depth = 24;  // after the signature, length, "IHDR", width and height
+    std::string unreadable;
+    const std::string head = read_head(path, unreadable);
+    const bool is_png = head.starts_with(signatures[0].bytes) && head.size() > bit_depth;
+    return is_png ? head[bit_depth] : 0;
 }
 
 const Writable* format_to_write(const std::filesystem::path& path) {

@@ -25,6 +25,10 @@ struct ImageFormat {
 // of a known format.
 ImageFormat sniff_format(const std::filesystem::path& path, std::string& why);
 
+// Returns the bits per channel of a PNG file; 0 for another file. Reads the header only, without
+// loading OpenImageIO.
+int png_bits(const std::filesystem::path& path);
+
 inline constexpr const char* readable_formats =
     "a PNG, JPEG, TIFF, OpenEXR, Radiance HDR, PFM or PNM file";
 

@@ -268,12 +268,11 @@ private:
         const std::span<const wr_value> operands(args, count);
         if (!usable(operands)) return poison;
         const uint32_t resource = used->resource;
-        const Encoding encoding = *used->named.literal.encoding;  // read before another is added
         if (o == Op::image_size_) return module_.add(o, {}, resource);
         const bool inside = o == Op::sample_ && module_[operands[0]].level > 0;
         const Id texel = inside ? sample_inside(module_, resource, operands[0])
                                 : module_.add(o, operands, resource);
-        return decode(module_, encoding, texel);
+        return decode(module_, module_.resources[resource].options, texel);
     }
 
     void begin_region(uint32_t kind, const char* name, const uint32_t* types, uint32_t count,

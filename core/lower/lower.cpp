@@ -109,7 +109,7 @@ private:
             frame->first_input = add_leaves(m, *inputs);
             frame->leaves = inputs->leaves;
         }
-        frame->lowering.emplace(m, frame->graph, project_, files_,
+        frame->lowering.emplace(m, frame->graph, project_, files_, options_.srgb,
                                 inputs ? &inputs->bound : nullptr);
         frames_.push_back(std::move(frame));
         return true;

@@ -39,6 +39,7 @@ struct LowerOptions {
     uint64_t inline_up_to = 256;
     std::vector<std::string> outputs;  // only these; empty: all
     NamedFiles* files = nullptr;       // known files of the project; null: none yet
+    SrgbDecoder srgb = SrgbDecoder::sampler;
 };
 
 // Location of an entry of Module::nodes.

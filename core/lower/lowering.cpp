@@ -16,12 +16,13 @@ Type value_type(PortType type) {
 }
 
 Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& project,
-                   NamedFiles& files, const std::vector<BoundInput>* inputs)
+                   NamedFiles& files, SrgbDecoder srgb, const std::vector<BoundInput>* inputs)
     : module_(module),
       graph_(graph),
       project_(project),
       back_faces_(project.top().back_face_rule()),
       files_(files),
+      srgb_(srgb),
       slots_(graph.wires.size(), unset),
       graph_inputs_(inputs ? inputs->size() : project.top().inputs.size(), unset) {
     for (size_t i = 0; inputs && i < inputs->size(); ++i) {
@@ -207,7 +208,7 @@ Id Lowering::image(uint32_t node, uint32_t port) {
     literal.encoding = literal.encoding.value_or(described.encoding);
     image.resource = module_.add_resource({path->native(),
                                            std::string(literal.file),
-                                           {*literal.encoding, literal.wrap, literal.filter},
+                                           {*literal.encoding, literal.wrap, literal.filter, srgb_},
                                            {{flat.instance, described.name}}});
     image.ready = true;
     images_.push_back(image);

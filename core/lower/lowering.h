@@ -33,7 +33,7 @@ public:
     // `inputs`: values for the inputs of a function's body, by index of the graph input; null for
     // the top graph. Only references are stored: all other arguments must outlive the object.
     Lowering(Module& module, const FlatGraph& graph, const Project& project, NamedFiles& files,
-             const std::vector<BoundInput>* inputs);
+             SrgbDecoder srgb, const std::vector<BoundInput>* inputs);
 
     Module& module() { return module_; }
     const FlatGraph& graph() const { return graph_; }
@@ -88,6 +88,7 @@ private:
     const Project& project_;
     const BackFaces back_faces_;
     NamedFiles& files_;
+    const SrgbDecoder srgb_;
     Id surface_normal_ = poison;
     std::vector<Id> slots_;         // by wire: value of an input or output
     std::vector<Id> graph_inputs_;  // by input of the graph

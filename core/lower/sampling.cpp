@@ -18,7 +18,7 @@ Value spread(Value t) {
 }
 
 // IEC 61966-2-1; negative values of float images use the linear segment.
-Value linear_from_srgb(Value c) {
+Value linear_light(Value c) {
     const auto all = [&](double x) {
         const std::array<double, 3> lanes{x, x, x};
         return Value{c.module, c.module->constant(Type::vec3_, lanes)};
@@ -32,12 +32,12 @@ Value with_depth(Value xy) {
     return vec4(xy.x(), xy.y(), op(Op::sqrt_, max(square, 0)), number(xy, 1));
 }
 
-Value decoded(Encoding encoding, Value t) {
-    switch (encoding) {
+Value decoded(const TextureOptions& options, Value t) {
+    switch (options.encoding) {
         case Encoding::linear:
             return t;
         case Encoding::srgb:
-            return vec4(linear_from_srgb(t.xyz()), t.w());
+            return options.decodes_texels() ? t : vec4(linear_light(t.xyz()), t.w());
         case Encoding::normal_gl:
             return vec4(spread(t.xyz()), t.w());
         case Encoding::derivative:  // usually two components
@@ -76,9 +76,9 @@ Id with_differentials(void*, Module& target, const Module& source, Id id,
 
 }  // namespace
 
-Id decode(Module& module, Encoding encoding, Id texel) {
+Id decode(Module& module, const TextureOptions& options, Id texel) {
     if (texel == poison) return poison;
-    return decoded(encoding, {&module, texel}).id;
+    return decoded(options, {&module, texel}).id;
 }
 
 Id read_field(Module& module, Id value, SurfaceInput domain, Id at) {

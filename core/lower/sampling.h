@@ -6,9 +6,10 @@
 
 namespace wrinkle {
 
-// Returns the decoded vec4 of a sampled vec4, by arithmetic right after the sample. Alpha is
-// unchanged, except that it is 1 for normal_rg and normal_ag.
-Id decode(Module& module, Encoding encoding, Id texel);
+// Returns the decoded vec4 of a sampled vec4, by arithmetic right after the sample; srgb has none
+// unless the shader is its decoder. Alpha is unchanged, except that it is 1 for normal_rg and
+// normal_ag.
+Id decode(Module& module, const TextureOptions& options, Id texel);
 
 // Returns `value` with the surface input `domain` replaced by `at`. If `at` belongs to a loop or a
 // function, each implicit sample that depends on it becomes a sample_grad with the differentials of

@@ -165,27 +165,11 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec3 a_sum = pebbles_product_23 + weave_volume;  // a: Add bumps
     vec3 tint_product = s.position * 0.7;  // tint: Triplanar colour
     vec2 tint_vector = vec2(pebbles_negated_2 * tint_product.z, tint_product.y);
-    vec4 tint_texel = texture(triplanar_rock_tint_image, tint_vector);
-    vec3 tint_quotient = (max(tint_texel.xyz, 0.0) + 0.055) / 1.055;
-    vec3 tint_power = pow(tint_quotient, vec3(2.4));
-    vec3 tint_edge = step(vec3(0.04045), tint_texel.xyz);
-    vec3 tint_mixed = mix(tint_texel.xyz / 12.92, tint_power, tint_edge);
-    vec4 tint_vector_2 = vec4(tint_mixed, tint_texel.w);
-    vec2 tint_vector_3 = vec2(tint_product.x, pebbles_negated * tint_product.z);
-    vec4 tint_texel_2 = texture(triplanar_rock_tint_image, tint_vector_3);
-    vec3 tint_quotient_2 = (max(tint_texel_2.xyz, 0.0) + 0.055) / 1.055;
-    vec3 tint_power_2 = pow(tint_quotient_2, vec3(2.4));
-    vec3 tint_edge_2 = step(vec3(0.04045), tint_texel_2.xyz);
-    vec3 tint_mixed_2 = mix(tint_texel_2.xyz / 12.92, tint_power_2, tint_edge_2);
-    vec4 tint_vector_4 = vec4(tint_mixed_2, tint_texel_2.w);
-    vec4 tint_sum = tint_vector_2 * pebbles_quotient_4.x + tint_vector_4 * pebbles_quotient_4.y;
-    vec2 tint_vector_5 = vec2(pebbles_sign_3 * tint_product.x, tint_product.y);
-    vec4 tint_texel_3 = texture(triplanar_rock_tint_image, tint_vector_5);
-    vec3 tint_quotient_3 = (max(tint_texel_3.xyz, 0.0) + 0.055) / 1.055;
-    vec3 tint_power_3 = pow(tint_quotient_3, vec3(2.4));
-    vec3 tint_edge_3 = step(vec3(0.04045), tint_texel_3.xyz);
-    vec3 tint_mixed_3 = mix(tint_texel_3.xyz / 12.92, tint_power_3, tint_edge_3);
-    vec4 tint_vector_6 = vec4(tint_mixed_3, tint_texel_3.w);
+    vec4 tint_product_2 = texture(triplanar_rock_tint_image, tint_vector) * pebbles_quotient_4.x;
+    vec2 tint_vector_2 = vec2(tint_product.x, pebbles_negated * tint_product.z);
+    vec4 tint_product_3 = texture(triplanar_rock_tint_image, tint_vector_2) * pebbles_quotient_4.y;
+    vec2 tint_vector_3 = vec2(pebbles_sign_3 * tint_product.x, tint_product.y);
+    vec4 tint_product_4 = texture(triplanar_rock_tint_image, tint_vector_3) * pebbles_quotient_4.z;
     vec3 slopes_product = s.position * 2.0;  // slopes: Triplanar slopes
     vec2 slopes_vector = vec2(slopes_product.x, pebbles_negated * slopes_product.z);
     vec2 slopes_vector_2 = vec2(pebbles_sign_3 * slopes_product.x, slopes_product.y);
@@ -284,6 +268,6 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     // normal: Resolve
     m.normal = normalize(normal * (s.facing + dot(normal, g_gradient_2)) - g_gradient_2);
     // tint: Triplanar colour (continued)
-    m.color = (tint_sum + tint_vector_6 * pebbles_quotient_4.z).xyz;
+    m.color = (tint_product_2 + tint_product_3 + tint_product_4).xyz;
     return m;
 }

@@ -98,10 +98,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Written{"glsl330",
                             "",
                             Form::function,
-                            {"--differentials", "given", "--no-tangents"},
+                            {"--differentials", "given", "--no-tangents", "--srgb", "shader"},
                             changed([](CompileOptions& o) {
                                 o.differentials = CompileOptions::Differentials::given;
                                 o.vertex_tangents = false;
+                                o.srgb = CompileOptions::Srgb::shader;
                             })},
                     Written{"glsl450",
                             "",

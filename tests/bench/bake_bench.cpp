@@ -43,7 +43,7 @@ bool load(char** words, Loaded& loaded, Diagnostics& diagnostics) {
     const Compiled compiled =
         compile_material(loaded.project, loaded.registry, loaded.material, diagnostics);
     for (const Resource& resource : compiled.module.resources)
-        loaded.textures.read(resource.file, diagnostics);
+        loaded.textures.read(texels_of(resource), diagnostics);
     return !diagnostics.has_errors();
 }
 

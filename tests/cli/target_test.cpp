@@ -119,5 +119,58 @@ TEST_F(TargetTest, OutputIsTheSameInEveryLocale) {
     }
 }
 
+std::string png(int bits) {
+    const std::string bytes("\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1", 24);
+    return bytes + static_cast<char>(bits);
+}
+
+// The graph is compiled without reading more than the header of the image.
+class SrgbTest : public CliTest {
+protected:
+    Ran compile(Names more = {}) {
+        put("g.json", R"({"wrinkle": 1,
+            "nodes": {"paint": {"type": "image", "in": {"image": "paint.png"}}},
+            "outputs": {"color": {"from": "paint.color"}}})");
+        more.insert(more.begin(), {"compile", "g.json", "--reflect", "r.json"});
+        return run(more);
+    }
+    json::Value upload() { return parsed(get("r.json")).find("samplers").at(0).find("upload"); }
+};
+
+TEST_F(SrgbTest, IsDecodedByTheSamplerOrByTheText) {
+    put("paint.png", png(8));
+    const Ran sampler = compile();
+    EXPECT_EQ(sampler.code, 0);
+    EXPECT_EQ(sampler.err, "");
+    EXPECT_FALSE(says(sampler.out, "pow(")) << sampler.out;
+    EXPECT_TRUE(says(sampler.out, "// paint.png (srgb, repeat)")) << sampler.out;
+    EXPECT_EQ(upload().find("color_space").as_string(), "srgb");
+    EXPECT_EQ(upload().find("u8").as_string(), "srgb8_alpha8");
+    EXPECT_EQ(upload().find("u16").as_string(), "rgba16");
+    EXPECT_EQ(upload().find("first_row").as_string(), "bottom");
+
+    const Ran shader = compile({"--srgb", "shader"});
+    EXPECT_EQ(shader.code, 0);
+    EXPECT_TRUE(says(shader.out, "pow(")) << shader.out;
+    EXPECT_TRUE(says(shader.out, "// paint.png (srgb as stored, repeat)")) << shader.out;
+    EXPECT_EQ(upload().find("color_space").as_string(), "linear");
+    EXPECT_EQ(upload().find("u8").as_string(), "rgba8");
+}
+
+TEST_F(SrgbTest, OfSixteenBitsIsAWarningUnlessTheTextDecodes) {
+    put("paint.png", png(16));
+    const Ran ran = compile();
+    EXPECT_EQ(ran.code, 0);
+    EXPECT_TRUE(says(ran.err, "g.json:2:")) << ran.err;
+    EXPECT_TRUE(says(ran.err, "warning: node 'paint': image 'paint.png' has 16 bits"))
+        << ran.err;
+    EXPECT_EQ(compile({"--srgb", "shader"}).err, "");
+    const Names cached{"--cache", "cache"};
+    EXPECT_EQ(compile(cached).err, ran.err);
+    EXPECT_EQ(compile(cached).err, ran.err);
+    put("paint.png", png(8));
+    EXPECT_EQ(compile(cached).err, "");
+}
+
 }  // namespace
 }  // namespace wrinkle::test

@@ -27,7 +27,7 @@ protected:
 };
 
 TEST_F(TextureStoreTest, AFileIsReadOnce) {
-    const std::string file = picture("a.png", 1);
+    const TexelSource file{picture("a.png", 1)};
     const auto first = store.read(file, problems);
     ASSERT_TRUE(first) << to_text(problems);
     picture("a.png", 0);
@@ -41,21 +41,38 @@ TEST_F(TextureStoreTest, AFileIsReadOnce) {
 }
 
 TEST_F(TextureStoreTest, WhatCannotBeReadIsSaidOnceAndBlack) {
-    const std::string file = (folder.path() / "none.png").string();
+    const TexelSource file{(folder.path() / "none.png").string()};
     EXPECT_FALSE(store.read(file, problems));
     EXPECT_EQ(problems.list().size(), 1U);
     EXPECT_FALSE(store.read(file, problems));
     EXPECT_EQ(problems.list().size(), 1U);
     Resource missing, there;
-    missing.file = file;
+    missing.file = file.file;
     there.file = picture("b.png", 1);
-    ASSERT_TRUE(store.read(there.file, problems));
+    ASSERT_TRUE(store.read(texels_of(there), problems));
     const Resource resources[] = {there, missing, there};
     const std::vector<Texture> textures = store.textures_of(resources);
     ASSERT_EQ(textures.size(), 3U);
     EXPECT_EQ(first_of(textures[0]), 1);
     EXPECT_EQ(first_of(textures[1]), 0);
     EXPECT_EQ(first_of(textures[2]), 1);
+}
+
+TEST_F(TextureStoreTest, AFileReadAsTwoEncodingsIsTwoTextures) {
+    Resource linear, srgb, by_shader;
+    linear.file = srgb.file = by_shader.file = picture("a.png", 51.0F / 255);
+    srgb.options.encoding = by_shader.options.encoding = Encoding::srgb;
+    by_shader.options.srgb = SrgbDecoder::shader;
+    const auto stored = store.read(texels_of(linear), problems);
+    const auto decoded = store.read(texels_of(srgb), problems);
+    ASSERT_TRUE(stored && decoded) << to_text(problems);
+    EXPECT_NE(stored, decoded);
+    EXPECT_EQ(store.read(texels_of(by_shader), problems), stored);
+    const Resource resources[] = {linear, srgb, by_shader};
+    const std::vector<Texture> textures = store.textures_of(resources);
+    EXPECT_EQ(first_of(textures[0]), 0.2F);
+    EXPECT_NEAR(first_of(textures[1]), 0.0331048, 1e-7);
+    EXPECT_EQ(first_of(textures[2]), 0.2F);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ Shader written_by_hand() {
 TEST_F(FromGlslTest, DrawsAGeneratedShader) {
     Image image = make_image(1, 1, 1);
     image.data = {8};
-    ASSERT_TRUE(renderer->add_image("two", build_mips(image), diagnostics)) << errors();
+    ASSERT_TRUE(renderer->add_image({"two"}, build_mips(image), diagnostics)) << errors();
     show("plane");
     for (const Pixel& pixel : draw(written_by_hand(), View::normal)) {
         const glm::vec3 expected = pixel.covered ? glm::vec3(0, 0, 4) : glm::vec3(0);
@@ -62,7 +62,7 @@ TEST_F(FromGlslTest, SaysWhichNodeADriverRefuses) {
     shader.reflection.lines[static_cast<size_t>(line)] = 1;
     Image image = make_image(1, 1, 1);
     image.data = {8};
-    ASSERT_TRUE(renderer->add_image("two", build_mips(image), diagnostics)) << errors();
+    ASSERT_TRUE(renderer->add_image({"two"}, build_mips(image), diagnostics)) << errors();
     EXPECT_FALSE(renderer->set_material(shader, diagnostics));
     ASSERT_FALSE(diagnostics.list().empty());
     EXPECT_EQ(diagnostics.list()[0].node, "bump") << diagnostics.list()[0].message;

@@ -52,7 +52,7 @@ MipChain two_texels() {
 }
 
 TEST_F(MaterialTest, LooksImagesUpAsTheSamplerSays) {
-    ASSERT_TRUE(renderer->add_image("given", two_texels(), diagnostics));
+    ASSERT_TRUE(renderer->add_image({"given"}, two_texels(), diagnostics));
     Shader material = with_image("given");
     EXPECT_EQ(middle(draw(material, View::normal)), glm::vec3(4, 5, 6));
     material.reflection.samplers[0].options.wrap = Wrap::repeat;
@@ -81,6 +81,24 @@ TEST_F(MaterialTest, ReadsImageFilesOnceUntilToldToForgetThem) {
     EXPECT_EQ(middle(draw(with_image(file), View::normal)), glm::vec3(4));
 }
 
+TEST_F(MaterialTest, DecodesTheTexelsOfSrgbImages) {
+    const test::TemporaryFolder folder;
+    const std::string file = folder.path() / "grey.png";
+    Image image = make_image(1, 1, 3, PixelType::u8);
+    image.data = {0, 51.0F / 255, 188.0F / 255};
+    ASSERT_TRUE(save_image(image, file, {}, diagnostics)) << errors();
+    Shader material = with_image(file);
+    const auto expect = [&](const glm::vec3& expected) {
+        EXPECT_LE(glm::distance(middle(draw(material, View::normal)), expected), 2e-5F);
+    };
+    expect({0, 51.0F / 255, 188.0F / 255});
+    TextureOptions& options = material.reflection.samplers[0].options;
+    options.encoding = Encoding::srgb;
+    expect({0, 0.0331048F, 0.5028865F});
+    options.srgb = SrgbDecoder::shader;
+    expect({0, 51.0F / 255, 188.0F / 255});
+}
+
 TEST_F(MaterialTest, KeepsTheFormerMaterialWhenOneIsRefused) {
     EXPECT_EQ(middle(draw(with_uniform(), View::normal)), glm::vec3(2, 4, 6));
     Shader broken = with_uniform();
@@ -94,7 +112,7 @@ TEST_F(MaterialTest, KeepsTheFormerMaterialWhenOneIsRefused) {
 }
 
 TEST_F(MaterialTest, RefusesImagesWithoutTexels) {
-    EXPECT_FALSE(renderer->add_image("empty", MipChain{}, diagnostics));
+    EXPECT_FALSE(renderer->add_image({"empty"}, MipChain{}, diagnostics));
     EXPECT_NE(errors().find("'empty'"), std::string::npos);
 }
 

@@ -11,9 +11,10 @@ namespace {
 
 using Vec4 = std::array<double, 4>;
 
-Vec4 decoded(Encoding encoding, const Vec4& texel) {
+Vec4 decoded(Encoding encoding, const Vec4& texel, SrgbDecoder srgb = SrgbDecoder::shader) {
     Module m;
-    const Id value = decode(m, encoding, m.constant(Type::vec4_, texel));
+    const Id value =
+        decode(m, {encoding, Wrap::repeat, Filter::linear, srgb}, m.constant(Type::vec4_, texel));
     EXPECT_TRUE(m.is_constant(value));
     Vec4 lanes{};
     for (size_t i = 0; i < 4; ++i)
@@ -36,6 +37,8 @@ TEST(Decode, SrgbByKnownValues) {
     expect_near(decoded(Encoding::srgb, {188 / 255.0, 0.5, 0.0129200, 0.5}),
                 {0.5028865, 0.2140411, 0.001, 0.5});
     expect_near(decoded(Encoding::srgb, {0, 1, -0.01292, 1}), {0, 1, -0.001, 1});
+    const Vec4 linear{0.2, 0.5, 0.8, 0.5};
+    expect_near(decoded(Encoding::srgb, linear, SrgbDecoder::sampler), linear);
 }
 
 TEST(Decode, NormalsOfBothConventions) {
@@ -55,7 +58,7 @@ TEST(Decode, TwoChannelNormalsAreUnit) {
 
 TEST(Decode, PoisonStaysPoison) {
     Module m;
-    EXPECT_EQ(decode(m, Encoding::srgb, poison), poison);
+    EXPECT_EQ(decode(m, {Encoding::srgb}, poison), poison);
     EXPECT_TRUE(m.problems.empty());
 }
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "graph/subgraph.h"
+#include "image/texels.h"
 #include "nodes/all.h"
 #include "registry/plugin_loader.h"
 
@@ -65,6 +66,7 @@ Texture texture_of(const Scene& scene, const Resource& resource) {
         image = make_image(1, 1, 3);
         image.data.assign(3, 0.5f);
     }
+    if (resource.options.decodes_texels()) decode_srgb(image);
     return Texture(build_mips(std::move(image)), resource.options);
 }
 

@@ -11,7 +11,7 @@ std::optional<Mesh> displaced(const Mesh& still, const Displacement& displacemen
                               TextureStore& textures, Diagnostics& problems) {
     constexpr float triangles_across = 150;
     for (const Resource& image : displacement.images)
-        if (!textures.read(image.file, problems)) {
+        if (!textures.read(texels_of(image), problems)) {
             textures.forget();  // to be tried and reported again
             return std::nullopt;
         }

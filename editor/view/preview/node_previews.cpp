@@ -164,7 +164,7 @@ bool NodePainter::draw_group(const NodePreviewJob& job, const std::vector<std::s
     Results results = make_results(program, texel_count);
     Diagnostics said_elsewhere;
     for (const Resource& resource : compiled.module.resources)
-        textures_.read(resource.file, said_elsewhere);
+        textures_.read(texels_of(resource), said_elsewhere);
     evaluate<float>(program, patch(program), textures_.textures_of(compiled.module.resources), 0,
                     texel_count, results);
     for (size_t i = 0; i < program.outputs.size(); ++i) {
