@@ -64,6 +64,7 @@ struct Language {
     bool splat_is_cast = false;
     bool has_mod = true;  // x - y floor(x / y)
     std::string_view uint_literal = "$vu";
+    bool uint_literal_is_int = false;  // $v is the int of the same bits
     std::string_view not_a_number = "uintBitsToFloat(0x7fc00000u)";
     std::string_view infinity = "uintBitsToFloat(0x7f800000u)";
     std::string_view minus_infinity = "uintBitsToFloat(0xff800000u)";

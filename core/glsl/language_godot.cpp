@@ -26,9 +26,10 @@ const Language& godot3() {
         Language godot = godot_language();
         godot.arguments = Arguments::flat;
         godot.uint_literal = "uint($v)";
+        godot.uint_literal_is_int = true;  // it reads 2147483648 and above as 2147483647
         godot.not_a_number = "uintBitsToFloat(uint(2143289344))";
         godot.infinity = "uintBitsToFloat(uint(2139095040))";
-        godot.minus_infinity = "uintBitsToFloat(uint(4286578688))";
+        godot.minus_infinity = "uintBitsToFloat(uint(-8388608))";
         return godot;
     }();
     return language;

@@ -32,7 +32,10 @@ void append_literal(const Language& language, std::string& text, Type type, doub
             break;
         case Type::uint_:
             append_filled(text, language.uint_literal,
-                          {{'v', std::to_string(static_cast<int64_t>(value))}});
+                          {{'v', language.uint_literal_is_int
+                                     ? std::to_string(static_cast<int32_t>(
+                                           static_cast<uint32_t>(static_cast<int64_t>(value))))
+                                     : std::to_string(static_cast<int64_t>(value))}});
             break;
         case Type::bool_:
             text += value != 0 ? "true" : "false";

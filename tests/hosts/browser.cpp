@@ -1,4 +1,4 @@
-#include "webgl/browser.h"
+#include "hosts/browser.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "base/text.h"
+#include "hosts/pass.h"
 #include "image/stored.h"
-#include "webgl/pass.h"
 
 namespace wrinkle::test {
 namespace {
@@ -64,7 +64,7 @@ if (gl) {
     mips.forEach((halves, level) => gl.texImage2D(gl.TEXTURE_2D, level, gl.RGBA16F, 64 >> level,
         64 >> level, 0, gl.RGBA, gl.HALF_FLOAT, new Uint16Array(halves)));
     lines.push('webgl2 ' + gl.getParameter(gl.VERSION));
-    for (const job of jobs) {
+    for (const job of jobs.filter(job => !job.webgpu)) {
         try {
             const program = link(job);
             lines.push('fine ' + job.name + ' ' + (job.draw ? draw(job, program) : ''));
@@ -74,7 +74,80 @@ if (gl) {
         }
     }
 }
-document.getElementById('results').textContent = lines.join('\n') + '\n';
+async function reject_errors(module) {
+    const info = await module.getCompilationInfo();
+    const errors = info.messages.filter(message => message.type === 'error');
+    if (errors.length) throw errors.map(error => error.lineNum + ': ' + error.message).join('; ');
+}
+function image_of(device) {
+    const image = device.createTexture({size: [64, 64], format: 'rgba16float',
+        mipLevelCount: mips.length,
+        usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST});
+    mips.forEach((halves, level) => device.queue.writeTexture({texture: image, mipLevel: level},
+        new Uint16Array(halves), {bytesPerRow: (64 >> level) * 8}, [64 >> level, 64 >> level]));
+    return image;
+}
+function bindings(device, job, pipeline, image) {
+    const wraps = {repeat: 'repeat', clamp: 'clamp-to-edge', mirror: 'mirror-repeat'};
+    const entries = [];
+    for (const sampler of job.samplers) {
+        const wrap = wraps[sampler.wrap], filter = sampler.filter;
+        entries.push({binding: sampler.binding, resource: image.createView()},
+            {binding: sampler.sampler_binding, resource: device.createSampler({
+                addressModeU: wrap, addressModeV: wrap, magFilter: filter, minFilter: filter,
+                mipmapFilter: filter})});
+    }
+    if (job.block >= 0)
+        entries.push({binding: job.block, resource: {buffer: device.createBuffer(
+            {size: 256, usage: GPUBufferUsage.UNIFORM})}});
+    return device.createBindGroup({layout: pipeline.getBindGroupLayout(0), entries});
+}
+async function draw_webgpu(device, image, job) {
+    const module = device.createShaderModule({code: job.fragment});
+    await reject_errors(module);
+    if (!job.draw) {
+        const vertex = device.createShaderModule({code: job.vertex});
+        await reject_errors(vertex);
+        return '';
+    }
+    const target = device.createTexture({size: [size, size], format: 'rgba8unorm',
+        usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.COPY_SRC});
+    const pipeline = device.createRenderPipeline({layout: 'auto',
+        vertex: {module, entryPoint: 'pass_vertex'},
+        fragment: {module, entryPoint: 'pass_fragment', targets: [{format: 'rgba8unorm'}]}});
+    const buffer = device.createBuffer({size: size * size * 4,
+        usage: GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ});
+    const encoder = device.createCommandEncoder();
+    const pass = encoder.beginRenderPass({colorAttachments: [{view: target.createView(),
+        loadOp: 'clear', storeOp: 'store'}]});
+    pass.setPipeline(pipeline);
+    if (job.samplers.length || job.block >= 0) pass.setBindGroup(0, bindings(device, job, pipeline, image));
+    pass.draw(3);
+    pass.end();
+    encoder.copyTextureToBuffer({texture: target}, {buffer, bytesPerRow: size * 4}, [size, size]);
+    device.queue.submit([encoder.finish()]);
+    await buffer.mapAsync(GPUMapMode.READ);
+    return Array.from(new Uint8Array(buffer.getMappedRange()),
+        byte => byte.toString(16).padStart(2, '0')).join('');
+}
+async function run_webgpu() {
+    const adapter = navigator.gpu && await navigator.gpu.requestAdapter();
+    if (!adapter) return;
+    const device = await adapter.requestDevice();
+    const image = image_of(device);
+    lines.push('webgpu');
+    for (const job of jobs.filter(job => job.webgpu)) {
+        device.pushErrorScope('validation');
+        let pixels = '', problem = null;
+        try { pixels = await draw_webgpu(device, image, job); } catch (error) { problem = error; }
+        const error = await device.popErrorScope();
+        problem = problem || (error && error.message);
+        lines.push(problem ? 'bad ' + job.name + ' ' + String(problem).replace(/[\n\0<>&]/g, ' ')
+                           : 'fine ' + job.name + ' ' + pixels);
+    }
+}
+run_webgpu().catch(error => lines.push('failed ' + error)).then(
+    () => fetch('/results', {method: 'POST', body: lines.join('\n') + '\n'}));
 )js";
 
 // For the inside of a <script>.
@@ -102,15 +175,17 @@ std::string job_text(const BrowserJob& job) {
         samplers += (samplers.empty() ? "" : ",") + std::string("{\"name\":") +
                     quoted(sampler.name) + ",\"wrap\":\"" +
                     std::string(name_of(sampler.options.wrap)) + "\",\"filter\":\"" +
-                    std::string(name_of(sampler.options.filter)) + "\"}";
+                    std::string(name_of(sampler.options.filter)) +
+                    "\",\"binding\":" + std::to_string(sampler.binding.binding) +
+                    ",\"sampler_binding\":" + std::to_string(sampler.sampler_binding) + "}";
     return "{\"name\":" + quoted(job.name) + ",\"draw\":" + (job.draw ? "true" : "false") +
-           ",\"vertex\":" + quoted(job.vertex) + ",\"fragment\":" + quoted(job.fragment) +
-           ",\"samplers\":[" + samplers + "]}";
+           ",\"webgpu\":" + (job.webgpu ? "true" : "false") +
+           ",\"block\":" + std::to_string(job.block) + ",\"vertex\":" + quoted(job.vertex) +
+           ",\"fragment\":" + quoted(job.fragment) + ",\"samplers\":[" + samplers + "]}";
 }
 
 std::string page(const std::vector<BrowserJob>& jobs) {
-    std::string text =
-        "<!DOCTYPE html><meta charset=\"utf-8\"><pre id=\"results\"></pre>\n<script>\n";
+    std::string text = "<!DOCTYPE html><meta charset=\"utf-8\">\n<script>\n";
     text += "const mips = " + picture_text() + ";\nconst jobs = [\n";
     for (const BrowserJob& job : jobs)
         text += job_text(job) + ",\n";
@@ -144,12 +219,13 @@ std::map<std::string, BrowserResult> run_in_browser(const std::vector<BrowserJob
     const char* named = std::getenv("WRINKLE_CHROMIUM");
     const std::string chromium = named ? named : "chromium";
     const std::string text = output_of(
-        "timeout 300 " + chromium +
+        "timeout 300 python3 " WRINKLE_SOURCE_DIR "/tests/hosts/serve.py " + chromium + " " +
+        (folder / "page.html").string() + " " + (folder / "profile").string() +
         " --headless --no-sandbox --disable-quic --no-first-run --disable-background-networking"
         " --disable-component-update --disable-sync --use-angle=swiftshader"
-        " --enable-unsafe-swiftshader --ignore-gpu-blocklist --user-data-dir=" +
-        (folder / "profile").string() + " --dump-dom file://" + (folder / "page.html").string() +
-        " 2>" + (folder / "log").string());
+        " --enable-unsafe-swiftshader --ignore-gpu-blocklist --enable-unsafe-webgpu"
+        " --use-webgpu-adapter=swiftshader --enable-features=Vulkan 2>" +
+        (folder / "log").string());
     std::map<std::string, BrowserResult> results;
     if (text.find("webgl2 WebGL 2.0") == text.npos) {
         why = text.empty() ? "'" + chromium +
@@ -158,6 +234,7 @@ std::map<std::string, BrowserResult> run_in_browser(const std::vector<BrowserJob
                            : "the browser has no WebGL 2";
         return results;
     }
+    if (text.find("\nwebgpu\n") == text.npos) why = "the browser has no WebGPU";
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);

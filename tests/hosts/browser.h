@@ -1,5 +1,5 @@
-// WebGL 2 in a headless Chromium, with software rendering: one page links and draws all jobs and
-// stores the results in its text.
+// WebGL 2 and WebGPU in a headless Chromium, with software rendering: one page compiles and draws
+// all jobs and posts the results to a local server.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,9 @@ struct BrowserJob {
     std::string name;              // without white space
     std::string vertex, fragment;  // linked, and drawn if `draw` is set
     bool draw = false;
-    std::vector<SamplerInfo> samplers;  // all of them read the image of webgl/pass.h
+    std::vector<SamplerInfo> samplers;  // all of them read the image of hosts/pass.h
+    bool webgpu = false;                // WGSL; a drawn job is one module, in `fragment`
+    int block = -1;                     // WGSL: binding of the block of numbers, which are zero
 };
 
 struct BrowserResult {

@@ -1,5 +1,5 @@
-// Tests of WebGL 2 source in a browser: every sample compiles and links in both forms, and draws
-// the same image as OpenGL, within 2 of 255.
+// Tests of source in its hosts: in a browser (WebGL 2 and WebGPU) every sample compiles in both
+// forms, and there and in Godot 3 it draws the same image as OpenGL, within 2 of 255.
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
@@ -10,18 +10,20 @@
 #include "gpu/target.h"
 #include "gpu/texture.h"
 #include "graph/subgraph.h"
+#include "hosts/browser.h"
+#include "hosts/godot.h"
+#include "hosts/pass.h"
 #include "lower/material.h"
 #include "support/files.h"
 #include "support/linked_nodes.h"
 #include "support/samples.h"
-#include "webgl/browser.h"
-#include "webgl/pass.h"
 
 namespace wrinkle::test {
 namespace {
 namespace fs = std::filesystem;
 
 const Target& es = *find_target("essl300");
+const Target& gpu_target = *find_target("wgsl");
 
 std::string name_for(const fs::path& graph) {
     return material_name(fs::relative(graph, WRINKLE_SOURCE_DIR "/graphs").replace_extension());
@@ -51,8 +53,7 @@ std::vector<uint8_t> drawn(const Shader& shader, size_t output) {
                                             pass_fragment(shader, output), outputs, log);
     EXPECT_TRUE(program) << log;
     const auto picture = gpu::Texture::upload(pass_picture());
-    const auto target =
-        gpu::Target::make({.width = pass_size, .height = pass_size, .depth = false}, diagnostics);
+    const auto target = gpu::Target::make({.width = pass_size, .height = pass_size}, diagnostics);
     EXPECT_TRUE(target);
     if (!program || !target) return {};
     program->use();
@@ -104,6 +105,19 @@ std::vector<BrowserJob> jobs_of(const std::vector<fs::path>& graphs) {
         jobs.push_back({name_for(graph), pass_vertex(es),
                         pass_fragment(functions, shown_output(functions)), true,
                         functions.reflection.samplers});
+        const Shader gpu_pair = shader_of(graph, gpu_target, Form::shader);
+        jobs.push_back({name_for(graph) + ":webgpu:pair",
+                        gpu_pair.vertex,
+                        gpu_pair.fragment,
+                        false,
+                        {},
+                        true});
+        const Shader module = shader_of(graph, gpu_target, Form::function);
+        jobs.push_back({name_for(graph) + ":webgpu", "", pass_module(module, shown_output(module)),
+                        true, module.reflection.samplers, true,
+                        module.reflection.parameter_block
+                            ? module.reflection.parameter_block->binding.binding
+                            : -1});
     }
     return jobs;
 }
@@ -111,7 +125,7 @@ std::vector<BrowserJob> jobs_of(const std::vector<fs::path>& graphs) {
 // Edges of cells and steps may fall on the other side of a pixel's centre: one in a thousand.
 constexpr int max_off = pass_size * pass_size / 1000;
 
-TEST(WebGl2, DrawsEverySampleAsOpenGlDoes) {
+TEST(Browser, DrawsEverySampleAsOpenGlDoes) {
     Diagnostics diagnostics;
     auto context = gpu::Context::offscreen(diagnostics);
     ASSERT_TRUE(context && context->make_current()) << to_text(diagnostics);
@@ -123,27 +137,58 @@ TEST(WebGl2, DrawsEverySampleAsOpenGlDoes) {
     for (const fs::path& graph : graphs) {
         SCOPED_TRACE(graph.string());
         const std::string name = name_for(graph);
-        ASSERT_TRUE(results.count(name) && results.count(name + ":pair"));
-        EXPECT_EQ(results.at(name + ":pair").log, "");
-        EXPECT_EQ(results.at(name).log, "");
         const Shader shader = shader_of(graph, targets().front(), Form::function);
         const std::vector<uint8_t> wanted = drawn(shader, shown_output(shader));
-        ASSERT_EQ(results.at(name).pixels.size(), wanted.size());
-        EXPECT_LE(far_off(results.at(name).pixels, wanted), max_off);
+        for (const std::string& drawn_by : {name, name + ":webgpu"}) {
+            ASSERT_TRUE(results.count(drawn_by) && results.count(drawn_by + ":pair"));
+            EXPECT_EQ(results.at(drawn_by + ":pair").log, "");
+            EXPECT_EQ(results.at(drawn_by).log, "");
+            ASSERT_EQ(results.at(drawn_by).pixels.size(), wanted.size());
+            EXPECT_LE(far_off(results.at(drawn_by).pixels, wanted), max_off) << drawn_by;
+        }
+    }
+}
+
+TEST(Godot, DrawsEverySampleAsOpenGlDoes) {
+    Diagnostics diagnostics;
+    auto context = gpu::Context::offscreen(diagnostics);
+    ASSERT_TRUE(context && context->make_current()) << to_text(diagnostics);
+    const TemporaryFolder folder;
+    std::vector<GodotJob> jobs;
+    for (const fs::path& graph : sample_graphs()) {
+        const Shader shader = shader_of(graph, *find_target("godot3"), Form::function);
+        jobs.push_back({name_for(graph), pass_canvas(shader, shown_output(shader)),
+                        shader.reflection.samplers});
+    }
+    jobs.push_back({"seeded", jobs[0].shader + "?", {}});
+    std::string log;
+    const auto results = run_in_godot(jobs, folder.path(), log);
+    const size_t seeded = log.find("drawing seeded");
+    EXPECT_EQ(log.substr(0, seeded).find("SHADER ERROR"), log.npos) << log;
+    EXPECT_NE(log.find("SHADER ERROR"), log.npos) << log;
+    for (const fs::path& graph : sample_graphs()) {
+        const Shader shader = shader_of(graph, targets().front(), Form::function);
+        const std::vector<uint8_t> wanted = drawn(shader, shown_output(shader));
+        const std::vector<uint8_t>& pixels = results.at(name_for(graph));
+        ASSERT_EQ(pixels.size(), wanted.size()) << log;
+        EXPECT_LE(far_off(pixels, wanted), max_off) << graph;
     }
 }
 
 // The comparison detects differences, and the browser reports invalid source.
-TEST(WebGl2, NoticesOtherPicturesAndBadTexts) {
+TEST(Browser, NoticesOtherPicturesAndBadTexts) {
     const TemporaryFolder folder;
     const fs::path graph = WRINKLE_SOURCE_DIR "/graphs/base_and_detail.json";
     std::vector<BrowserJob> jobs = jobs_of({graph});
     jobs[0].name = "bad";
     jobs[0].fragment += "?";
+    jobs[2].name = "bad:webgpu";
+    jobs[2].fragment += "?";
     std::string why;
     const auto results = run_in_browser(jobs, folder.path(), why);
     ASSERT_EQ(why, "");
     EXPECT_NE(results.at("bad").log, "");
+    EXPECT_NE(results.at("bad:webgpu").log, "");
     std::vector<uint8_t> pixels = results.at(name_for(graph)).pixels;
     ASSERT_EQ(pixels.size(), static_cast<size_t>(pass_size) * pass_size * 4);
     EXPECT_GT(far_off(pixels, std::vector<uint8_t>(pixels.size(), 255)), max_off);
