@@ -13,7 +13,7 @@ uniform sampler2D triplanar_rock_pebbles_image;  // textures/pebbles_height.png 
 uniform sampler2D triplanar_rock_weave_image;    // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D triplanar_rock_rivets_image;   // textures/rivets_normal.png (normal_gl, repeat)
 uniform sampler2D triplanar_rock_bricks_image;   // textures/bricks_height.png (linear, repeat)
-uniform sampler2D triplanar_rock_tint_image;     // textures/patches_mask.png (srgb, repeat)
+uniform sampler2D triplanar_rock_tint_image;     // textures/patches_mask.png (linear, repeat)
 
 vec2 wrinkle_triplanar_rock_smooth_slope(vec2 at, vec2 texel) {
     vec4 texel_2 = textureLod(triplanar_rock_pebbles_image, at + texel, 0.0);

@@ -12,7 +12,7 @@ namespace wrinkle::test {
 
 struct GodotJob {
     std::string name;                   // without white space
-    std::string shader;                 // of a canvas item
+    std::string shader;                 // for a canvas item
     std::vector<SamplerInfo> samplers;  // all of them read the image of hosts/pass.h
 };
 

@@ -49,10 +49,10 @@ constexpr Property sheet[] = {
     {Type::vec3_, "view_dy", "(view * dot(view, position_dy) - position_dy) / length(to_eye)"},
     {Type::float_, "facing", "1.0"}};
 
-// Returns code that computes the sheet at `place`, a pixel's center, and the output shown as
+// Returns code that computes the sheet at `center`, that of a pixel, and the output shown as
 // `shown`.
 std::string pass_code(const Shader& shader, size_t output, const Language& language,
-                      const char* place) {
+                      const char* center) {
     const Reflection& r = shader.reflection;
     std::string text;
     const auto add = [&](Type type, std::string_view name, std::string_view value) {
@@ -61,7 +61,7 @@ std::string pass_code(const Shader& shader, size_t output, const Language& langu
                 "\n";
     };
     add(Type::float_, "width", "1.0 / 64.0");
-    add(Type::vec2_, "at", std::string(place) + ".xy * width");
+    add(Type::vec2_, "at", std::string(center) + ".xy * width");
     for (const Property& property : sheet)
         add(property.type, property.name, property.value);
     const OutputInfo& wanted = r.outputs[output];
