@@ -1,4 +1,4 @@
-// CPU evaluator: compiles a module to a list of steps on scalar registers, run on tiles of 256
+// CPU evaluator: compiles a module to a list of steps on scalar registers, run on tiles of 512
 // points.
 //
 // compile_program() takes a module after expand() and explicit_lod() (no opaque ops; sample_lod is
@@ -49,7 +49,7 @@ struct CpuInst {
     enum class Kind : uint8_t {
         op,
         pair,         // second(op(in[0], in[1]), in[2]), or second(in[2], op(...))
-        constant,     // Program::constants[extra]
+        hash,         // pcg_hash(in[0]), kernel_table.h
         sample,       // in: u, v, lod; four outputs, of which the first `channels` are read
         size,         // two outputs
         move,         // out[0] = in[0]
@@ -66,10 +66,11 @@ struct CpuInst {
     uint8_t count = 0;  // number of operands
     uint8_t outputs = 0;
     uint8_t channels = 4;
+    uint8_t uniform = 0;  // bit i: in[i] is a constant register
     std::array<uint32_t, 4> out{};
     std::array<uint32_t, 6> in{};
     uint32_t extra = 0;   // resource index, or as listed at Kind
-    uint16_t kernel = 0;  // kernel_index() in kernel_table.h, for kinds op and pair
+    uint16_t kernel = 0;  // kernel_index() in kernel_table.h, for the kinds that have one
 };
 
 struct Program {
@@ -85,19 +86,18 @@ struct Program {
         uint32_t port_type;
         std::vector<uint32_t> regs;  // one per component
     };
-    // A register that holds one constant during the complete program.
-    struct ConstantRegister {
+    // Constants are the first registers of their file; only kernels read them.
+    struct Constant {
         double value;
         Type type;
         uint32_t reg;
     };
     std::vector<CpuInst> steps;
     std::vector<Input> inputs;
-    std::vector<ConstantRegister> presets;
-    std::vector<double> constants;
+    std::vector<Constant> constants;
     std::vector<Output> outputs;
-    uint32_t float_registers = 0;
-    uint32_t integer_registers = 0;
+    uint32_t float_registers = 0, float_constants = 0;  // constants are among the registers
+    uint32_t integer_registers = 0, integer_constants = 0;
     uint64_t serial = 0;  // unique id of this compilation within the process; 0: none
 };
 

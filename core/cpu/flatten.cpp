@@ -33,19 +33,30 @@ void Flattener::push(const CpuInst& step) {
 
 uint32_t Flattener::fresh(Type type) {
     integer_.push_back(is_whole_type(type));
+    constant_.push_back(false);
     return static_cast<uint32_t>(integer_.size() - 1);
+}
+
+// Adds a step with new output registers, or returns those of an equal step.
+Flattener::Lanes Flattener::emit(CpuInst step, const Lanes& in, size_t outputs, Type result) {
+    const auto [entry, added] =
+        known_.try_emplace({step.kind, step.op, step.type, step.extra, in}, Lanes{});
+    if (!added) return entry->second;
+    known_order_.push_back(entry);
+    std::copy(in.begin(), in.end(), step.in.begin());
+    step.count = static_cast<uint8_t>(in.size());
+    step.outputs = static_cast<uint8_t>(outputs);
+    for (size_t k = 0; k < outputs; ++k)
+        entry->second.push_back(step.out[k] = fresh(result));
+    push(step);
+    return entry->second;
 }
 
 uint32_t Flattener::add(Op op, Type operands, Type result, const Lanes& in) {
     CpuInst step;
     step.op = op;
     step.type = operands;
-    std::copy(in.begin(), in.end(), step.in.begin());
-    step.count = static_cast<uint8_t>(in.size());
-    step.outputs = 1;
-    step.out[0] = fresh(result);
-    push(step);
-    return step.out[0];
+    return emit(step, in, 1, result)[0];
 }
 
 void Flattener::move(Type type, uint32_t from, uint32_t to, bool masked) {
@@ -59,20 +70,25 @@ void Flattener::move(Type type, uint32_t from, uint32_t to, bool masked) {
     push(step);
 }
 
-// Emits the constant at its first use, so that few constants are live at once.
 uint32_t Flattener::constant(double value, Type type) {
     const auto [entry, added] =
         constants_.try_emplace({std::bit_cast<uint64_t>(value), is_whole_type(type)});
     if (!added) return entry->second;
-    CpuInst step;
-    step.kind = CpuInst::Kind::constant;
-    step.type = component_type(type);
-    step.extra = static_cast<uint32_t>(program_.constants.size());
-    step.outputs = 1;
-    step.out[0] = entry->second = fresh(type);
-    program_.constants.push_back(value);
-    push(step);
-    return step.out[0];
+    entry->second = fresh(type);
+    constant_[entry->second] = true;
+    program_.constants.push_back({value, component_type(type), entry->second});
+    return entry->second;
+}
+
+// Copies constants to written registers, for users other than kernels.
+Flattener::Lanes Flattener::materialised(Lanes lanes, Type type) {
+    for (uint32_t& lane : lanes) {
+        if (!constant_[lane]) continue;
+        const uint32_t copy = fresh(type);
+        move(component_type(type), lane, copy, false);
+        lane = copy;
+    }
+    return lanes;
 }
 
 // Computes the values at levels `low` to `high` that the roots need, including those that bodies of
@@ -155,8 +171,11 @@ std::vector<Flattener::Lanes> Flattener::looped(const Inst& inst, const std::vec
     if (context_.size() <= region.level) context_.resize(region.level + 1u);
     context_[region.level] = {};
     context_[region.level].params = state;
+    const size_t known_before = known_order_.size();
     compute(region.results, region.level, region.level);
     if (!refused()) advance_state(region, state);
+    for (; known_order_.size() > known_before; known_order_.pop_back())
+        known_.erase(known_order_.back());
     step.kind = CpuInst::Kind::loop_end;
     step.extra = begin;
     push(step);
@@ -164,28 +183,35 @@ std::vector<Flattener::Lanes> Flattener::looped(const Inst& inst, const std::vec
     return state;
 }
 
-// Assigns the next state in the lanes in which the loop continues. The next value of one member may
-// be the current value of another, so all are copied before any is written.
+// Assigns the next state in the lanes in which the loop continues. A next value that is the current
+// value of another member is copied before any is written.
 void Flattener::advance_state(const Region& region, const std::vector<Lanes>& state) {
     struct Move {
         Type type;
         uint32_t from, to;
     };
     std::vector<Move> moves;
+    std::vector<bool> is_state(integer_.size(), false);
+    for (const Lanes& lanes : state)
+        for (const uint32_t lane : lanes)
+            is_state[lane] = true;
     for (size_t k = 0; k < state.size(); ++k) {
         const Type type = component_type(region.params[k]);
         const Lanes next = lanes(region.results[k + 1]);
         for (size_t i = 0; i < next.size(); ++i) {
             if (next[i] == state[k][i]) continue;
-            const uint32_t copy = fresh(type);
-            move(type, next[i], copy, false);
-            moves.push_back({type, copy, state[k][i]});
+            uint32_t from = next[i];
+            if (is_state[from]) {
+                from = fresh(type);
+                move(type, next[i], from, false);
+            }
+            moves.push_back({type, from, state[k][i]});
         }
     }
     CpuInst test;
     test.kind = CpuInst::Kind::loop_test;
     test.type = Type::bool_;
-    test.in[0] = lanes(region.results[0])[0];
+    test.in[0] = materialised(lanes(region.results[0]), Type::bool_)[0];
     test.count = 1;
     push(test);
     for (const Move& each : moves)
@@ -197,15 +223,16 @@ Program Flattener::run(std::string& why) {
     for (const ModuleOutput& output : module_->outputs)
         if (!refused())
             program_.outputs.push_back(
-                {output.name, module_->type(output.value), output.port_type, lanes(output.value)});
+                {output.name, module_->type(output.value), output.port_type,
+                 materialised(lanes(output.value), module_->type(output.value))});
     why = why_;
     if (refused()) return {};
-    hoist_constants(program_);
+    recognise_hashes(program_, integer_.size());
     remove_unused(program_, integer_.size());
     fuse_steps(program_, integer_.size());
     allocate_registers(program_, integer_);
     for (CpuInst& step : program_.steps)
-        step.kernel = static_cast<uint16_t>(kernel_index(step));
+        if (has_kernel(step)) step.kernel = static_cast<uint16_t>(kernel_index(step));
     static std::atomic<uint64_t> compilations = 0;
     program_.serial = ++compilations;
     return std::move(program_);

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -43,10 +44,12 @@ private:
     void advance_state(const Region& region, const std::vector<Lanes>& state);
 
     uint32_t fresh(Type type);
+    Lanes emit(CpuInst step, const Lanes& in, size_t outputs, Type result);
     uint32_t add(Op op, Type operands, Type result, const Lanes& in);
     uint32_t add_float(Op op, const Lanes& in) { return add(op, Type::float_, Type::float_, in); }
     void move(Type type, uint32_t from, uint32_t to, bool masked);
     uint32_t constant(double value, Type type);
+    Lanes materialised(Lanes lanes, Type type);
     uint32_t dot(const Lanes& a, const Lanes& b);
     Lanes add_vector(Op op, size_t outputs, const Lanes& in);
     void push(const CpuInst& step);
@@ -58,9 +61,15 @@ private:
     size_t depth_ = 0;  // call nesting depth
     Program program_;
     std::map<std::pair<uint64_t, bool>, uint32_t> constants_;
+    // Steps that later equal ones can share, and the order in which they were added: those of a
+    // loop's body are erased at its end, as the state has other values after it.
+    using StepIdentity = std::tuple<CpuInst::Kind, Op, Type, uint32_t, Lanes>;
+    std::map<StepIdentity, Lanes> known_;
+    std::vector<std::map<StepIdentity, Lanes>::iterator> known_order_;
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> inputs_;
     std::vector<Scope> context_;  // by region depth
     std::vector<bool> integer_;   // by register
+    std::vector<bool> constant_;  // by register
     std::string why_;             // reason if the program is refused
 };
 
@@ -83,9 +92,8 @@ void remove_steps(std::vector<CpuInst>& steps, F is_removed) {
     steps = std::move(kept);
 }
 
-// If the program has few constants, turns them into presets, written once before the first step,
-// and removes their steps.
-void hoist_constants(Program& program);
+// Replaces each integer hash, eight ops, by one step; the others become unused.
+void recognise_hashes(Program& program, size_t registers);
 
 // Removes steps without a used output, and sets CpuInst::channels. Precondition: each register is
 // written once, except loop state.

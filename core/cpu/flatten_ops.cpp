@@ -22,14 +22,7 @@ Flattener::Lanes Flattener::add_vector(Op op, size_t outputs, const Lanes& in) {
     CpuInst step;
     step.op = op;
     step.type = Type::float_;
-    std::copy(in.begin(), in.end(), step.in.begin());
-    step.count = static_cast<uint8_t>(in.size());
-    step.outputs = static_cast<uint8_t>(outputs);
-    Lanes result;
-    for (size_t k = 0; k < outputs; ++k)
-        result.push_back(step.out[k] = fresh(Type::float_));
-    push(step);
-    return result;
+    return emit(step, in, outputs, Type::float_);
 }
 
 uint32_t Flattener::dot(const Lanes& a, const Lanes& b) {
@@ -114,6 +107,8 @@ Flattener::Lanes Flattener::rearranged(const Inst& inst, const std::vector<Lanes
 
 Flattener::Lanes Flattener::lanewise(const Inst& inst, Type operands,
                                      const std::vector<Lanes>& args) {
+    const bool same_bits = inst.op == Op::to_int_ || inst.op == Op::to_uint_;
+    if (same_bits && is_whole_type(operands)) return args[0];
     Lanes lanes;
     for (size_t k = 0; k < lane_count(inst.type); ++k) {
         Lanes in;
@@ -170,16 +165,9 @@ Flattener::Lanes Flattener::sampled(const Inst& inst, const std::vector<Lanes>& 
     CpuInst step;
     step.kind = inst.op == Op::image_size_ ? CpuInst::Kind::size : CpuInst::Kind::sample;
     step.extra = inst.extra;
-    if (inst.op == Op::sample_lod_) {
-        step.in = {args[0][0], args[0][1], args[1][0]};
-        step.count = 3;
-    }
-    step.outputs = step.kind == CpuInst::Kind::sample ? 4 : 2;
-    Lanes result;
-    for (size_t k = 0; k < step.outputs; ++k)
-        result.push_back(step.out[k] = fresh(Type::float_));
-    push(step);
-    return result;
+    if (inst.op == Op::image_size_) return emit(step, {}, 2, Type::float_);
+    return emit(step, materialised({args[0][0], args[0][1], args[1][0]}, Type::float_), 4,
+                Type::float_);
 }
 
 }  // namespace wrinkle

@@ -20,18 +20,15 @@ namespace {
 // Computes out = f(a), f(a, b) or f(a, b, c) on every lane.
 template <class T, class A, class Out, class F>
 void each(const CpuInst& step, const Registers<T>& registers, size_t n) {
-    const A *a = lanes_of<A>(registers, step.in[0]), *b = lanes_of<A>(registers, step.in[1]),
-            *c = lanes_of<A>(registers, step.in[2]);
-    Out* __restrict out = lanes_of<Out>(registers, step.out[0]);
-    WRINKLE_LANES
-    for (size_t k = 0; k < n; ++k) {
-        if constexpr (std::is_invocable_v<F, A>)
-            out[k] = F{}(a[k]);
-        else if constexpr (std::is_invocable_v<F, A, A>)
-            out[k] = F{}(a[k], b[k]);
-        else
-            out[k] = F{}(a[k], b[k], c[k]);
-    }
+    Out* out = lanes_of<Out>(registers, step.out[0]);
+    const auto operand = [&](size_t i) { return Operand<A>(step, registers, i); };
+    const auto set = [=](size_t k, auto... values) { out[k] = F{}(values...); };
+    if constexpr (std::is_invocable_v<F, A>)
+        each_lane(n, set, operand(0));
+    else if constexpr (std::is_invocable_v<F, A, A>)
+        each_lane(n, set, operand(0), operand(1));
+    else
+        each_lane(n, set, operand(0), operand(1), operand(2));
 }
 
 template <class T, class A, class Out>
@@ -39,13 +36,27 @@ constexpr auto kernel_for = []<class F>(F) -> InstKernel<T> { return each<T, A, 
 
 template <class T, class Lane>
 void select(const CpuInst& step, const Registers<T>& registers, size_t n) {
-    const uint32_t* condition = lanes_of<uint32_t>(registers, step.in[0]);
-    const Lane *a = lanes_of<Lane>(registers, step.in[1]),
-               *b = lanes_of<Lane>(registers, step.in[2]);
-    Lane* __restrict out = lanes_of<Lane>(registers, step.out[0]);
-    WRINKLE_LANES
-    for (size_t k = 0; k < n; ++k)
-        out[k] = condition[k] ? a[k] : b[k];
+    Lane* out = lanes_of<Lane>(registers, step.out[0]);
+    each_lane(
+        n, [=](size_t k, uint32_t condition, Lane a, Lane b) { out[k] = condition ? a : b; },
+        Operand<uint32_t>(step, registers, 0), Operand<Lane>(step, registers, 1),
+        Operand<Lane>(step, registers, 2));
+}
+
+template <class T, class Lane>
+void move(const CpuInst& step, const Registers<T>& registers, size_t n) {
+    Lane* out = lanes_of<Lane>(registers, step.out[0]);
+    each_lane(
+        n, [=](size_t k, Lane from) { out[k] = from; }, Operand<Lane>(step, registers, 0));
+}
+
+template <class T, class Lane>
+void masked_move(const CpuInst& step, const Registers<T>& registers, size_t n) {
+    Lane* out = lanes_of<Lane>(registers, step.out[0]);
+    const uint32_t* active = registers.active;
+    each_lane(
+        n, [=](size_t k, Lane from) { out[k] = active[k] ? from : out[k]; },
+        Operand<Lane>(step, registers, 0));
 }
 
 // Rounds towards zero; values out of range become the nearest int that T represents, NaN becomes 0.
@@ -98,6 +109,12 @@ template <class T>
         for (size_t op = 0; op < tables::op_count; ++op)
             table[op_kernel(static_cast<Op>(op), type)] = kernel_of<T>(static_cast<Op>(op), type);
     add_pairs<T>(table);
+    add_word_pairs<T>(table);
+    table[hash_kernel] = kernel_for<T, uint32_t, uint32_t>([](uint32_t x) { return pcg_hash(x); });
+    table[move_kernel(Type::float_, false)] = move<T, T>;
+    table[move_kernel(Type::float_, true)] = masked_move<T, T>;
+    table[move_kernel(Type::uint_, false)] = move<T, uint32_t>;
+    table[move_kernel(Type::uint_, true)] = masked_move<T, uint32_t>;
     return table;
 }
 

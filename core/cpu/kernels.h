@@ -15,16 +15,24 @@
 
 namespace wrinkle {
 
-inline constexpr size_t tile_points = 256;
+inline constexpr size_t tile_points = 512;
+// Kernels run on blocks of lanes. A constant register is one block, which kernels read repeatedly,
+// so that constants stay in the L1 cache.
+inline constexpr size_t block_lanes = 32;
+static_assert(tile_points % block_lanes == 0);
+constexpr size_t padded_to_blocks(size_t points) {
+    return (points + block_lanes - 1) / block_lanes * block_lanes;
+}
 
 // Pointers to the lanes of each register of a tile.
 template <class T>
 struct Registers {
     T* const* floats;
     uint32_t* const* integers;
+    const uint32_t* active;  // by lane: 1 if the innermost loop is active in it, else 0
 };
 
-// Runs a step of kind `op` or `pair` on the first n lanes.
+// Runs a step that has a kernel on the first n lanes, a multiple of block_lanes.
 template <class T>
 using InstKernel = void (*)(const CpuInst& step, const Registers<T>& registers, size_t n);
 

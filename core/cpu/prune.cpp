@@ -1,15 +1,10 @@
-// Two passes of compile_program() between flattening and register allocation: hoisting of constants
-// into preset registers, and removal of unused steps and sampled channels. Linear in the steps.
+// Removal of unused steps and sampled channels; part of compile_program(). Linear in the steps.
 #include <algorithm>
 
 #include "cpu/flatten.h"
 
 namespace wrinkle {
 namespace {
-
-// Sufficient for a small material. A preset register stays live for the complete program and so
-// occupies a part of the L1 cache.
-constexpr size_t max_presets = 24;
 
 // Returns the number of channels to sample, so that all used ones are included: 1, 3 or 4.
 uint8_t channels_of(const CpuInst& sample, const std::vector<bool>& used) {
@@ -20,17 +15,6 @@ uint8_t channels_of(const CpuInst& sample, const std::vector<bool>& used) {
 }
 
 }  // namespace
-
-void hoist_constants(Program& program) {
-    if (program.constants.size() > max_presets) return;
-    const auto is_constant = [](const CpuInst& step) {
-        return step.kind == CpuInst::Kind::constant;
-    };
-    for (const CpuInst& step : program.steps)
-        if (is_constant(step))
-            program.presets.push_back({program.constants[step.extra], step.type, step.out[0]});
-    remove_steps(program.steps, is_constant);
-}
 
 void remove_unused(Program& program, size_t registers) {
     std::vector<bool> used(registers, false);

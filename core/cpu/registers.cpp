@@ -9,7 +9,7 @@ constexpr uint32_t never = ~0u;
 constexpr uint32_t live_out = never - 1;
 
 // Returns the last use of each register. A register defined before a loop and used in it is live
-// until the loop's end; inputs, presets and outputs are live until the end of the program.
+// until the loop's end; inputs, constants and outputs are live until the end of the program.
 std::vector<uint32_t> last_uses(const Program& program, size_t registers) {
     std::vector<uint32_t> born(registers, 0), last(registers, 0), loop_end(program.steps.size());
     for (uint32_t s = 0; s < program.steps.size(); ++s)
@@ -40,8 +40,8 @@ std::vector<uint32_t> last_uses(const Program& program, size_t registers) {
     }
     for (const Program::Input& input : program.inputs)
         last[input.reg] = live_out;
-    for (const Program::ConstantRegister& preset : program.presets)
-        last[preset.reg] = live_out;
+    for (const Program::Constant& constant : program.constants)
+        last[constant.reg] = live_out;
     for (const Program::Output& output : program.outputs)
         for (const uint32_t reg : output.regs)
             last[reg] = live_out;
@@ -81,26 +81,32 @@ void allocate_registers(Program& program, const std::vector<bool>& integer) {
     std::vector<std::vector<uint32_t>> dying(program.steps.size());
     for (uint32_t reg = 0; reg < integer.size(); ++reg)
         if (last[reg] < program.steps.size()) dying[last[reg]].push_back(reg);
+    std::vector<bool> is_constant(integer.size(), false);
     Allocator allocator{integer, std::vector<uint32_t>(integer.size(), never), {}};
+    for (Program::Constant& constant : program.constants) {
+        allocator.define(constant.reg);
+        is_constant[constant.reg] = true;
+        constant.reg = allocator.slot[constant.reg];
+    }
+    program.float_constants = allocator.files[0].size;
+    program.integer_constants = allocator.files[1].size;
     for (const Program::Input& input : program.inputs)
         allocator.define(input.reg);
-    for (const Program::ConstantRegister& preset : program.presets)
-        allocator.define(preset.reg);
     for (uint32_t s = 0; s < program.steps.size(); ++s) {
         CpuInst& step = program.steps[s];
         for (uint32_t i = 0; i < step.outputs; ++i)
             allocator.define(step.out[i]);
         for (const uint32_t reg : dying[s])
             if (allocator.slot[reg] != never) allocator.release(reg);
-        for (uint32_t i = 0; i < step.count; ++i)
+        for (uint32_t i = 0; i < step.count; ++i) {
+            if (is_constant[step.in[i]]) step.uniform |= static_cast<uint8_t>(1U << i);
             step.in[i] = allocator.slot[step.in[i]];
+        }
         for (uint32_t i = 0; i < step.outputs; ++i)
             step.out[i] = allocator.slot[step.out[i]];
     }
     for (Program::Input& input : program.inputs)
         input.reg = allocator.slot[input.reg];
-    for (Program::ConstantRegister& preset : program.presets)
-        preset.reg = allocator.slot[preset.reg];
     for (Program::Output& output : program.outputs)
         for (uint32_t& reg : output.regs)
             reg = allocator.slot[reg];

@@ -7,22 +7,12 @@
 namespace wrinkle {
 namespace {
 
+// Appends `count` pointers to arrays of this many lanes.
 template <class Lane>
-void allot(AlignedVector<Lane>& memory, std::vector<Lane*>& pointers, size_t registers) {
-    memory.resize(std::max(memory.size(), registers * tile_points));
-    pointers.resize(registers);
-    for (size_t reg = 0; reg < registers; ++reg)
-        pointers[reg] = memory.data() + reg * tile_points;
-}
-
-bool has_kernel(const CpuInst& step) {
-    return step.kind == CpuInst::Kind::op || step.kind == CpuInst::Kind::pair;
-}
-
-template <class Lane>
-void move_lanes(Lane* out, const Lane* from, const uint8_t* mask, size_t count) {
-    for (size_t k = 0; k < count; ++k)
-        if (!mask || mask[k]) out[k] = from[k];
+void allot(AlignedVector<Lane>& memory, std::vector<Lane*>& pointers, size_t count, size_t lanes) {
+    memory.resize(std::max(memory.size(), count * lanes));
+    for (size_t i = 0; i < count; ++i)
+        pointers.push_back(memory.data() + i * lanes);
 }
 
 }  // namespace
@@ -35,53 +25,48 @@ Tile<T>::Tile(const Program& program, std::span<const Texture> textures, Instruc
       kernels_(kernels_of(set)),
       kernel_table_(kernel_table<T>(kernels_)),
       memory_(memory) {
-    allot(memory_.floats, memory_.float_pointers, program.float_registers);
-    allot(memory_.integers, memory_.integer_pointers, program.integer_registers);
-    // No step writes a preset's register, so its contents remain valid for the same program.
+    const uint32_t floats = program.float_constants, integers = program.integer_constants;
+    memory_.float_pointers.clear();
+    memory_.integer_pointers.clear();
+    allot(memory_.float_constants, memory_.float_pointers, floats, block_lanes);
+    allot(memory_.floats, memory_.float_pointers, program.float_registers - floats, tile_points);
+    allot(memory_.integer_constants, memory_.integer_pointers, integers, block_lanes);
+    allot(memory_.integers, memory_.integer_pointers, program.integer_registers - integers,
+          tile_points);
     if (program.serial != 0 && memory_.serial == program.serial) return;
     memory_.serial = program.serial;
-    for (const Program::ConstantRegister& each : program.presets)
-        fill_register(each.reg, each.type, each.value, tile_points);
+    fill_constants();
 }
 
 template <class T>
 void Tile<T>::run(size_t count) {
     count_ = count;
-    const Registers<T> registers = {memory_.float_pointers.data(), memory_.integer_pointers.data()};
+    Registers<T> registers = {memory_.float_pointers.data(), memory_.integer_pointers.data(), {}};
+    const size_t lanes = padded_to_blocks(count);
     const auto end = static_cast<uint32_t>(program_.steps.size());
     for (uint32_t index = 0; index < end;) {
         const CpuInst& step = program_.steps[index];
         if (!has_kernel(step)) {
             index = execute(index);
+            if (!memory_.loops.empty()) registers.active = memory_.loops.back().active.data();
             continue;
         }
         assert(kernel_table_[step.kernel] && "an op without a CPU case");
-        kernel_table_[step.kernel](step, registers, count_);
+        kernel_table_[step.kernel](step, registers, lanes);
         ++index;
     }
 }
 
+// Runs a step without a kernel; returns the index of the next one.
 template <class T>
 uint32_t Tile<T>::execute(uint32_t index) {
     const CpuInst& step = program_.steps[index];
     switch (step.kind) {
-        case CpuInst::Kind::op:
-        case CpuInst::Kind::pair:
-            break;  // done by run()
-        case CpuInst::Kind::constant:
-            fill_register(step.out[0], step.type, program_.constants[step.extra], count_);
-            break;
         case CpuInst::Kind::sample:
             sample(step);
             break;
         case CpuInst::Kind::size:
             size(step);
-            break;
-        case CpuInst::Kind::move:
-            move(step, nullptr);
-            break;
-        case CpuInst::Kind::masked_move:
-            move(step, memory_.loops.back().active.data());
             break;
         case CpuInst::Kind::loop_begin:
             begin(step);
@@ -91,16 +76,21 @@ uint32_t Tile<T>::execute(uint32_t index) {
             break;
         case CpuInst::Kind::loop_end:
             return end(step, index);
+        default:
+            break;  // done by run()
     }
     return index + 1;
 }
 
 template <class T>
-void Tile<T>::fill_register(uint32_t reg, Type type, double value, size_t count) {
-    if (type == Type::float_)
-        std::fill_n(floats(reg), count, static_cast<T>(value));
-    else
-        std::fill_n(integers(reg), count, static_cast<uint32_t>(static_cast<int64_t>(value)));
+void Tile<T>::fill_constants() {
+    for (const Program::Constant& each : program_.constants) {
+        if (is_whole_type(each.type))
+            std::fill_n(integers(each.reg), block_lanes,
+                        static_cast<uint32_t>(static_cast<int64_t>(each.value)));
+        else
+            std::fill_n(floats(each.reg), block_lanes, static_cast<T>(each.value));
+    }
 }
 
 template <class T>
@@ -133,14 +123,6 @@ void Tile<T>::size(const CpuInst& step) {
 }
 
 template <class T>
-void Tile<T>::move(const CpuInst& step, const uint8_t* mask) {
-    if (step.type == Type::float_)
-        move_lanes(floats(step.out[0]), floats(step.in[0]), mask, count_);
-    else
-        move_lanes(integers(step.out[0]), integers(step.in[0]), mask, count_);
-}
-
-template <class T>
 void Tile<T>::begin(const CpuInst& step) {
     RunningLoop loop;
     loop.limit = step.extra;
@@ -155,9 +137,9 @@ template <class T>
 void Tile<T>::test(const CpuInst& step) {
     RunningLoop& loop = memory_.loops.back();
     const uint32_t* goes_on = integers(step.in[0]);
-    const bool may_run = loop.iterations < loop.limit;
+    if (loop.iterations >= loop.limit) return loop.active.fill(0);
     for (size_t k = 0; k < count_; ++k)
-        loop.active[k] = static_cast<uint8_t>(loop.active[k] && may_run && goes_on[k]);
+        loop.active[k] &= goes_on[k];
 }
 
 template <class T>
@@ -165,7 +147,7 @@ uint32_t Tile<T>::end(const CpuInst& step, uint32_t index) {
     RunningLoop& loop = memory_.loops.back();
     ++loop.iterations;
     const bool any = std::any_of(loop.active.begin(), loop.active.begin() + count_,
-                                 [](uint8_t lane) { return lane != 0; });
+                                 [](uint32_t lane) { return lane != 0; });
     if (any && loop.iterations < loop.limit) return step.extra + 1;
     memory_.loops.pop_back();
     return index + 1;

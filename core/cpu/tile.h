@@ -7,8 +7,8 @@
 //   register 0: point 0, 1, ... 255
 //   register 1: point 0, 1, ... 255
 //
-// TileMemory is scratch memory that tiles reuse one after the other; it only grows. The preset
-// registers are not filled again for the same program.
+// TileMemory is scratch memory that tiles reuse one after the other; it only grows. Constants are
+// not filled again for the same program.
 #pragma once
 
 #include <array>
@@ -25,19 +25,19 @@ namespace wrinkle {
 
 // State of an active loop: its active lanes and the number of completed iterations.
 struct RunningLoop {
-    std::array<uint8_t, tile_points> active;
+    std::array<uint32_t, tile_points> active;  // 0 or 1
     uint32_t iterations = 0;
     uint32_t limit = 0;  // maximum number of iterations
 };
 
 template <class T>
 struct TileMemory {
-    AlignedVector<T> floats;
-    AlignedVector<uint32_t> integers;
+    AlignedVector<T> floats, float_constants;
+    AlignedVector<uint32_t> integers, integer_constants;
     std::vector<T*> float_pointers;  // by register
     std::vector<uint32_t*> integer_pointers;
     std::vector<RunningLoop> loops;
-    uint64_t serial = 0;  // the preset registers are valid for this Program::serial
+    uint64_t serial = 0;  // the constants are those of this Program::serial
 };
 
 template <class T>
@@ -49,10 +49,13 @@ public:
     T* floats(uint32_t reg) { return memory_.float_pointers[reg]; }
     uint32_t* integers(uint32_t reg) { return memory_.integer_pointers[reg]; }
 
-    // Binds a float register to the caller's memory: run() reads or writes `lanes` (at least as
-    // many as it has points) directly. Precondition: an input register, which no step writes, or an
-    // output register.
+    // Binds a float register to the caller's memory: run() reads or writes `lanes` directly, padded
+    // to blocks. Precondition: an input register, which no step writes, or an output register.
     void bind_register(uint32_t reg, T* lanes) { memory_.float_pointers[reg] = lanes; }
+    void unbind_register(uint32_t reg) {
+        const size_t written = reg - program_.float_constants;
+        memory_.float_pointers[reg] = memory_.floats.data() + written * tile_points;
+    }
 
     // Runs all steps for the first `count` points, at most tile_points.
     void run(size_t count);
@@ -67,10 +70,9 @@ public:
 
 private:
     uint32_t execute(uint32_t index);
-    void fill_register(uint32_t reg, Type type, double value, size_t count);
+    void fill_constants();
     void sample(const CpuInst& step);
     void size(const CpuInst& step);
-    void move(const CpuInst& step, const uint8_t* mask);
     void begin(const CpuInst& step);
     void test(const CpuInst& step);
     uint32_t end(const CpuInst& step, uint32_t index);

@@ -2,6 +2,7 @@
 // expression every intermediate value is an output, which prevents fusion.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <functional>
 
@@ -120,7 +121,77 @@ TEST(Fused, ADecodedNormalsDepth) {
                 between.push_back(id);
             return m.add(Op::max_, {deep, m.number(5e-7)});
         },
-        9);
+        10);  // and a copy of the constant level of detail
+}
+
+// As in hashes. A shift uses the lowest five bits of its second operand.
+TEST(Fused, EveryPairOfIntegersInEitherOrder) {
+    const auto ops = {Op::add_, Op::mul_, Op::bit_and_, Op::bit_xor_, Op::shift_right_};
+    const auto word = [](Scene& s, uint64_t seed) {
+        std::vector<Lanes> values(fuse_points);
+        for (size_t k = 0; k < fuse_points; ++k)
+            values[k][0] = static_cast<double>((k * 2654435761U + seed * 40503U) % 16777216);
+        return s.operand(Type::uint_, values);
+    };
+    for (const Op first : ops)
+        for (const Op second : ops)
+            for (const bool swapped : {false, true})
+                expect_fused(
+                    [&](Scene& s, std::vector<Id>& between) {
+                        const Id c = word(s, 3);
+                        const Id inner = s.m.add(first, {word(s, 1), word(s, 2)});
+                        between = {inner};
+                        return swapped ? s.m.add(second, {c, inner}) : s.m.add(second, {inner, c});
+                    },
+                    4);  // three convert the operands from float
+}
+
+Id pcg_hash(Module& m, Id x) {
+    const auto word = [&](double value) { return m.literal(Type::uint_, value); };
+    const Id sum = m.add(Op::add_, {m.add(Op::mul_, {x, word(747796405)}), word(2891336453)});
+    const Id by = m.add(Op::add_, {m.add(Op::shift_right_, {sum, word(28)}), word(4)});
+    const Id mixed = m.add(Op::bit_xor_, {m.add(Op::shift_right_, {sum, by}), sum});
+    const Id product = m.add(Op::mul_, {mixed, word(277803737)});
+    return m.add(Op::bit_xor_, {m.add(Op::shift_right_, {product, word(22)}), product});
+}
+
+size_t hash_steps(const Module& m) {
+    std::string why;
+    const auto steps = compile_program(m, why).steps;
+    return static_cast<size_t>(std::ranges::count(steps, CpuInst::Kind::hash, &CpuInst::kind));
+}
+
+TEST(Fused, AHashOfAHash) {
+    Scene s(fuse_points);
+    const Id x = s.m.add(Op::to_uint_, {s.m.add(Op::to_int_, {operand(s, 1)})});
+    s.output(pcg_hash(s.m, pcg_hash(s.m, x)));
+    EXPECT_EQ(hash_steps(s.m), 2U);
+    expect_as_interpreted(s, 0);
+}
+
+TEST(Fused, NoHashOfOtherConstants) {
+    Scene s(fuse_points);
+    const auto word = [&](double value) { return s.m.literal(Type::uint_, value); };
+    const Id x = s.m.add(Op::to_uint_, {s.m.add(Op::to_int_, {operand(s, 1)})});
+    const Id p = s.m.add(Op::mul_, {x, word(277803737)});
+    s.output(s.m.add(Op::bit_xor_, {s.m.add(Op::shift_right_, {p, word(22)}), p}));
+    EXPECT_EQ(hash_steps(s.m), 0U);
+    expect_as_interpreted(s, 0);
+}
+
+TEST(Steps, EqualOnesOfTwoCallsAreOne) {
+    Scene s(fuse_points);
+    Module& m = s.m;
+    const Type types[] = {Type::float_, Type::float_};
+    const std::vector<Id> p = m.begin_region(RegionKind::function, "f", types);
+    const Id results[] = {m.add(Op::div_, {m.add(Op::sqrt_, {p[0]}), p[1]})};
+    const RegionUse use = m.end_region(results);
+    const Id x = operand(s, 1);
+    const Id first[] = {x, operand(s, 2)}, second[] = {x, operand(s, 3)};
+    s.output(m.apply(use, first)[0]);
+    s.output(m.apply(use, second)[0]);
+    std::string why;
+    EXPECT_EQ(compile_program(m, why).steps.size(), 3U);
 }
 
 TEST(Unused, ComponentsTakeNoStep) {

@@ -48,6 +48,17 @@ TEST(Loops, EachPointGoesRoundAsOftenAsItShould) {
                     1e-12);
 }
 
+// The state has other values after the loop than in its body.
+TEST(Loops, ValuesOfTheBodyAreNotThoseAfterIt) {
+    Scene s(loop_points);
+    const Id two = s.m.number(2);
+    const Id last = repeat(s.m, rounds(s), seed(s), 100, [&](Id, Id state) {
+        return s.m.add(Op::sqrt_, {s.m.add(Op::mul_, {state, two})});
+    });
+    s.output(s.m.add(Op::mul_, {last, two}));
+    expect_as_interpreted(s, 1e-13);
+}
+
 TEST(Loops, TheLimitEndsThem) {
     for (const uint32_t limit : {0u, 1u, 5u}) {
         Scene s(loop_points);

@@ -64,7 +64,7 @@ TEST(Planes, HoldWhatEvaluateGives) {
     evaluate<float>(program, s.points, textures, 0, many, wanted, InstructionSet::baseline);
     PlaneScratch scratch;
     for (const InstructionSet set : every_set())
-        for (const size_t piece : {size_t{1}, size_t{37}, size_t{256}, many}) {
+        for (const size_t piece : {size_t{1}, size_t{37}, size_t{512}, many}) {
             Columns columns(program, s.points);
             for (size_t first = 0; first < many; first += piece)
                 evaluate_planes(program, textures, columns.from(first),
