@@ -74,7 +74,9 @@ Shader emit(const Module& module, const EmitOptions& options) {
             write_texts(without_mod(Module(module)), options, shader);
     } catch (const OverLimit& over) {
         shader = {};
-        shader.problems.push_back({over.node, over.message, over.expected});
+        // Lines of a function that several nodes share have no node.
+        const uint32_t node = over.node != 0 ? over.node : module.origin[module.outputs[0].value];
+        shader.problems.push_back({node, over.message, over.expected});
         shader.over_limit = true;
     }
     return shader;

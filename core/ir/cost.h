@@ -6,6 +6,7 @@
 // several nodes need counts for the node that wrote it first.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -16,9 +17,10 @@ namespace wrinkle {
 struct Cost {
     uint32_t reads = 0, ops = 0;
 
+    // Saturates, as functions that call each other can double the cost with each level.
     Cost& operator+=(const Cost& other) {
-        reads += other.reads;
-        ops += other.ops;
+        reads += std::min(other.reads, ~reads);
+        ops += std::min(other.ops, ~ops);
         return *this;
     }
     bool operator==(const Cost&) const = default;

@@ -101,6 +101,7 @@ private:
     Id loop_member(const Inst& result);
     using Activity = std::vector<bool>;  // by argument: it has a derivative
     Id call_along(const Inst& result, const Activity& active, std::span<const Id> args);
+    const Activity& influences(uint32_t region, uint32_t member);
     uint32_t slope_function(uint32_t region, uint32_t member, const Activity& active);
     const DerivedFunction& derived(uint32_t region, const Activity& active);
     std::vector<Id> dual_loop(Id loop);
@@ -119,6 +120,7 @@ private:
     struct Functions {
         std::map<std::pair<uint32_t, Activity>, DerivedFunction> derived;
         std::map<std::tuple<uint32_t, uint32_t, Activity>, uint32_t> slopes;  // by result too
+        std::map<std::pair<uint32_t, uint32_t>, Activity> influences;         // by result
     };
     Functions functions_;
     std::unordered_map<Id, std::vector<Id>> loops_;

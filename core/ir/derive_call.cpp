@@ -1,5 +1,6 @@
 // Derivatives of calls: derived functions.
 #include "ir/derive.h"
+#include "ir/module_cloner.h"
 #include "ir/value.h"
 
 namespace wrinkle {
@@ -14,8 +15,9 @@ Id ForwardDiff::call_member(const Inst& result) {
     std::vector<bool> active;
     std::vector<Id> derivatives;
     uint32_t lanes = 0;
-    for (const Id arg : operands) {
-        const Id derivative = memo_.at(arg);
+    const Activity& matters = influences(call.extra, result.extra);
+    for (size_t k = 0; k < args.size(); ++k) {
+        const Id arg = args[k], derivative = matters[k] ? memo_.at(arg) : no_id;
         active.push_back(derivative != no_id);
         if (!derivative) continue;
         derivatives.push_back(derivative);
@@ -30,6 +32,32 @@ Id ForwardDiff::call_member(const Inst& result) {
     args.insert(args.end(), derivatives.begin(), derivatives.end());
     return module_->result(module_->apply_region(function.region, args),
                            static_cast<uint32_t>(member));
+}
+
+// Returns the parameters of a function that the derivative of one of its results depends on, so not
+// those that are only detached or the footprint of a sample.
+const ForwardDiff::Activity& ForwardDiff::influences(uint32_t index, uint32_t member) {
+    const auto [entry, added] = functions_.influences.try_emplace({index, member});
+    Activity& active = entry->second;
+    if (!added) return active;
+    const Module& m = *module_;
+    active.resize(m.region(index).params.size());
+    const Id root = m.region(index).results[member];
+    walk({&root, 1}, [&](Id id, std::vector<Id>& open) {
+        const Inst& inst = m[id];
+        if (inst.op == Op::region_param_ && inst.level == 1) active[inst.extra] = true;
+        if (has_zero_derivative(inst)) return;
+        const Id applied = inst.op == Op::result_ ? inst.arg[0] : no_id;
+        if (applied == no_id || m[applied].op != Op::call_) {
+            const std::vector<Id> reads = reads_of(m, id);
+            open.insert(open.end(), reads.begin(), reads.end());
+            return;
+        }
+        const Activity& matters = influences(m[applied].extra, inst.extra);
+        for (size_t k = 0; k < matters.size(); ++k)
+            if (matters[k]) open.push_back(m.operands(applied)[k]);
+    });
+    return active;
 }
 
 // Splits a vector times a float, so that a slope is scaled after the dot product; the factor of any

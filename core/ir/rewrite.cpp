@@ -106,9 +106,9 @@ std::vector<bool> reachable(const Module& module, std::span<const Id> roots) {
 }
 
 Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const Id> to,
-              Replace replace) {
+              Replace replace, void* context) {
     ModuleCloner copier(module, module, false);
-    copier.set_replace(replace, nullptr);
+    copier.set_replace(replace, context);
     int deepest = 0;
     for (size_t i = 0; i < from.size(); ++i) {
         copier.map(from[i], to[i]);

@@ -32,7 +32,7 @@ Module rebuild(Module&& source, Replace replace, void* context);
 // Only values that depend on a `from` are written again, by `replace` if it is given. Precondition:
 // if a `to` is inside a region, the root is not; the root's loops move to deeper levels.
 Id substitute(Module& module, Id root, std::span<const Id> from, std::span<const Id> to,
-              Replace replace = nullptr);
+              Replace replace = nullptr, void* context = nullptr);
 
 // lod = 0.5 log2(max(|size*duv/dx|^2, |size*duv/dy|^2, 2^-40)) of a resource, from the screen
 // derivatives of the uv.

@@ -177,7 +177,7 @@ private:
             return refuse("reads the field '" + p->name + "' at a " +
                           std::string(info(module_.type(at)).name) + " in place of a " +
                           std::string(info(info(domain).type).name));
-        return read_field(module_, lowering_.input(node_, index), domain, at);
+        return lowering_.fields().read(lowering_.input(node_, index), domain, at, p->name);
     }
 
     Id literal(uint32_t type, const double* lanes) {

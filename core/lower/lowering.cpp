@@ -23,6 +23,7 @@ Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& projec
       back_faces_(project.top().back_face_rule()),
       files_(files),
       srgb_(srgb),
+      fields_(module),
       slots_(graph.wires.size(), unset),
       graph_inputs_(inputs ? inputs->size() : project.top().inputs.size(), unset) {
     for (size_t i = 0; inputs && i < inputs->size(); ++i) {

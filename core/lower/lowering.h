@@ -9,6 +9,7 @@
 #include "base/back_faces.h"
 #include "graph/named_files.h"
 #include "lower/conversion.h"
+#include "lower/field.h"
 #include "lower/flat.h"
 #include "lower/literal.h"
 
@@ -37,6 +38,7 @@ public:
 
     Module& module() { return module_; }
     const FlatGraph& graph() const { return graph_; }
+    FieldReads& fields() { return fields_; }
 
     // Returns the value at an input, from its wire, literal or default, converted and clamped;
     // poison if it has none. For an image, returns a handle that is not ready: call image().
@@ -89,6 +91,7 @@ private:
     const BackFaces back_faces_;
     NamedFiles& files_;
     const SrgbDecoder srgb_;
+    FieldReads fields_;
     Id surface_normal_ = poison;
     std::vector<Id> slots_;         // by wire: value of an input or output
     std::vector<Id> graph_inputs_;  // by input of the graph

@@ -1,9 +1,11 @@
 #include "lower/material.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "graph/named_files.h"
 #include "graph/order.h"
+#include "ir/cost.h"
 #include "ir/inspect.h"
 #include "ir/rewrite.h"
 #include "lower/check.h"
@@ -11,6 +13,9 @@
 
 namespace wrinkle {
 namespace {
+
+// Operations of one point with each call counted; the most steps of a program of core/cpu.
+constexpr uint32_t most_operations = 4'000'000;
 
 bool is_broken(const Input& input) {
     return input.kind == Input::Kind::broken;
@@ -35,6 +40,25 @@ bool is_connected(const Project::File& file) {
     return !problems.has_errors();
 }
 
+// For programs that run without functions: reports an error and returns false if the module makes
+// too many operations with each call counted by itself.
+bool may_run(const Module& module, const Project& project, const std::vector<NodePlace>& places,
+             const std::string& doing, Diagnostics& diagnostics) {
+    if (doing.empty() || !module.has(Op::call_)) return true;
+    const std::vector<Cost> costs = cost_by_node(module);
+    Cost sum;
+    for (const Cost& cost : costs)
+        sum += cost;
+    if (sum.ops <= most_operations) return true;
+    const auto dearest =
+        static_cast<size_t>(std::ranges::max_element(costs, {}, &Cost::ops) - costs.begin());
+    diagnostics.add(
+        diagnose(project, places[dearest], module.nodes[dearest].path,
+                 doing + " would make more than " + std::to_string(most_operations) + " operations",
+                 "fewer nodes in a row that read a field"));
+    return false;
+}
+
 // Runs the passes after lowering. A module that exceeds the limit is an error at the node that
 // exceeds it.
 void expand_into(Compiled& compiled, Module lowered, const ExpandOptions& expansion,
@@ -43,6 +67,7 @@ void expand_into(Compiled& compiled, Module lowered, const ExpandOptions& expans
         Module module = expand(std::move(lowered), expansion);
         report_problems(module.problems, module, project, compiled.places, diagnostics);
         if (diagnostics.has_errors()) return;
+        if (!may_run(module, project, compiled.places, options.runs_calls, diagnostics)) return;
         if (options.given_differentials) module = explicit_lod(std::move(module));
         assert(verify(module).empty());
         compiled.module = std::move(module);

@@ -1,8 +1,11 @@
 #include "chains/chain.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 
 #include "lower/conversion.h"
+#include "nodes/all.h"
 
 namespace wrinkle::test {
 namespace {
@@ -66,6 +69,16 @@ std::string node(const std::string& id, const Link& link, const std::string& fro
 }
 
 }  // namespace
+
+const Registry& registry() {
+    static const Registry all = [] {
+        Registry made;
+        Diagnostics diagnostics;
+        EXPECT_TRUE(made.add_plugin(built_in_nodes(), Registry::built_in, diagnostics));
+        return made;
+    }();
+    return all;
+}
 
 Link link(const NodeType& from, const NodeType& to, Wiring wiring) {
     Link best{&from, &to, "", {}};

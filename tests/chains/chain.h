@@ -8,6 +8,9 @@
 
 namespace wrinkle::test {
 
+// The built-in node types.
+const Registry& registry();
+
 // How one node type reads another.
 struct Link {
     const NodeType* from;

@@ -23,7 +23,6 @@
 #include "graph/read.h"
 #include "graph/subgraph.h"
 #include "lower/material.h"
-#include "nodes/all.h"
 
 namespace wrinkle::test {
 namespace {
@@ -34,16 +33,6 @@ constexpr auto hang = std::chrono::seconds(60);  // about ten times the usual ti
 #else
 constexpr auto hang = std::chrono::seconds(5);
 #endif
-
-const Registry& registry() {
-    static const Registry all = [] {
-        Registry made;
-        Diagnostics diagnostics;
-        EXPECT_TRUE(made.add_plugin(built_in_nodes(), Registry::built_in, diagnostics));
-        return made;
-    }();
-    return all;
-}
 
 bool all_chains() {
     const char* wanted = std::getenv("WRINKLE_ALL_CHAINS");
