@@ -66,7 +66,8 @@ struct CpuInst {
     uint8_t count = 0;  // number of operands
     uint8_t outputs = 0;
     uint8_t channels = 4;
-    uint8_t uniform = 0;  // bit i: in[i] is a constant register
+    uint8_t uniform = 0;      // bit i: in[i] is a uniform register
+    bool to_uniform = false;  // the outputs are uniform registers
     std::array<uint32_t, 4> out{};
     std::array<uint32_t, 6> in{};
     uint32_t extra = 0;   // resource index, or as listed at Kind
@@ -86,7 +87,8 @@ struct Program {
         uint32_t port_type;
         std::vector<uint32_t> regs;  // one per component
     };
-    // Constants are the first registers of their file; only kernels read them.
+    // A uniform register holds the same value at all points: a constant, or computed from uniform
+    // registers. They are the first registers of their file.
     struct Constant {
         double value;
         Type type;
@@ -96,8 +98,8 @@ struct Program {
     std::vector<Input> inputs;
     std::vector<Constant> constants;
     std::vector<Output> outputs;
-    uint32_t float_registers = 0, float_constants = 0;  // constants are among the registers
-    uint32_t integer_registers = 0, integer_constants = 0;
+    uint32_t float_registers = 0, uniform_floats = 0;  // uniform ones are among the registers
+    uint32_t integer_registers = 0, uniform_integers = 0;
     uint64_t serial = 0;  // unique id of this compilation within the process; 0: none
 };
 

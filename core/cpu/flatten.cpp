@@ -211,7 +211,7 @@ void Flattener::advance_state(const Region& region, const std::vector<Lanes>& st
     CpuInst test;
     test.kind = CpuInst::Kind::loop_test;
     test.type = Type::bool_;
-    test.in[0] = materialised(lanes(region.results[0]), Type::bool_)[0];
+    test.in[0] = lanes(region.results[0])[0];
     test.count = 1;
     push(test);
     for (const Move& each : moves)
@@ -230,7 +230,7 @@ Program Flattener::run(std::string& why) {
     recognise_hashes(program_, integer_.size());
     remove_unused(program_, integer_.size());
     fuse_steps(program_, integer_.size());
-    allocate_registers(program_, integer_);
+    allocate_registers(program_, integer_, uniform_registers(program_, integer_.size()));
     for (CpuInst& step : program_.steps)
         if (has_kernel(step)) step.kernel = static_cast<uint16_t>(kernel_index(step));
     static std::atomic<uint64_t> compilations = 0;

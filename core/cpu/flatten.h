@@ -102,7 +102,11 @@ void remove_unused(Program& program, size_t registers);
 // Fuses steps, so that several ops share a pass over memory.
 void fuse_steps(Program& program, size_t registers);
 
+// Returns, by register, if it has the same value at all points and only kernels read it.
+std::vector<bool> uniform_registers(const Program& program, size_t registers);
+
 // Reuses registers after their live range ends. `integer` selects the register file of each.
-void allocate_registers(Program& program, const std::vector<bool>& integer);
+void allocate_registers(Program& program, const std::vector<bool>& integer,
+                        const std::vector<bool>& uniform);
 
 }  // namespace wrinkle

@@ -78,8 +78,8 @@ private:
         if (step.count != 2 || !stands_in(seconds, step.op) || step.in[0] == step.in[1]) return;
         for (const uint32_t i : {0u, 1u}) {
             CpuInst* first = single_use_producer(step, i);
-            if (!first || first->kind != CpuInst::Kind::op || first->type != step.type ||
-                !stands_in(firsts, first->op))
+            if (!first || first->kind != CpuInst::Kind::op || !stands_in(firsts, first->op) ||
+                first->type != (first->op == Op::to_float_ ? Type::uint_ : step.type))
                 continue;
             const uint32_t other = step.in[1 - i];
             step.second = step.op;

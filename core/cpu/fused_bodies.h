@@ -28,7 +28,7 @@ Lane* lanes_of(const Registers<T>& registers, uint32_t reg) {
         return reinterpret_cast<Lane*>(registers.integers[reg]);
 }
 
-// The lanes of an operand, block by block; those of a constant are one block.
+// The lanes of an operand, block by block; those of a uniform register are one block.
 template <class Lane>
 struct Operand {
     const Lane* block;
@@ -72,12 +72,25 @@ void pair(const CpuInst& step, const Registers<T>& registers, size_t n) {
               Operand<Lane>(step, registers, 2));
 }
 
+// The first op converts from uint.
+template <class T, class Second, bool swapped>
+void converted(const CpuInst& step, const Registers<T>& registers, size_t n) {
+    T* out = lanes_of<T>(registers, step.out[0]);
+    const auto joined = [=](size_t k, uint32_t a, T c) {
+        const T x = static_cast<T>(a);
+        out[k] = swapped ? Second{}(c, x) : Second{}(x, c);
+    };
+    each_lane(n, joined, Operand<uint32_t>(step, registers, 0), Operand<T>(step, registers, 2));
+}
+
 // Enters the kernels of all pairs of first_ops and second_ops.
 template <class T>
 void add_pairs(KernelTable<T>& table) {
     const auto add = [&]<class First, class Second>(Op first, First, Op second, Second) {
         table[fused_kernel(first, second, false)] = pair<T, T, First, Second, false>;
         table[fused_kernel(first, second, true)] = pair<T, T, First, Second, true>;
+        table[fused_kernel(Op::to_float_, second, false)] = converted<T, Second, false>;
+        table[fused_kernel(Op::to_float_, second, true)] = converted<T, Second, true>;
     };
     const auto add_all = [&](Op first, auto make) {
         add(first, make, Op::add_, add_{});

@@ -14,8 +14,8 @@
 
 namespace wrinkle {
 
-inline constexpr std::array first_ops = {Op::abs_, Op::add_, Op::sub_,
-                                         Op::mul_, Op::min_, Op::max_};
+inline constexpr std::array first_ops = {Op::abs_, Op::add_, Op::sub_,     Op::mul_,
+                                         Op::min_, Op::max_, Op::to_float_};  // from uint
 inline constexpr std::array second_ops = {Op::add_, Op::sub_, Op::mul_, Op::min_, Op::max_};
 
 inline constexpr std::array first_word_ops = {Op::add_, Op::mul_, Op::bit_and_, Op::bit_xor_,

@@ -16,7 +16,7 @@
 namespace wrinkle {
 
 inline constexpr size_t tile_points = 512;
-// Kernels run on blocks of lanes. A constant register is one block, which kernels read repeatedly,
+// Kernels run on blocks of lanes. A uniform register is one block, which kernels read repeatedly,
 // so that constants stay in the L1 cache.
 inline constexpr size_t block_lanes = 32;
 static_assert(tile_points % block_lanes == 0);

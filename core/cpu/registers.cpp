@@ -63,55 +63,66 @@ struct File {
 };
 
 struct Allocator {
-    const std::vector<bool>& integer;
+    const std::vector<bool>&integer, &uniform;
     std::vector<uint32_t> slot;
-    File files[2];
+    File files[2][2];  // by integer and uniform
 
-    File& file(uint32_t reg) { return files[integer[reg] ? 1 : 0]; }
+    File& file(uint32_t reg) { return files[integer[reg]][uniform[reg]]; }
     void define(uint32_t reg) {
         if (slot[reg] == never) slot[reg] = file(reg).take();
     }
     void release(uint32_t reg) { file(reg).free.push_back(slot[reg]); }
+    // Uniform registers come first. Precondition: all registers have a slot.
+    uint32_t final_register(uint32_t reg) const {
+        return slot[reg] + (uniform[reg] ? 0 : files[integer[reg]][1].size);
+    }
 };
 
-}  // namespace
-
-void allocate_registers(Program& program, const std::vector<bool>& integer) {
-    const std::vector<uint32_t> last = last_uses(program, integer.size());
+void allocate_slots(const Program& program, Allocator& allocator) {
+    const size_t registers = allocator.slot.size();
+    const std::vector<uint32_t> last = last_uses(program, registers);
     std::vector<std::vector<uint32_t>> dying(program.steps.size());
-    for (uint32_t reg = 0; reg < integer.size(); ++reg)
+    for (uint32_t reg = 0; reg < registers; ++reg)
         if (last[reg] < program.steps.size()) dying[last[reg]].push_back(reg);
-    std::vector<bool> is_constant(integer.size(), false);
-    Allocator allocator{integer, std::vector<uint32_t>(integer.size(), never), {}};
-    for (Program::Constant& constant : program.constants) {
+    for (const Program::Constant& constant : program.constants)
         allocator.define(constant.reg);
-        is_constant[constant.reg] = true;
-        constant.reg = allocator.slot[constant.reg];
-    }
-    program.float_constants = allocator.files[0].size;
-    program.integer_constants = allocator.files[1].size;
     for (const Program::Input& input : program.inputs)
         allocator.define(input.reg);
     for (uint32_t s = 0; s < program.steps.size(); ++s) {
-        CpuInst& step = program.steps[s];
+        const CpuInst& step = program.steps[s];
         for (uint32_t i = 0; i < step.outputs; ++i)
             allocator.define(step.out[i]);
         for (const uint32_t reg : dying[s])
             if (allocator.slot[reg] != never) allocator.release(reg);
+    }
+}
+
+}  // namespace
+
+void allocate_registers(Program& program, const std::vector<bool>& integer,
+                        const std::vector<bool>& uniform) {
+    Allocator allocator{integer, uniform, std::vector<uint32_t>(integer.size(), never), {}};
+    allocate_slots(program, allocator);
+    for (CpuInst& step : program.steps) {
+        step.to_uniform = step.outputs > 0 && uniform[step.out[0]];
         for (uint32_t i = 0; i < step.count; ++i) {
-            if (is_constant[step.in[i]]) step.uniform |= static_cast<uint8_t>(1U << i);
-            step.in[i] = allocator.slot[step.in[i]];
+            if (uniform[step.in[i]]) step.uniform |= static_cast<uint8_t>(1U << i);
+            step.in[i] = allocator.final_register(step.in[i]);
         }
         for (uint32_t i = 0; i < step.outputs; ++i)
-            step.out[i] = allocator.slot[step.out[i]];
+            step.out[i] = allocator.final_register(step.out[i]);
     }
+    for (Program::Constant& constant : program.constants)
+        constant.reg = allocator.final_register(constant.reg);
     for (Program::Input& input : program.inputs)
-        input.reg = allocator.slot[input.reg];
+        input.reg = allocator.final_register(input.reg);
     for (Program::Output& output : program.outputs)
         for (uint32_t& reg : output.regs)
-            reg = allocator.slot[reg];
-    program.float_registers = allocator.files[0].size;
-    program.integer_registers = allocator.files[1].size;
+            reg = allocator.final_register(reg);
+    program.uniform_floats = allocator.files[0][1].size;
+    program.uniform_integers = allocator.files[1][1].size;
+    program.float_registers = allocator.files[0][0].size + program.uniform_floats;
+    program.integer_registers = allocator.files[1][0].size + program.uniform_integers;
 }
 
 }  // namespace wrinkle

@@ -25,12 +25,12 @@ Tile<T>::Tile(const Program& program, std::span<const Texture> textures, Instruc
       kernels_(kernels_of(set)),
       kernel_table_(kernel_table<T>(kernels_)),
       memory_(memory) {
-    const uint32_t floats = program.float_constants, integers = program.integer_constants;
+    const uint32_t floats = program.uniform_floats, integers = program.uniform_integers;
     memory_.float_pointers.clear();
     memory_.integer_pointers.clear();
-    allot(memory_.float_constants, memory_.float_pointers, floats, block_lanes);
+    allot(memory_.uniform_floats, memory_.float_pointers, floats, block_lanes);
     allot(memory_.floats, memory_.float_pointers, program.float_registers - floats, tile_points);
-    allot(memory_.integer_constants, memory_.integer_pointers, integers, block_lanes);
+    allot(memory_.uniform_integers, memory_.integer_pointers, integers, block_lanes);
     allot(memory_.integers, memory_.integer_pointers, program.integer_registers - integers,
           tile_points);
     if (program.serial != 0 && memory_.serial == program.serial) return;
@@ -52,7 +52,7 @@ void Tile<T>::run(size_t count) {
             continue;
         }
         assert(kernel_table_[step.kernel] && "an op without a CPU case");
-        kernel_table_[step.kernel](step, registers, lanes);
+        kernel_table_[step.kernel](step, registers, step.to_uniform ? block_lanes : lanes);
         ++index;
     }
 }
@@ -137,7 +137,8 @@ template <class T>
 void Tile<T>::test(const CpuInst& step) {
     RunningLoop& loop = memory_.loops.back();
     const uint32_t* goes_on = integers(step.in[0]);
-    if (loop.iterations >= loop.limit) return loop.active.fill(0);
+    if (loop.iterations >= loop.limit || (step.uniform && !goes_on[0])) return loop.active.fill(0);
+    if (step.uniform) return;
     for (size_t k = 0; k < count_; ++k)
         loop.active[k] &= goes_on[k];
 }

@@ -32,8 +32,8 @@ struct RunningLoop {
 
 template <class T>
 struct TileMemory {
-    AlignedVector<T> floats, float_constants;
-    AlignedVector<uint32_t> integers, integer_constants;
+    AlignedVector<T> floats, uniform_floats;
+    AlignedVector<uint32_t> integers, uniform_integers;
     std::vector<T*> float_pointers;  // by register
     std::vector<uint32_t*> integer_pointers;
     std::vector<RunningLoop> loops;
@@ -53,7 +53,7 @@ public:
     // to blocks. Precondition: an input register, which no step writes, or an output register.
     void bind_register(uint32_t reg, T* lanes) { memory_.float_pointers[reg] = lanes; }
     void unbind_register(uint32_t reg) {
-        const size_t written = reg - program_.float_constants;
+        const size_t written = reg - program_.uniform_floats;
         memory_.float_pointers[reg] = memory_.floats.data() + written * tile_points;
     }
 

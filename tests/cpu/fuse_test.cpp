@@ -146,6 +146,23 @@ TEST(Fused, EveryPairOfIntegersInEitherOrder) {
                     4);  // three convert the operands from float
 }
 
+TEST(Fused, AConversionWithWhatReadsIt) {
+    std::vector<Lanes> values(fuse_points);
+    for (size_t k = 0; k < fuse_points; ++k)
+        values[k][0] = static_cast<double>((k * 2654435761U) % 16777216);
+    for (const Op second : {Op::add_, Op::sub_, Op::mul_, Op::min_, Op::max_})
+        for (const bool swapped : {false, true})
+            expect_fused(
+                [&](Scene& s, std::vector<Id>& between) {
+                    const Id bits = s.m.add(Op::bit_xor_, {s.operand(Type::uint_, values),
+                                                           s.m.literal(Type::uint_, 12345)});
+                    const Id number = s.m.add(Op::to_float_, {bits}), c = operand(s, 3);
+                    between = {number};
+                    return swapped ? s.m.add(second, {c, number}) : s.m.add(second, {number, c});
+                },
+                3);
+}
+
 Id pcg_hash(Module& m, Id x) {
     const auto word = [&](double value) { return m.literal(Type::uint_, value); };
     const Id sum = m.add(Op::add_, {m.add(Op::mul_, {x, word(747796405)}), word(2891336453)});

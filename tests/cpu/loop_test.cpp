@@ -1,6 +1,8 @@
 // Tests of loops and calls, with points that leave a loop at different times.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cpu/support.h"
 #include "ir/value.h"
 
@@ -57,6 +59,45 @@ TEST(Loops, ValuesOfTheBodyAreNotThoseAfterIt) {
     });
     s.output(s.m.add(Op::mul_, {last, two}));
     expect_as_interpreted(s, 1e-13);
+}
+
+size_t uniform_steps(const Scene& s) {
+    std::string why;
+    const Program program = compile_program(s.m, why);
+    return static_cast<size_t>(std::ranges::count(program.steps, true, &CpuInst::to_uniform));
+}
+
+// The sum of i * i * x.
+void sum_squares(Scene& s, Id count) {
+    Module& m = s.m;
+    const Id x = seed(s);
+    s.output(repeat(m, count, x, 20, [&](Id i, Id state) {
+        const Id number = m.add(Op::to_float_, {i});
+        return m.add(Op::add_, {state, m.add(Op::mul_, {m.add(Op::mul_, {number, number}), x})});
+    }));
+    expect_as_interpreted(s, 1e-12);
+}
+
+TEST(Loops, ACounterIsUniformIfAllPointsCountAsFar) {
+    for (const size_t points : {size_t{1}, size_t{20}, size_t{31}, loop_points}) {
+        Scene same(points), own(points);
+        sum_squares(same, integer(same.m, 7));
+        EXPECT_GE(uniform_steps(same), 5U);
+        sum_squares(own, rounds(own));
+        EXPECT_LE(uniform_steps(own), 1U);
+    }
+}
+
+// The outer loop ends at different times; the inner counter starts again in each of its iterations.
+TEST(Loops, InAVaryingLoopACounterVaries) {
+    Scene s(loop_points);
+    Module& m = s.m;
+    s.output(repeat(m, rounds(s), seed(s), 20, [&](Id, Id outer) {
+        return repeat(m, integer(m, 3), outer, 5, [&](Id i, Id state) {
+            return m.add(Op::add_, {state, m.add(Op::to_float_, {i})});
+        });
+    }));
+    expect_as_interpreted(s, 1e-12);
 }
 
 TEST(Loops, TheLimitEndsThem) {

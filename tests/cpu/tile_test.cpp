@@ -139,7 +139,7 @@ void evaluate_chain() {
     s.output(x);
     std::string why;
     const Program program = compile_program(m, why);
-    EXPECT_LT(program.float_registers - program.float_constants, 16u);
+    EXPECT_LT(program.float_registers - program.uniform_floats, 16u);
     EXPECT_LT(program.steps.size(), 3u * chain_length + 10);
     const Results results = evaluate_all<double>(s);
     for (size_t k = 0; k < 3; ++k) {
