@@ -10,16 +10,29 @@ using namespace sdk;
 
 // Returns three numbers in [0, 1) from `bits` and two further hashes.
 static vec3 random3(Uint bits) {
-    const Uint second = hash(bits);
-    return {unit_float(bits), unit_float(second), unit_float(hash(second))};
+    const auto numbers = function("random3(bits)", [](Uint bits) {
+        const Uint second = named("second", hash(bits)), third = named("third", hash(second));
+        return vec3(Float(bits >> 8u), Float(second >> 8u), Float(third >> 8u)) / 16777216;
+    });
+    return numbers(bits);
 }
 
-// Returns component k of offset `index` among the 27 or 9 offsets -1, 0, 1 by axis. The half guards
-// against inexact division.
-static Float offset(Float index, int k) {
-    const double stride[] = {1, 3, 9};
-    const Float rest = floor((index + 0.5) * (1 / stride[k]));
-    return rest - 3 * floor((rest + 0.5) * (1.0 / 3)) - 1;
+// Returns an offset among the offsets -1, 0, 1 by axis, which repeat; `stride` is 1, 3, 9, and
+// `middle` its index and a half, which guards against inexact division.
+template <class V>
+static V offset(Float middle, V stride) {
+    return named("offset", floor(mod(middle / stride, 3)) - 1);
+}
+static Float middle_of(Int index) {
+    return Float(index) + 0.5;
+}
+
+// Returns the feature point of a cell, relative to the cell's centre.
+static vec3 feature(vec3 cell, Float jitter) {
+    const auto point = function("feature_point(cell, jitter)", [](vec3 cell, Float jitter) {
+        return (random3(named("bits", hash(cell))) - 0.5) * jitter;
+    });
+    return point(cell, jitter);
 }
 
 enum class Distance { first, second, difference };
@@ -30,17 +43,12 @@ enum class Distance { first, second, difference };
 // changes the second distance at a few of 10,000 positions. The search returns cells, which do not
 // depend on the position, so only the distances to their points are differentiated.
 static Float worley(vec3 point, Float scale, Float jitter, Distance which) {
-    const auto feature = function("feature_point(cell, jitter)", [](vec3 cell, Float jitter) {
-        const Uint bits = hash(Int(cell.x()), Int(cell.y()), Int(cell.z()));
-        return (random3(bits) - 0.5) * jitter;
-    });
-    const auto search = [feature](vec3 cell, vec3 from, Float jitter) {
+    const auto search = [](vec3 cell, vec3 from, Float jitter) {
         using State = std::tuple<Int, Float, Float, vec3, vec3>;
         const auto each = [&](Int k, Float first, Float second, vec3 nearest, vec3 next) {
-            const Float index(k);
-            const vec3 step(offset(index, 0), offset(index, 1), offset(index, 2));
-            const vec3 way = step + feature(cell + step, jitter) - from;
-            const Float square = dot(way, way);
+            const vec3 step = offset(middle_of(k), vec3(1, 3, 9));
+            const vec3 way = named("way", step + feature(cell + step, jitter) - from);
+            const Float square = named("square", dot(way, way));
             const Bool closer = square < first, close = square < second;
             return std::tuple{Bool(true),
                               k + 1,
@@ -54,18 +62,23 @@ static Float worley(vec3 point, Float scale, Float jitter, Distance which) {
         return std::tuple{nearest, next};
     };
     const auto distance =
-        function("worley(p, width, jitter)", [&](vec3 p, Float width, Float jitter) {
-            const vec3 cell = floor(p), from = p - cell - 0.5;
-            const auto [nearest, next] = search(cell, detach(from), detach(jitter));
-            const Float first = length(nearest + feature(cell + nearest, jitter) - from);
-            const Float second = length(next + feature(cell + next, jitter) - from);
-            const Float found[] = {first, second, second - first};
-            const Float mean[] = {0.48 + 0.04 * jitter, 0.703 + 0.015 * jitter,
-                                  0.223 - 0.025 * jitter};  // measured
-            const auto index = static_cast<size_t>(which);
-            return mix(mean[index], found[index], fade(width));
-        });
-    return distance(point * scale, footprint(point, scale), jitter);
+        function("worley(point, width, scale, jitter)",
+                 [&](vec3 point, Float width, Float scale, Float jitter) {
+                     const vec3 p = named("p", point * scale), cell = named("cell", floor(p));
+                     const vec3 from = named("from", p - cell - 0.5);
+                     const auto [nearest, next] = search(cell, detach(from), detach(jitter));
+                     const auto distance_to = [&](const char* name, vec3 step) {
+                         return length(named(name, step + feature(cell + step, jitter) - from));
+                     };
+                     const Float first = distance_to("to_nearest", nearest);
+                     const Float second = distance_to("to_next", next);
+                     const Float found[] = {first, second, second - first};
+                     const Float mean[] = {0.48 + 0.04 * jitter, 0.703 + 0.015 * jitter,
+                                           0.223 - 0.025 * jitter};  // measured
+                     const auto k = static_cast<size_t>(which);
+                     return mix(mean[k], found[k], fade(width, scale));
+                 });
+    return distance(point, footprint(point), scale, jitter);
 }
 
 static constexpr int most_layers = 4;
@@ -80,20 +93,23 @@ struct Scratches {
 // Returns the depth of a stroke at a position. A stroke may begin in each of 9 cells of a layer;
 // the index counts those of all layers. `size` is (length, width), `angles` (direction, spread).
 static Float stroke_at(vec2 p, Int index, Float density, vec2 size, vec2 angles) {
-    const Float number(index), layer = floor((number + 0.5) * (1.0 / 9));
-    const Float k = number - 9 * layer;
-    const vec2 moved = p + vec2(0.37, 0.61) * layer, home = floor(moved);
-    const vec2 cell = home + vec2(offset(k, 0), offset(k, 1));
-    const Uint bits = hash(Int(cell.x()), Int(cell.y()), Int(layer));
-    const Uint more = hash(bits ^ 0x9e3779b9u);
-    const vec3 random = random3(bits);
-    const Float angle = angles.x() + (random.z() - 0.5) * angles.y();
-    const vec2 along(cos(angle), sin(angle)), way = moved - cell - random.xy();
-    const Float half = size.x() * (0.25 + 0.25 * unit_float(more));
-    const Float across = dot(way, vec2(along.y(), -along.x()));
-    const Float end = divide(dot(way, along), half);
-    const Float depth = smoothstep(0, 1, 1 - abs(across) / size.y()) * max(1 - end * end, 0);
-    return select(unit_float(hash(more)) < density, depth, 0.0);
+    const Float middle = named("middle", middle_of(index));
+    const Float layer = named("layer", floor(middle / 9));
+    const vec2 moved = named("moved", p + vec2(0.37, 0.61) * layer);
+    const vec2 cell = named("cell", floor(moved) + offset(middle, vec2(1, 3)));
+    const Uint bits = named("bits", hash(vec3(cell, layer)));
+    const Uint more = named("more", hash(bits ^ 0x9e3779b9u));
+    const vec3 random = named("random", random3(bits));
+    const Float angle = named("angle", angles.x() + (random.z() - 0.5) * angles.y());
+    const vec2 along = named("along", vec2(cos(angle), sin(angle)));
+    const vec2 way = named("way", moved - cell - random.xy());
+    const Float half = named("half_length", size.x() * (0.25 + 0.25 * unit_float(more)));
+    const vec2 across = named("across", vec2(along.y(), -along.x()));
+    const Float side = named("side", dot(way, across) / size.y());
+    const Float end = named("end", dot(way, along) / half);
+    const Float profile = named("profile", smoothstep(0, 1, named("inside", 1 - abs(side))));
+    const Float depth = profile * named("taper", max(named("rest", 1 - end * end), 0));
+    return select(named("drawn", unit_float(hash(more)) < density), depth, 0.0);
 }
 
 // Returns the depth of the deepest stroke. As with points, the search returns the stroke's index,
@@ -101,23 +117,25 @@ static Float stroke_at(vec2 p, Int index, Float density, vec2 size, vec2 angles)
 static Float strokes(const Scratches& in) {
     const auto stroke = function("scratch(p, index, density, size, angles)", stroke_at);
     const auto deepest = function(
-        "scratches(p, width, layers, density, size, angles)",
-        [&](vec2 p, Float width, Int layers, Float density, vec2 size, vec2 angles) {
-            const vec2 here = detach(p);
-            const Int count = layers * 9;
+        "scratches(uv, width, scale, layers, density, size, angles)",
+        [&](vec2 uv, Float width, Float scale, Int layers, Float density, vec2 size, vec2 angles) {
+            const vec2 p = named("p", uv * scale), here = detach(p);
+            const Int count = named("count", layers * 9);
             const auto each = [&](Int k, Float deepest, Int found) {
-                const Float depth = stroke(here, k, density, size, angles);
+                const Float depth = named("stroke", stroke(here, k, density, size, angles));
                 return std::tuple{k < count, k + 1, max(deepest, depth),
                                   select(deepest < depth, k, found)};
             };
-            const auto [k, depth, found] = loop("strokes(k, deepest, found)", 9 * most_layers,
+            const auto [k, least, found] = loop("strokes(k, deepest, found)", 9 * most_layers,
                                                 std::tuple<Int, Float, Int>{0, 0, 0}, each);
             // The volume of a stroke is its width times 2/3 of its length; the mean length is 3/4
             // of the longest.
-            const Float mean = saturate(size.x() * size.y() * density * (0.5 * Float(layers)));
-            return mix(mean, stroke(p, found, density, size, angles), fade(width / (4 * size.y())));
+            const Float mean =
+                named("mean", saturate(size.x() * size.y() * density * (0.5 * Float(layers))));
+            const Float depth = named("stroke", stroke(p, found, density, size, angles));
+            return mix(mean, depth, fade(width / (4 * size.y()), scale));
         });
-    return deepest(in.uv * in.scale, footprint(in.uv, in.scale), in.layers, in.density,
+    return deepest(in.uv, footprint(in.uv), in.scale, in.layers, in.density,
                    vec2(in.length, in.width), vec2(radians(in.direction), radians(in.spread)));
 }
 
@@ -144,8 +162,8 @@ static constinit Node cellular_list[] = {
                       "scale", 4, "Cells per uv unit")
             .in<Float>("density", 0.7, "Share of the cells that have a stroke", slider(0, 1),
                        limits(0, 1))
-            .in<Float>("length", 1.4, "Of the longest strokes, in cells", slider(0, 1.5),
-                       limits(0, 1.5))
+            .in<Float>("length", 1.4, "Of the longest strokes, in cells", slider(0.1, 1.5),
+                       limits(0.001, 1.5))
             .in<Float>("width", 0.06, "From the middle of a stroke to its rim, in cells",
                        slider(0.04, 0.25), limits(0.001, 0.25))
             .in<Float>("direction", 0, "Of the strokes, anticlockwise from u", slider(-180, 180),
@@ -154,7 +172,7 @@ static constinit Node cellular_list[] = {
                        unit("deg"))
             .count("layers", 2, 1, most_layers, "How many strokes may lie in a cell"),
         0.004, "How deep, 0 to -1")
-        .body([](Scratches in) { return relief_of(-strokes(in), in.amplitude); })};
+        .body([](Scratches in) { return relief_of(-named("value", strokes(in)), in.amplitude); })};
 constinit std::span<Node> cellular_nodes = cellular_list;
 
 }  // namespace wrinkle::nodes

@@ -16,16 +16,15 @@ namespace wrinkle::nodes {
 
 template <class V>
 sdk::Float footprint(V p) {
-    return detach(max(length(ddx(p)), length(ddy(p))));
-}
-// That of p * scale.
-template <class V>
-sdk::Float footprint(V p, sdk::Float scale) {
-    return footprint(p) * detach(abs(scale));
+    return named("width", detach(max(length(ddx(p)), length(ddy(p)))));
 }
 
 inline sdk::Float fade(sdk::Float footprint) {
-    return 1 - sdk::smoothstep(0.25, 0.75, footprint);
+    return named("fade", 1 - sdk::smoothstep(0.25, 0.75, footprint));
+}
+// That of the pattern at p * scale, for the footprint of p.
+inline sdk::Float fade(sdk::Float footprint, sdk::Float scale) {
+    return fade(footprint * detach(abs(scale)));
 }
 
 template <class V>

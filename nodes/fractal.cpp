@@ -38,7 +38,7 @@ static Means means_of(Basis basis) {
 static Float billows(const Fractal& fractal, Basis basis) {
     const Noise noise = noise_function(basis);
     return mean_of_octaves("billows", fractal, [&](const Octave& at) {
-        return mix(means_of(basis).absolute, abs(noise(at.p)), fade(at.footprint));
+        return mix(means_of(basis).absolute, abs(noise(at.p)), at.fade);
     });
 }
 
@@ -48,8 +48,7 @@ static Float ridges(const Fractal& fractal, Basis basis) {
     const Noise noise = noise_function(basis);
     return mean_of_octaves("ridges", fractal, [&](const Octave& at) {
         const Float fold = 1 - abs(noise(at.p));
-        return mix(means_of(basis).ridge, fold * fold, fade(at.footprint)) *
-               saturate(at.previous * 2);
+        return mix(means_of(basis).ridge, fold * fold, at.fade) * saturate(at.previous * 2);
     });
 }
 

@@ -10,104 +10,96 @@
 namespace wrinkle::nodes {
 using namespace sdk;
 
-// The twelve directions to the edges of a cube (K. Perlin 2002), of length sqrt(2), ordered by the
-// axis on which they are 0, then by the signs of the other two components. Returns one component of
-// all directions, plus 1, packed in two bits each.
-static constexpr unsigned directions(unsigned component) {
-    unsigned packed = 0;
-    for (unsigned which = 0; which < 12; ++which) {
-        const unsigned none = which / 4, first = none == 0 ? 1 : 0;
-        const bool negative = (which & (component == first ? 1u : 2u)) != 0;
-        packed |= (component == none ? 1u : negative ? 0u : 2u) << (2 * which);
-    }
-    return packed;
-}
-
-static vec3 noise_direction(vec3 corner) {
-    const auto direction = function("noise_direction(corner)", [](vec3 corner) {
-        const Uint bits = hash(Int(corner.x()), Int(corner.y()), Int(corner.z()));
-        const Uint none = ((bits >> 8u) * 3u) >> 24u;
-        const Uint place = (none * 4u + (bits & 3u)) * 2u;
-        const auto component = [&](unsigned k) {
-            return Float((Uint(directions(k)) >> place) & 3u);
-        };
-        return vec3(component(0), component(1), component(2)) - 1;
+// Returns (slope, height) of a corner of the lattice at the position corner + way: one of the
+// twelve directions to the edges of a cube (K. Perlin 2002), of length sqrt(2), and its product
+// with way.
+static vec4 gradient_corner(vec3 corner, vec3 way) {
+    const auto from = function("gradient_corner(corner, way)", [](vec3 corner, vec3 way) {
+        const Uint bits = named("bits", hash(corner));
+        const Uint axis = named("axis", ((bits >> 8u) * 3u) >> 24u);  // where the direction is 0
+        const Float a = named("a", 1 - 2 * Float(bits & 1u)), b = named("b", 1 - Float(bits & 2u));
+        const Float first = named("first", select(axis == 0u, a, 0));
+        const Float last = named("last", select(axis == 2u, b, 0));
+        const vec3 slope(named("x", a - first), named("y", first + last), named("z", b - last));
+        return vec4(slope, dot(slope, way));
     });
-    return direction(corner);
+    return from(corner, way);
 }
 
-static Float height_of(const vec4& corner) {
-    return corner.w();
-}
-static Float height_of(const Float& corner) {
-    return corner;
+// A position in its cell of the lattice, Perlin's quintic of it by component, and its derivative.
+struct Cell {
+    vec3 corner, way, t, t_slope;
+};
+static Cell cell_of(vec3 p) {
+    const vec3 corner = named("cell", floor(p)), way = named("f", p - corner);
+    const vec3 back = named("back", way - 1);
+    return {corner, way, named("t", way * way * way * (way * (way * 6 - vec3(15)) + vec3(10))),
+            named("t_slope", 30 * way * way * back * back)};
 }
 
-// Interpolates the eight corners of the cell around p by Perlin's quintic and returns (slope,
-// height). corner(at, way) returns (slope, height) of the corner `at` at the position at + way, or
-// only a height.
-template <class Corner>
-static vec4 lattice(vec3 p, Corner corner) {
-    const vec3 low = floor(p), high = low + 1, from = p - low, back = from - 1;
-    const vec3 t = from * from * from * (from * (from * 6 - vec3(15)) + vec3(10));
-    const vec3 steepness = 30 * from * from * back * back;
-    const auto pick = [](vec3 a, vec3 b, int x, int y, int z) {
-        return vec3(x ? b.x() : a.x(), y ? b.y() : a.y(), z ? b.z() : a.z());
+// Interpolates (slope, height) of the eight corners: along x, then y, then z. Each step adds the
+// slope along its axis.
+static vec4 gradient_noise(vec3 p) {
+    const auto edge =
+        function("gradient_edge(corner, way, t, t_slope)",
+                 [](vec3 corner, vec3 way, Float t, Float t_slope) {
+                     const vec3 x(1, 0, 0);
+                     const vec4 a = named("a", gradient_corner(corner, way));
+                     const vec4 b = named("b", gradient_corner(corner + x, way - x));
+                     return named("mixed", mix(a, b, t)) + vec4(t_slope * (b.w() - a.w()), 0, 0, 0);
+                 });
+    const auto [corner, way, t, t_slope] = cell_of(p);
+    const auto along_x = [&](const char* name, vec3 at) {
+        return named(name, edge(corner + at, way - at, t.x(), t_slope.x()));
     };
-    const auto at = [&](int x, int y, int z) {
-        return corner(pick(low, high, x, y, z), pick(from, back, x, y, z));
+    const vec4 a = along_x("a", vec3(0)), b = along_x("b", {0, 1, 0});
+    const vec4 c = along_x("c", {0, 0, 1}), d = along_x("d", {0, 1, 1});
+    const vec4 y(0, t_slope.y(), 0, 0), z(0, 0, t_slope.z(), 0);
+    const vec4 low = named("low", named("ab", mix(a, b, t.y())) + y * (b.w() - a.w()));
+    const vec4 high = named("high", named("cd", mix(c, d, t.y())) + y * (d.w() - c.w()));
+    return named("joined", mix(low, high, t.z())) + z * (high.w() - low.w());
+}
+
+// The same for corners that have only a height: each step makes one component of the slope.
+static vec4 value_noise(vec3 p) {
+    const auto edge =
+        function("value_edge(corner, t, t_slope)", [](vec3 corner, Float t, Float t_slope) {
+            const Float a = named("a", unit_float(hash(corner)) * 2 - 1);
+            const Float b = named("b", unit_float(hash(corner + vec3(1, 0, 0))) * 2 - 1);
+            return vec2(t_slope * (b - a), mix(a, b, t));
+        });
+    const auto [corner, way, t, t_slope] = cell_of(p);
+    const auto along_x = [&](const char* name, vec3 at) {
+        return named(name, edge(corner + at, t.x(), t_slope.x()));
     };
-    const auto c000 = at(0, 0, 0), c100 = at(1, 0, 0), c010 = at(0, 1, 0), c110 = at(1, 1, 0);
-    const auto c001 = at(0, 0, 1), c101 = at(1, 0, 1), c011 = at(0, 1, 1), c111 = at(1, 1, 1);
-    const auto c00 = mix(c000, c100, t.x()), c10 = mix(c010, c110, t.x());
-    const auto c01 = mix(c001, c101, t.x()), c11 = mix(c011, c111, t.x());
-    const auto c0 = mix(c00, c10, t.y()), c1 = mix(c01, c11, t.y());
-    const auto joined = mix(c0, c1, t.z());
-    const auto rise = [](const auto& a, const auto& b) { return height_of(b) - height_of(a); };
-    const vec3 across(mix(mix(rise(c000, c100), rise(c010, c110), t.y()),
-                          mix(rise(c001, c101), rise(c011, c111), t.y()), t.z()),
-                      mix(rise(c00, c10), rise(c01, c11), t.z()), rise(c0, c1));
-    if constexpr (std::is_same_v<decltype(joined), const Float>)
-        return {steepness * across, joined};
-    else
-        return {joined.xyz() + steepness * across, joined.w()};
+    const auto along_y = [&](vec2 a, vec2 b) {
+        const vec2 mixed = mix(a, b, t.y());
+        return vec3(mixed.x(), t_slope.y() * (b.y() - a.y()), mixed.y());
+    };
+    const vec3 low = named("low", along_y(along_x("a", vec3(0)), along_x("b", {0, 1, 0})));
+    const vec3 high = named("high", along_y(along_x("c", {0, 0, 1}), along_x("d", {0, 1, 1})));
+    const vec3 mixed = named("mixed", mix(low, high, t.z()));
+    return vec4(mixed.xy(), vec2(t_slope.z() * (high.z() - low.z()), mixed.z()));
 }
 
 // Sums the four corners of a simplex in the skewed lattice: the cell's corner, one step along the
 // greatest component, one more along the next, and the opposite corner. Returns (slope, height).
 static vec4 simplex(vec3 p) {
-    const vec3 skewed = p + dot(p, vec3(1)) * (1.0 / 3);
-    const vec3 cell = floor(skewed);
-    const vec3 f = skewed - cell;
+    const vec3 skewed = named("skewed", p + dot(p, vec3(1)) / 3);
+    const vec3 cell = named("cell", floor(skewed)), f = named("f", skewed - cell);
     const Float xy(f.x() >= f.y()), xz(f.x() >= f.z()), yz(f.y() >= f.z());
-    const vec3 rank(xy + xz, 1 - xy + yz, 2 - xz - yz);
-    const vec3 way = f - dot(f, vec3(1)) * (1.0 / 6);
-    const vec3 one = saturate(rank - 1), two = saturate(rank);
-    const auto corner = function("simplex_corner(corner, from)", [](vec3 corner, vec3 from) {
-        const Float near = max(0.5 - dot(from, from), 0), cube = near * near * near;
-        const vec3 slope = noise_direction(corner);
-        const Float height = dot(slope, from);
-        return vec4(cube * (near * slope - 8 * height * from), cube * near * height);
+    const vec3 rank = named("rank", vec3(xy + xz, 1 - xy + yz, 2 - xz - yz));
+    const vec3 way = named("way", f - dot(f, vec3(1)) / 6);
+    const vec3 one = named("one", saturate(rank - 1)), two = named("two", saturate(rank));
+    const auto corner = function("simplex_corner(corner, way)", [](vec3 corner, vec3 way) {
+        const Float near = named("near", max(0.5 - dot(way, way), 0));
+        const Float cube = named("cube", near * near * near);
+        const vec4 linear = named("linear", gradient_corner(corner, way));
+        return vec4(cube * (near * linear.xyz() - 8 * linear.w() * way), cube * near * linear.w());
     });
     return (corner(cell, way) + corner(cell + one, way - one + 1.0 / 6) +
             corner(cell + two, way - two + 1.0 / 3) + corner(cell + 1, way - 0.5)) *
            76;
-}
-
-static vec4 gradient_noise(vec3 p) {
-    const auto corner = function("gradient_corner(corner, way)", [](vec3 corner, vec3 way) {
-        const vec3 slope = noise_direction(corner);
-        return vec4(slope, dot(slope, way));
-    });
-    return lattice(p, corner);
-}
-
-static vec4 value_noise(vec3 p) {
-    const auto value = function("value_corner(corner)", [](vec3 corner) {
-        const Uint bits = hash(Int(corner.x()), Int(corner.y()), Int(corner.z()));
-        return unit_float(bits) * 2 - 1;
-    });
-    return lattice(p, [&](vec3 corner, vec3) { return value(corner); });
 }
 
 Noise noise_function(Basis basis) {
@@ -123,16 +115,17 @@ Noise noise_function(Basis basis) {
 
 Float fbm(const Fractal& fractal, Basis basis) {
     const Noise noise = noise_function(basis);
-    return mean_of_octaves("fbm", fractal,
-                           [&](const Octave& at) { return noise(at.p) * fade(at.footprint); });
+    return mean_of_octaves("fbm", fractal, [&](const Octave& at) { return noise(at.p) * at.fade; });
 }
 
 // One octave.
 static auto single(Basis basis, vec3 point, Float scale, Float amplitude) {
     const Noise noise = noise_function(basis);
-    const auto filtered = function("filtered_noise(p, width)",
-                                   [&](vec3 p, Float width) { return noise(p) * fade(width); });
-    return relief_of(filtered(point * scale, footprint(point, scale)), amplitude);
+    const auto filtered =
+        function("filtered_noise(point, width, scale)", [&](vec3 point, Float width, Float scale) {
+            return noise(point * scale) * fade(width, scale);
+        });
+    return relief_of(filtered(point, footprint(point), scale), amplitude);
 }
 
 static constinit Node noise_list[] = {

@@ -15,7 +15,7 @@ struct Noise {
     sdk::Function<sdk::vec4, std::tuple<sdk::vec3>> slope_and_height;
 
     sdk::Float operator()(sdk::vec3 p) const {
-        const sdk::vec4 at = slope_and_height(p);
+        const sdk::vec4 at = sdk::named("noise", slope_and_height(p));
         return sdk::with_slope(at.w(), p, at.xyz());
     }
 };
@@ -40,11 +40,11 @@ struct Fractal {
     sdk::Float lacunarity, gain;
 };
 
-// A position in an octave, the pixel's footprint there, and the height of the octave before, which
-// is 1 for the first.
+// A position in an octave, how much of it is visible (footprint.h), and the height of the octave
+// before, which is 1 for the first.
 struct Octave {
     sdk::vec3 p;
-    sdk::Float footprint, previous;
+    sdk::Float fade, previous;
 };
 
 // Returns the weighted mean of height(Octave) over the octaves, in the range of one layer, from a
@@ -52,25 +52,26 @@ struct Octave {
 template <class Height>
 sdk::Float mean_of_octaves(const char* name, const Fractal& fractal, Height height) {
     using namespace sdk;
-    const auto body = [&](vec3 point, Float width, Int octaves, Float lacunarity, Float gain) {
+    const auto body = [&](vec3 point, Float width, Float scale, Int octaves, Float lacunarity,
+                          Float gain) {
         using State = std::tuple<Int, Float, Float, Float, Float, Float>;
         const auto add = [&](Int k, Float frequency, Float weight, Float previous, Float total,
                              Float sum) {
             // Without the offset, every octave would be 0 at the origin. It is not scaled, which
             // would lose precision.
-            const vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * Float(k);
-            const Float value = height(Octave{p, width * frequency, previous});
+            const vec3 p = named("p", point * frequency + vec3(19.19, 7.43, 31.71) * Float(k));
+            const Float value = height(Octave{p, fade(width, frequency), previous});
             return std::tuple{k < octaves, k + 1,          frequency * lacunarity, weight * gain,
                               value,       total + weight, sum + value * weight};
         };
         const auto [k, frequency, weight, previous, total, sum] =
             loop("octaves(k, frequency, weight, previous, total, sum)", most_octaves,
-                 State{0, 1, 1, 1, 0, 0}, add);
+                 State{0, scale, 1, 1, 0, 0}, add);
         return sum / total;
     };
-    const std::string signature = name + std::string("(point, width, octaves, lacunarity, gain)");
-    return function(signature.c_str(), body)(fractal.point * fractal.scale,
-                                             footprint(fractal.point, fractal.scale),
+    const std::string signature =
+        name + std::string("(point, width, scale, octaves, lacunarity, gain)");
+    return function(signature.c_str(), body)(fractal.point, footprint(fractal.point), fractal.scale,
                                              fractal.octaves, fractal.lacunarity, fractal.gain);
 }
 

@@ -1,6 +1,7 @@
 #include "glsl/body.h"
 
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
 #include "base/text.h"
@@ -28,6 +29,10 @@ std::string comment_on(const Region& region) {
     for (const std::string& name : region.result_names)
         text += (text.empty() ? "" : ", ") + name;
     return text.empty() ? "" : "// " + comment_text(region.name + " gives " + text);
+}
+
+bool is_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == ')';
 }
 
 }  // namespace
@@ -201,15 +206,29 @@ void Body::commented_line(int indent, std::string& line, uint32_t group, bool si
     code(indent, whole.substr(0, code_end), node_of(group));
 }
 
-// Wraps a line that is too long after a comma, else after a space.
+// Returns where to break a line that has `room`: after the comma or operator that binds least, the
+// last of these; npos for nowhere.
+static size_t break_of(std::string_view line, size_t room) {
+    size_t best = std::string_view::npos;
+    int depth = 0, least = 0;
+    for (size_t i = 0; i < std::min(room, line.size()); ++i) {
+        depth += (line[i] == '(') - (line[i] == ')');
+        const bool open = line[i] == ' ' && (i == 0 || line[i - 1] == ',' || !is_word(line[i - 1]));
+        const bool product = open && i > 0 && (line[i - 1] == '*' || line[i - 1] == '/');
+        const int binding = 2 * depth + product;
+        if (!open || i < room / 3 || (best != line.npos && binding > least)) continue;
+        best = i;
+        least = binding;
+    }
+    return best == line.npos ? line.rfind(' ', room - 1) : best;
+}
+
 void Body::code(int indent, std::string_view line, uint32_t node) {
     constexpr int deeper = 2;
     for (int level = indent;; level = indent + deeper) {
         const size_t room = max_code - std::min<size_t>(4 * static_cast<size_t>(level), 60);
         if (line.size() <= room) return text_.line(level, line, node);
-        const size_t comma = line.rfind(", ", room - 1);
-        const bool late = comma != std::string_view::npos && comma > room / 3;
-        const size_t end = late ? comma + 1 : line.rfind(' ', room - 1);
+        const size_t end = break_of(line, room);
         if (end == std::string_view::npos) return text_.line(level, line, node);
         text_.line(level, line.substr(0, end), node);
         line.remove_prefix(end + 1);

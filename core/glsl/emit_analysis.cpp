@@ -28,7 +28,12 @@ EmitAnalysis::EmitAnalysis(const Module& module, const Language& language, bool 
 void EmitAnalysis::find_names() {
     const std::vector<Named>& named = module_->named;
     for (uint32_t i = 0; i < named.size(); ++i) {
-        uint32_t& name = values_[strip_detach(named[i].value)].name;
+        Id value = strip_detach(named[i].value);
+        // In a function, the name of a component is that of a called function's result.
+        const Inst& inst = (*module_)[value];
+        if (inst.op == Op::swizzle_ && inst.level > 0 && single_call(inst.arg[0]))
+            value = inst.arg[0];
+        uint32_t& name = values_[value].name;
         if (name == 0 || (named[i].output && !named[name - 1].output)) name = i + 1;
     }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "glsl/expression.h"
 
@@ -11,8 +12,10 @@ namespace {
 constexpr uint32_t max_line = 98;
 constexpr uint32_t min_room = max_line / 2;    // for an expression on any line
 constexpr uint32_t max_result = 74;            // after "m.displacement = "
+constexpr uint32_t max_return = 87;            // after "return "
 constexpr uint32_t max_expression_width = 72;  // for a value that needs no name so far
 constexpr uint8_t max_expression_depth = 6;
+constexpr uint32_t second_line = 80;  // the arguments of a call may take two lines
 constexpr uint32_t parentheses = 2;
 constexpr uint32_t loop_state_width = 12;
 constexpr uint32_t view_suffix = 4;
@@ -51,7 +54,8 @@ private:
         uint8_t depth = 1;
         bool implicit = false;
         uint32_t max_width = 0;
-        Id widest = no_id;  // the widest folded operand
+        bool has_name = false;
+        Id widest = no_id;  // the widest folded operand, of those that have a name if there are any
     };
 
     ValueState& state(Id id) { return values_.state[id]; }
@@ -64,6 +68,7 @@ private:
     void make_statement(Id id);
     uint32_t name_width(Id id) const;
     uint32_t room_for(Id id);
+    bool may_wrap(Id id, const Folded& text);
     bool is_too_wide(Id id, const Folded& text);
     bool must_name(Id id, bool is_root);
 
@@ -118,16 +123,26 @@ uint32_t TemporarySelector::name_width(Id id) const {
 
 // A value that is known to become a temporary shares the line with its declaration.
 uint32_t TemporarySelector::room_for(Id id) {
-    if (state(id).root && state(id).uses == 1) return max_result;
-    if (!must_name(id, false)) return max_expression_width;
+    if (state(id).root && state(id).uses == 1) return values_.anonymous ? max_return : max_result;
+    if (!must_name(id, false) && !analysis_.name(id)) return max_expression_width;
     const uint32_t declaration = 12 + name_width(id);
     return std::max(max_line - std::min(declaration, max_line), min_room);
 }
 
 // Returns true if the text exceeds its line and folding fewer operands makes it narrower.
 bool TemporarySelector::is_too_wide(Id id, const Folded& text) {
-    return text.width > min_room && text.widest != no_id && m_[id].op != Op::loop_ &&
-           text.width > room_for(id);
+    if (text.width <= min_room || text.widest == no_id || m_[id].op == Op::loop_) return false;
+    return text.width > room_for(id) + (may_wrap(id, text) ? second_line : 0);
+}
+
+// The arguments of a call, and the terms of a derivative that has a name, may continue on a second
+// line, unless one of them has a name.
+bool TemporarySelector::may_wrap(Id id, const Folded& text) {
+    if (analysis_.name(text.widest)) return false;
+    const Op op = m_[id].op;
+    const bool terms = op == Op::add_ || op == Op::sub_ || op == Op::construct_;
+    const Named* name = analysis_.name(id);
+    return analysis_.single_call(id) || (terms && name && name->derived);
 }
 
 // A left-associative chain of one precedence, as a + b + c, counts as one level.
@@ -162,7 +177,10 @@ void TemporarySelector::read_value(Id reader, Id operand, Id value, Folded& text
     if (needs_parentheses(analysis_, reader, operand)) text.width += parentheses;
     text.depth = std::max(text.depth, depth);
     text.implicit = text.implicit || read.implicit;
-    if (width <= text.max_width) return;
+    // In a function, a value that has a name is the first to become a temporary.
+    const bool named = values_.anonymous && analysis_.name(value) != nullptr;
+    if (std::pair(named, width) <= std::pair(text.has_name, text.max_width)) return;
+    text.has_name = named;
     text.max_width = width;
     text.widest = value;
 }
@@ -172,7 +190,15 @@ TemporarySelector::Folded TemporarySelector::measure(Id id) {
     Folded text;
     text.width = own_width(analysis_, values_.symbols, id);
     text.implicit = op == Op::sample_ || op == Op::input_;
+    Id last = no_id;  // the vector of which the last operand is one component
     for (const Id operand : analysis_.operands(id)) {
+        const bool component = op == Op::construct_ && m_[operand].op == Op::swizzle_ &&
+                               swizzle_count(m_[operand].extra) == 1;
+        const Id vector = component ? m_[operand].arg[0] : no_id;
+        if (std::exchange(last, vector) == vector && component) {
+            ++text.width;  // (a, v.yz)
+            continue;
+        }
         const Id value = base(operand);
         const Role role = analysis_.role(value);
         if (role == Role::value) {
@@ -190,7 +216,7 @@ bool TemporarySelector::must_name(Id id, bool is_root) {
     const ValueState& s = state(id);
     if (m_.type(id) == Type::tuple_ || s.uses > 1 || s.captured) return true;
     const Named* name = analysis_.name(id);
-    return name && name->output && !is_root;
+    return name && !is_root && (name->output || (values_.anonymous && !name->derived));
 }
 
 void TemporarySelector::visit(Id id) {
@@ -264,6 +290,10 @@ NameHint name_hint(const EmitAnalysis& analysis, const Values& values, Id id) {
     if (values.anonymous) return {{}, name ? std::string_view(name->name) : word_for(m, id)};
     if (name) return {name->node ? std::string_view(m.nodes[name->node].path) : "", name->name};
     if (m[id].op == Op::input_) return {{}, change_name(m[id].extra)};
+    // The result of a function that is named by one word has the name of the node.
+    const bool call = analysis.single_call(id);
+    if (call && m.region(m[m[id].arg[0]].extra).name.find('_') == std::string::npos)
+        return {{}, m.nodes[m.origin[id]].path};
     const std::string_view word = analysis.is_gradient(id) ? "gradient" : word_for(m, id);
     if (group_of(analysis, values, id) == surface_group) return {"surface", word};
     return {m.nodes[m.origin[id]].path, word};

@@ -1,6 +1,7 @@
 // Statement selection for one function or loop body: the values it computes, those that become
 // temporaries, and their order. A value becomes a temporary if
-//   - it is a node's output, has several users, or is captured by a loop;
+//   - it is a node's output or, in a function, has a name of its author;
+//   - it has several users, or is captured by a loop;
 //   - folding it into its only user would make that line too wide or too deep; or
 //   - it takes implicit derivatives and its user may skip its evaluation.
 // Temporaries of one node are adjacent as far as dependencies allow, else in post-order from the

@@ -47,12 +47,19 @@ Id ForwardDiff::jvp(Id value) {
     for (const Id id : list) {
         module_->current_node = module_->origin[id];
         const Id derivative = compute(id);
+        if (derivative != no_id) module_->name_slope(id, derivative, suffix());
         memo_.set(id, derivative);
         log_.push_back(id);
     }
     module_->current_node = node;
     spare_list_ = std::move(list);
     return memo_.at(value);
+}
+
+// Returns the end of a derivative's name: "_dx" along screen x, "_dy" along screen y.
+std::string_view ForwardDiff::suffix() const {
+    const bool on_screen = axis_ != DiffAxis::none && axis_ < DiffAxis::space_x;
+    return !on_screen ? "" : is_y(axis_) ? "_dy" : "_dx";
 }
 
 // Collects and marks the values that the derivative of `value` needs and that have none yet, in id

@@ -95,6 +95,7 @@ private:
     void seed_screen();
     void collect_worklist(Id value, std::vector<Id>& list);
     Id compute(Id id);
+    std::string_view suffix() const;
     Id derivative_of_input(uint32_t index);
     Id derivative_of_open_result(Id result);
     Id call_member(const Inst& result);

@@ -122,7 +122,7 @@ private:
         std::vector<uint32_t> members;
         for (const auto& [index, function] : functions_)
             if (function.family == family) members.push_back(index);
-        // "noise" before "noise_slope"
+        // "noise" before "noise_slope", which are joined as "noise"
         std::stable_sort(members.begin(), members.end(), [&](uint32_t a, uint32_t b) {
             return m_.region(a).name.size() < m_.region(b).name.size();
         });
@@ -142,7 +142,7 @@ private:
     void add_results(uint32_t index, Region& joined, std::vector<Place>& places) {
         const Region member = m_.region(index);
         const std::vector<Id> results = rewriter_.rewritten(member.results);
-        joined.name = joined.results.empty() ? member.name : joined_name(joined.name, member.name);
+        if (joined.results.empty()) joined.name = member.name;
         for (size_t k = 0; k < results.size(); ++k) {
             places.emplace_back();
             if (!functions_[index].used[k]) continue;
@@ -171,11 +171,6 @@ private:
                 lanes[k].swizzle |= swizzle_lane(lane++, i);
         }
         region.results = {m_.add(Op::construct_, parts, 0, vector_of(lane))};
-    }
-
-    // "noise" and "noise_slope" become "noise_with_slope".
-    static std::string joined_name(const std::string& a, const std::string& b) {
-        return b.starts_with(a + "_") ? a + "_with" + b.substr(a.size()) : a;
     }
 
     Module& m_;

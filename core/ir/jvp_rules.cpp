@@ -84,7 +84,7 @@ Value derive_clamp(const Operands& x) {
 // t = clamp((x - e0) / (e1 - e0), 0, 1): 6 t (1 - t) t'.
 Value derive_smoothstep(const Operands& x) {
     const Value width = x.b - x.a;
-    const Value t = op(Op::clamp_, (x.c - x.a) / width, constant(x, 0), constant(x, 1));
+    const Value t = named("t", op(Op::clamp_, (x.c - x.a) / width, constant(x, 0), constant(x, 1)));
     const Value dwidth = difference(x.tb, x.ta);
     const Value derivative = difference(difference(x.tc, x.ta), product_of(dwidth, t));
     return derivative * (t * (constant(x, 1) - t) * 6) / width;
@@ -99,6 +99,7 @@ Value derive_arithmetic(const Operands& x, Op o) {
         case Op::sub_:
             return difference(x.ta, x.tb);
         case Op::mul_:
+            if (x.a.id == x.b.id) return x.ta * x.a * 2;
             return sum(product_of(x.ta, x.b), product_of(x.tb, x.a));
         case Op::div_:
             return difference(x.ta, product_of(x.tb, x.r)) / x.b;

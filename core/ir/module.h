@@ -58,6 +58,8 @@
 
 namespace wrinkle {
 
+class ModuleCloner;  // ir/module_cloner.h
+
 enum class RegionKind : uint8_t { function, loop };
 struct Region {
     RegionKind kind = RegionKind::function;
@@ -175,6 +177,10 @@ public:
     // Names a value for generated source, used if it becomes a separate statement; an existing name
     // is retained.
     void name(Id value, uint32_t node, std::string_view name);
+    const Named* name_of(Id value);  // its first name; null if it has none
+    // Names the derivative of a value that has a name: "slope" for an output and for "value", else
+    // "NAME_slope".
+    void name_slope(Id value, Id derivative, std::string_view suffix);
 
     // Side tables; passes carry them over.
     std::vector<NodeInstance> nodes;
@@ -209,7 +215,9 @@ private:
         RegionKind kind;
         std::string name;
         std::vector<Type> params;
+        size_t first_name;  // in `named`
     };
+    void share_name(uint32_t index);
     Id intern(const Inst& inst);
     Id append(const Inst& inst);
     bool has_constant_parts(Id construct) const;
@@ -224,6 +232,7 @@ private:
     bool set_base(Op op, std::span<const Id> args, uint32_t& extra);
     bool fits(const OpenRegion& open, std::span<const Id> results);
     bool fits(const RegionBody& body);
+    void name_copies(size_t first, const ModuleCloner& copier);
     int calls_below(const RegionBody& body) const;
     uint32_t intern_region(Region region, const RegionBody& body);
 
@@ -238,7 +247,8 @@ private:
     std::vector<uint8_t> free_levels_;  // by region: the greatest level that a loop's body captures
     std::vector<int> call_depths_;      // by region: greatest number of nested calls
     std::vector<OpenRegion> open_;
-    std::vector<bool> called_;  // by Id: has a name from name()
+    std::vector<uint32_t> names_;  // by Id: 1 + index in `named`; 0 for none
+    size_t indexed_names_ = 0;     // entries of `named` that names_ has
 };
 
 RegionBody region_body(const Module& module, const Region& region);

@@ -56,6 +56,7 @@ void ModuleCloner::run(std::span<const Id> roots) {
         const uint32_t origin = target_->current_node = source_->origin[id];
         try {
             ids_.set(id, write(id));
+            give_names(id);
         } catch (OverLimit& over) {
             over.node = origin;
             over.path = (into_functions_ ? target_ : source_)->nodes[origin].path;
@@ -71,6 +72,16 @@ void ModuleCloner::run(std::span<const Id> roots) {
             rewrite(id);
     }
     target_->current_node = node;
+}
+
+// Precondition: ids ascend from call to call.
+void ModuleCloner::give_names(Id id) {
+    for (; next_name_ < names_.size() && names_[next_name_].value <= id; ++next_name_) {
+        Named& named = names_[next_name_];
+        if (named.value != id || info(source_->type(id)).lanes == 0) continue;
+        named.value = ids_.at(id);
+        target_->named.push_back(std::move(named));
+    }
 }
 
 Id ModuleCloner::write_leaf(Inst inst) {

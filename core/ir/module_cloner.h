@@ -48,6 +48,9 @@ public:
         shift_ = shift;
     }
 
+    // Names of values of the source, sorted by value; run() gives them to the copies.
+    void carry_names(std::vector<Named> names) { names_ = std::move(names); }
+
     void run(std::span<const Id> roots);
     // Precondition: `id` is mapped or the roots of run() need it.
     Id operator[](Id id) const { return ids_.at(id); }
@@ -61,6 +64,7 @@ private:
     Id write(Id id);
     Id write_apply(const Inst& inst, std::span<const Id> args);
     Id write_leaf(Inst inst);
+    void give_names(Id id);
 
     Module* target_;
     const Module* source_;
@@ -70,6 +74,8 @@ private:
     Replace replace_ = nullptr;
     void* context_ = nullptr;
     IdMap ids_;
+    std::vector<Named> names_;
+    size_t next_name_ = 0;
     std::vector<Id> args_;  // scratch: operands of the instruction being written come first
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "ir/compact.h"
 #include "ir/rewrite.h"
@@ -51,6 +52,12 @@ public:
         target.current_node = node;
         return parts.size() == all.size() ? no_id
                                           : target.add(Op::construct_, parts, 0, source[id].type);
+    }
+
+    void drop_names(Module& packed) const {
+        std::erase_if(packed.named, [&](const Named& named) {
+            return !named.output && renamed_.contains(named.value);
+        });
     }
 
 private:
@@ -115,6 +122,7 @@ private:
     }
 
     Id construct(std::span<const Id> lanes) {
+        m_->current_node = m_->origin[lanes[0]];
         std::vector<Id> parts;
         for_each_run(*m_, lanes, [&](std::span<const Id> run) {
             if (run.size() > 1 && run.size() < lanes.size() && run[0] != run[1])
@@ -125,7 +133,26 @@ private:
         const Id vector =
             m_->add(Op::construct_, parts, 0, vector_of(static_cast<int>(lanes.size())));
         if ((*m_)[vector].op == Op::construct_ && !m_->is_constant(vector)) ++constructs_;
+        name(vector, lanes);
         return vector;
+    }
+
+    // Gives a vector the name that its lanes have, as "slope" of "slope_dx" and "slope_dy".
+    void name(Id vector, std::span<const Id> lanes) {
+        const Named* first = m_->name_of(lanes[0]);
+        if (!first || first->output || m_->is_constant(vector)) return;
+        const auto stem_of = [](std::string_view name) {
+            const bool on_screen = name.ends_with("_dx") || name.ends_with("_dy");
+            return name.substr(0, name.size() - (on_screen ? 3 : 0));
+        };
+        const std::string stem(stem_of(first->name));
+        const auto is_alike = [&](Id lane) {
+            const Named* other = m_->name_of(lane);
+            return other && !other->output && stem_of(other->name) == stem;
+        };
+        if (!std::ranges::all_of(lanes, is_alike) || m_->name_of(vector)) return;
+        m_->named.push_back({vector, first->node, stem, false, first->derived});
+        renamed_.insert(lanes.begin(), lanes.end());
     }
 
     uint32_t uses(Id id) const { return id < target_uses_.size() ? target_uses_[id] : 0; }
@@ -148,13 +175,16 @@ private:
         }
         ++packed_;
         m_->current_node = m_->origin[lanes[0]];
-        return m_->add(op, args);
+        const Id vector = m_->add(op, args);
+        name(vector, lanes);
+        return vector;
     }
 
     Module* m_ = nullptr;                // the target
     std::vector<uint32_t> uses_;         // by Id of the source
     std::vector<uint32_t> target_uses_;  // by Id of the target
     std::map<Lanes, Id> known_;
+    std::set<Id> renamed_;  // lanes of vectors that have their name
     size_t packed_ = 0, constructs_ = 0;
 };
 
@@ -170,7 +200,9 @@ Module pack(Module module) {
     const bool regions = module.region_count() > 1;
     if (!regions && !has_candidate(module)) return module;
     Packer packer(module);
-    return rebuild(std::move(module), Packer::pack_one, &packer);
+    Module packed = rebuild(std::move(module), Packer::pack_one, &packer);
+    packer.drop_names(packed);
+    return packed;
 }
 
 }  // namespace wrinkle

@@ -66,7 +66,7 @@ static void set_names(Region& region, std::string_view signature) {
 
 std::vector<Id> Module::begin_region(RegionKind kind, std::string name,
                                      std::span<const Type> params) {
-    open_.push_back({kind, std::move(name), {params.begin(), params.end()}});
+    open_.push_back({kind, std::move(name), {params.begin(), params.end()}, named.size()});
     if (depth() > max_region) return std::vector<Id>(params.size(), poison);
     std::vector<Id> ids;
     for (uint32_t k = 0; k < params.size(); ++k)
@@ -95,7 +95,6 @@ RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iteration
     RegionBody body = region_body(*this, region);
     if (!fits(body)) return {};
     if (open.kind == RegionKind::loop) return {intern_region(std::move(region), body), {}};
-
     RegionUse use;
     use.captured = std::exchange(body.captured, {});
     std::erase_if(use.captured, [&](Id id) { return is_of_globals(*this, id); });
@@ -109,10 +108,18 @@ RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iteration
     }
     region.level = 1;
     copier.run(results);
+    name_copies(open.first_name, copier);
     for (Id& result : region.results)
         result = copier[result];
     use.region = intern_region(std::move(region), body);
     return use;
+}
+
+// Gives names, from this index on, to the copies of their values.
+void Module::name_copies(size_t first, const ModuleCloner& copier) {
+    for (size_t i = first, end = named.size(); i < end; ++i)
+        if (copier.has(named[i].value))
+            name(copier[named[i].value], named[i].node, std::string(named[i].name));
 }
 
 // Returns the greatest number of nested calls in the body.

@@ -133,12 +133,9 @@ Module rebuild(Module&& source, Replace replace, void* context) {
     target.problems = std::move(source.problems);
     ModuleCloner copier(target, source, true);
     copier.set_replace(replace, context);
+    std::ranges::stable_sort(source.named, {}, &Named::value);
+    copier.carry_names(std::move(source.named));
     copier.run(output_values(source));
-    for (Named& named : source.named) {
-        if (!copier.has(named.value) || info(source.type(named.value)).lanes == 0) continue;
-        named.value = copier[named.value];
-        target.named.push_back(std::move(named));
-    }
     target.outputs = std::move(source.outputs);
     for (ModuleOutput& output : target.outputs)
         output.value = copier[output.value];

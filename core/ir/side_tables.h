@@ -50,9 +50,10 @@ struct NodeInstance {
 // The name of a value in generated source.
 struct Named {
     Id value;
-    uint32_t node;     // the node that names it; 0: the surface point, for all nodes
-    std::string name;  // "gradient"
-    bool output;       // an output of that node: a separate statement; preferred to other names
+    uint32_t node;         // the node that names it; 0: the surface point, for all nodes
+    std::string name;      // "gradient"
+    bool output;           // an output of that node: a separate statement; preferred to other names
+    bool derived = false;  // made from the name of the value of which it is the derivative
 };
 
 struct ModuleOutput {

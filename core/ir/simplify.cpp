@@ -43,11 +43,14 @@ double min_of(const Module& m, Id id, bool under_root = false) {
     }
 }
 
-// Returns x * y for -x * y; no_id for any other value.
+// Returns x * y for -x * y, and x * 2 for x * -2; no_id for any other value.
 Id without_sign(Module& m, Id id) {
     const Inst product = m[id];
-    if (product.op != Op::mul_ || m[product.arg[0]].op != Op::neg_) return no_id;
-    return m.add(Op::mul_, {m[product.arg[0]].arg[0], product.arg[1]});
+    if (product.op != Op::mul_) return no_id;
+    const auto [a, b] = std::pair(product.arg[0], product.arg[1]);
+    if (m[a].op == Op::neg_) return m.add(Op::mul_, {m[a].arg[0], b});
+    const bool negative = m[b].op == Op::literal_ && m[b].type == Type::float_ && m[b].value < 0;
+    return negative ? m.add(Op::mul_, {a, m.number(-m[b].value)}) : no_id;
 }
 
 Id simplify_sum(Module& m, Op op, Args a, Type type) {
@@ -64,7 +67,8 @@ Id simplify_sum(Module& m, Op op, Args a, Type type) {
     const Inst& taken = m[a[1]];
     if (taken.op == Op::literal_ && taken.type == Type::float_ && taken.value < 0)
         return m.add(Op::add_, {a[0], m.number(-taken.value)});
-    return no_id;
+    const Id added = without_sign(m, a[1]);
+    return added == no_id ? no_id : m.add(Op::add_, {a[0], added});
 }
 
 Id simplify_product(Module& m, Args a, Type type) {
@@ -76,10 +80,35 @@ Id simplify_product(Module& m, Args a, Type type) {
     return no_id;
 }
 
+// Returns true for a vector of floats with a component that simplifies the op: 0, for a product 1
+// and -1 too.
+bool is_sparse(const Module& m, Op op, Id id) {
+    if (m[id].op != Op::construct_ || m[id].type == Type::mat3_) return false;
+    bool found = false;
+    for (const Id part : m.operands(id)) {
+        if (m.type(part) != Type::float_) return false;
+        found = found || m.is_literal(part, 0) ||
+                (op == Op::mul_ && (m.is_literal(part, 1) || m.is_literal(part, -1)));
+    }
+    return found;
+}
+
+// -vec2(x, 0) is vec2(-x, 0).
+Id negated_parts(Module& m, Id vector, Type type) {
+    std::array<Id, 4> lanes{};
+    const uint32_t count = info(type).lanes;
+    for (uint32_t i = 0; i < count; ++i) {
+        const Id lane = m.component(vector, i);
+        lanes[i] = m.is_literal(lane, 0) ? lane : m.add(Op::neg_, {lane});
+    }
+    return m.add(Op::construct_, std::span(lanes.data(), count), 0, type);
+}
+
 Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
     switch (op) {
         case Op::neg_:
             if (m[a[0]].op == Op::neg_) return m[a[0]].arg[0];
+            if (is_sparse(m, op, a[0])) return negated_parts(m, a[0], type);
             if (m[a[0]].op == Op::sub_ && m.type(m[a[0]].arg[0]) == m.type(m[a[0]].arg[1]))
                 return m.add(Op::sub_, {m[a[0]].arg[1], m[a[0]].arg[0]});
             return no_id;
@@ -250,19 +279,6 @@ Id simplify_construct(Module& m, Args parts, Type type) {
             extra |= swizzle_lane(swizzle_component(inst.extra, i), lane++);
     }
     return m.add(Op::swizzle_, {vector}, extra | static_cast<uint32_t>(lane));
-}
-
-// Returns true for a vector of floats with a component that simplifies the op: 0, for a product 1
-// and -1 too.
-bool is_sparse(const Module& m, Op op, Id id) {
-    if (m[id].op != Op::construct_ || m[id].type == Type::mat3_) return false;
-    bool found = false;
-    for (const Id part : m.operands(id)) {
-        if (m.type(part) != Type::float_) return false;
-        found = found || m.is_literal(part, 0) ||
-                (op == Op::mul_ && (m.is_literal(part, 1) || m.is_literal(part, -1)));
-    }
-    return found;
 }
 
 // Applies the op by components if that removes some: vec2(x, 0) * s is vec2(x * s, 0).

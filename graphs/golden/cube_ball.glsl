@@ -56,8 +56,8 @@ WrinkleMaterial_cube_ball wrinkle_cube_ball(WrinkleSurface_cube_ball s) {
     float g_least_3 = min(min(g_quotient_3.x, g_quotient_3.y) / g_greatest_2, 1.0);
     vec2 g_quotient_6 = g_product_2 * g_least_3 / vec2(6.0, 1.0);
     vec2 g_quotient_7 = g_product_4 * g_least_3 / vec2(6.0, 1.0);
-    vec3 g_texel = textureGrad(cube_ball_g_image, g_quotient_5, g_quotient_6,
-            g_quotient_7).xyz - 0.5;
+    vec3 g_texel = textureGrad(cube_ball_g_image, g_quotient_5, g_quotient_6, g_quotient_7).xyz -
+            0.5;
     float g_dot_product = dot(normal, g_texel);
     // normal: Resolve
     float normal_difference = max(abs(g_dot_product), 5.9604645e-08) * s.facing - g_dot_product;

@@ -34,31 +34,31 @@ WrinkleMaterial_cylinder_tower wrinkle_cylinder_tower(WrinkleSurface_cylinder_to
     float round_sum_2 = s.position.x * s.position.x + s.position.z * s.position.z;
     float round_choice = round_sum_2 > 0.0 ? 1.0 / round_sum_2 : 0.0;
     float round_product = (dpdx.x * s.position.z - dpdx.z * s.position.x) * round_choice;
-    vec2 round_vector = vec2((round_test ? round_product : 0.0) / 6.2831855, dpdx.y);
+    vec2 round_slope_dx = vec2((round_test ? round_product : 0.0) / 6.2831855, dpdx.y);
     float round_product_2 = (dpdy.x * s.position.z - dpdy.z * s.position.x) * round_choice;
-    vec2 round_vector_2 = vec2((round_test ? round_product_2 : 0.0) / 6.2831855, dpdy.y);
+    vec2 round_slope_dy = vec2((round_test ? round_product_2 : 0.0) / 6.2831855, dpdy.y);
     vec2 tile_uv = round_uv * vec2(8.0, 1.2);  // tile: UV transform
-    vec2 tile_product = round_vector * vec2(8.0, 1.2);
-    vec2 tile_product_2 = round_vector_2 * vec2(8.0, 1.2);
-    float tile_product_3 = (round_test ? s.position.z * round_choice : 0.0) / 6.2831855 * 8.0;
-    float tile_product_4 = (round_test ? -s.position.x * round_choice : 0.0) / 6.2831855 * 8.0;
+    vec2 tile_slope_dx = round_slope_dx * vec2(8.0, 1.2);
+    vec2 tile_slope_dy = round_slope_dy * vec2(8.0, 1.2);
+    float tile_product = (round_test ? s.position.z * round_choice : 0.0) / 6.2831855 * 8.0;
+    float tile_product_2 = (round_test ? -s.position.x * round_choice : 0.0) / 6.2831855 * 8.0;
     vec2 g_size = vec2(textureSize(cylinder_tower_g_image, 0));  // g: Height map
-    vec2 g_product = tile_product * g_size;
-    vec2 g_product_2 = tile_product_2 * g_size;
+    vec2 g_product = tile_slope_dx * g_size;
+    vec2 g_product_2 = tile_slope_dy * g_size;
     float g_root = sqrt(max(max(dot(g_product, g_product), dot(g_product_2, g_product_2)), 1.0));
     vec2 g_quotient = g_root / g_size;
     vec2 g_vector = vec2(tile_uv.x + g_quotient.x, tile_uv.y);
-    vec4 g_texel = textureGrad(cylinder_tower_g_image, g_vector, tile_product, tile_product_2);
+    vec4 g_texel = textureGrad(cylinder_tower_g_image, g_vector, tile_slope_dx, tile_slope_dy);
     vec2 g_vector_2 = vec2(tile_uv.x, tile_uv.y + g_quotient.y);
-    vec4 g_texel_2 = textureGrad(cylinder_tower_g_image, g_vector_2, tile_product, tile_product_2);
-    vec4 g_texel_3 = textureGrad(cylinder_tower_g_image, tile_uv, tile_product, tile_product_2);
+    vec4 g_texel_2 = textureGrad(cylinder_tower_g_image, g_vector_2, tile_slope_dx, tile_slope_dy);
+    vec4 g_texel_3 = textureGrad(cylinder_tower_g_image, tile_uv, tile_slope_dx, tile_slope_dy);
     vec2 g_product_3 = (vec2(g_texel.x, g_texel_2.x) - g_texel_3.x) * (1.0 / g_root);
     vec2 g_slope = wrinkle_cylinder_tower_smooth_slope(tile_uv, 1.0 / g_size);
     vec2 g_mixed = mix(g_product_3, g_slope, clamp((0.5 - log2(g_root)) / 0.45, 0.0, 1.0));
-    vec3 g_product_4 = vec3(tile_product_3, 1.2, tile_product_4) * g_size.xyx;
-    vec3 g_gradient = g_mixed.xyx * g_product_4 * 0.03;
+    vec3 g_product_4 = vec3(tile_product, 1.2, tile_product_2) * g_size.xyx;
+    vec3 g_slope_2 = g_mixed.xyx * g_product_4 * 0.03;
     WrinkleMaterial_cylinder_tower m;
     // normal: Resolve
-    m.normal = normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);
+    m.normal = normalize(normal * (s.facing + dot(normal, g_slope_2)) - g_slope_2);
     return m;
 }

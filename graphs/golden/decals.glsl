@@ -13,73 +13,71 @@ uniform sampler2D decals_weave_image;   // textures/weave_height.png (linear, re
 uniform sampler2D decals_ball_image;    // textures/ball_cube.png (normal_gl, repeat)
 
 uint wrinkle_decals_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-vec3 wrinkle_decals_noise_direction(vec3 corner) {
-    uint sum = uint(int(corner.y)) + wrinkle_decals_hash(uint(int(corner.z)));
-    uint sum_2 = uint(int(corner.x)) + wrinkle_decals_hash(sum);
-    uint hash = wrinkle_decals_hash(sum_2);
-    uint product = ((((hash >> 8u) * 3u) >> 24u) * 4u + (hash & 3u)) * 2u;
-    float number = float((2237013u >> product) & 3u);
-    float number_2 = float((5573130u >> product) & 3u);
-    return vec3(number, float((677154u >> product) & 3u), number_2) - 1.0;
+uint wrinkle_decals_hash3(vec3 cell) {
+    uint z = wrinkle_decals_hash(uint(int(cell.z)));
+    uint yz = wrinkle_decals_hash(uint(int(cell.y)) + z);
+    return wrinkle_decals_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_decals_gradient_corner(vec3 corner, vec3 way) {
-    vec3 direction = wrinkle_decals_noise_direction(corner);
-    return vec4(direction, dot(direction, way));
+    uint bits = wrinkle_decals_hash3(corner);
+    float a = 1.0 - 2.0 * float(bits & 1u);
+    uint axis = (bits >> 8u) * 3u >> 24u;
+    float first = axis == 0u ? a : 0.0;
+    float x = a - first;
+    float b = 1.0 - float(bits & 2u);
+    float last = axis == 2u ? b : 0.0;
+    float y = first + last;
+    float z = b - last;
+    return vec4(x, y, z, dot(vec3(x, y, z), way));
+}
+
+vec4 wrinkle_decals_gradient_edge(vec3 corner, vec3 way, float t, float t_slope) {
+    vec4 a = wrinkle_decals_gradient_corner(corner, way);
+    vec4 b = wrinkle_decals_gradient_corner(vec3(corner.x + 1.0, corner.yz),
+            vec3(way.x - 1.0, way.yz));
+    vec4 mixed = mix(a, b, t);
+    return vec4(mixed.x + t_slope * (b.w - a.w), mixed.yzw);
 }
 
 vec4 wrinkle_decals_gradient_noise(vec3 p) {
-    vec3 floored = floor(p);
-    vec3 difference = p - floored;
-    vec4 corner = wrinkle_decals_gradient_corner(floored, difference);
-    vec3 sum = floored + 1.0;
-    vec3 difference_2 = difference - 1.0;
-    vec3 vector = vec3(difference_2.x, difference.yz);
-    vec4 corner_2 = wrinkle_decals_gradient_corner(vec3(sum.x, floored.yz), vector);
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec4 mixed = mix(corner, corner_2, product.x);
-    vec3 vector_2 = vec3(difference.x, difference_2.y, difference.z);
-    vec4 corner_3 = wrinkle_decals_gradient_corner(vec3(floored.x, sum.y, floored.z), vector_2);
-    vec3 vector_3 = vec3(difference_2.xy, difference.z);
-    vec4 corner_4 = wrinkle_decals_gradient_corner(vec3(sum.xy, floored.z), vector_3);
-    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
-    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
-    vec3 vector_4 = vec3(difference.xy, difference_2.z);
-    vec4 corner_5 = wrinkle_decals_gradient_corner(vec3(floored.xy, sum.z), vector_4);
-    vec3 vector_5 = vec3(difference_2.x, difference.y, difference_2.z);
-    vec4 corner_6 = wrinkle_decals_gradient_corner(vec3(sum.x, floored.y, sum.z), vector_5);
-    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
-    vec3 vector_6 = vec3(difference.x, difference_2.yz);
-    vec4 corner_7 = wrinkle_decals_gradient_corner(vec3(floored.x, sum.yz), vector_6);
-    vec4 corner_8 = wrinkle_decals_gradient_corner(sum, difference_2);
-    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
-    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
-    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
-    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
-    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
-    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
-    vec3 vector_7 = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
-    vec3 sum_3 = mixed_7.xyz + product_2 * vector_7;
-    return vec4(sum_3, mixed_7.w);
+    vec3 cell = floor(p);
+    vec3 f = p - cell;
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 t_slope = 30.0 * f * f * back * back;
+    vec4 a = wrinkle_decals_gradient_edge(cell, f, t.x, t_slope.x);
+    vec4 b = wrinkle_decals_gradient_edge(vec3(cell.x, cell.y + 1.0, cell.z),
+            vec3(f.x, f.y - 1.0, f.z), t.x, t_slope.x);
+    vec4 ab = mix(a, b, t.y);
+    vec4 low = vec4(ab.x, ab.y + t_slope.y * (b.w - a.w), ab.zw);
+    vec4 c = wrinkle_decals_gradient_edge(vec3(cell.xy, cell.z + 1.0), vec3(f.xy, f.z - 1.0), t.x,
+            t_slope.x);
+    vec4 d = wrinkle_decals_gradient_edge(vec3(cell.x, cell.yz + 1.0), vec3(f.x, f.yz - 1.0), t.x,
+            t_slope.x);
+    vec4 cd = mix(c, d, t.y);
+    vec4 high = vec4(cd.x, cd.y + t_slope.y * (d.w - c.w), cd.zw);
+    vec4 joined = mix(low, high, t.z);
+    return vec4(joined.xy, joined.z + t_slope.z * (cd.w - ab.w), joined.w);
 }
 
-vec3 wrinkle_decals_fbm_slope(vec3 point, float width, int octaves, float lacunarity, float gain) {
-    float frequency = 1.0;
+vec3 wrinkle_decals_fbm_slope(vec3 point, float width, float scale, int octaves, float lacunarity,
+        float gain) {
+    float frequency = scale;
     float weight = 1.0;
     float total = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 sum = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
-        vec3 product = wrinkle_decals_gradient_noise(sum).xyz * frequency;
+        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec4 noise = wrinkle_decals_gradient_noise(p);
+        float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
-        sum_slope += product * (1.0 - smoothstep(0.25, 0.75, width * frequency)) * weight;
+        sum_slope += noise.xyz * frequency * fade * weight;
         frequency *= lacunarity;
         weight *= gain;
     }
@@ -90,8 +88,8 @@ vec2 wrinkle_decals_smooth_slope(vec2 at, vec2 texel) {
     vec4 texel_2 = textureLod(decals_bricks_image, at + texel, 0.0);
     float difference = texel_2.x - textureLod(decals_bricks_image, at - texel, 0.0).x;
     vec4 texel_3 = textureLod(decals_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
-    float difference_2 = texel_3.x - textureLod(decals_bricks_image, at + vec2(-texel.x, texel.y),
-            0.0).x;
+    float difference_2 = texel_3.x -
+            textureLod(decals_bricks_image, at + vec2(-texel.x, texel.y), 0.0).x;
     vec4 texel_4 = textureLod(decals_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
     vec4 texel_5 = textureLod(decals_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
     vec4 texel_6 = textureLod(decals_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
@@ -104,8 +102,8 @@ vec2 wrinkle_decals_smooth_slope_2(vec2 at, vec2 texel) {
     vec4 texel_2 = textureLod(decals_weave_image, at + texel, 0.0);
     float difference = texel_2.x - textureLod(decals_weave_image, at - texel, 0.0).x;
     vec4 texel_3 = textureLod(decals_weave_image, at + vec2(texel.x, -texel.y), 0.0);
-    float difference_2 = texel_3.x - textureLod(decals_weave_image, at + vec2(-texel.x, texel.y),
-            0.0).x;
+    float difference_2 = texel_3.x -
+            textureLod(decals_weave_image, at + vec2(-texel.x, texel.y), 0.0).x;
     vec4 texel_4 = textureLod(decals_weave_image, vec2(at.x + texel.x, at.y), 0.0);
     vec4 texel_5 = textureLod(decals_weave_image, vec2(at.x, at.y + texel.y), 0.0);
     vec4 texel_6 = textureLod(decals_weave_image, vec2(at.x - texel.x, at.y), 0.0);
@@ -118,9 +116,8 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
-    float ground_product = max(length(dpdx), length(dpdy)) * 2.0;  // ground: Gradient noise
-    vec3 ground_product_2 = wrinkle_decals_fbm_slope(s.position * 2.0, ground_product, 3, 2.0,
-            0.5) * 2.0;
+    float ground_width = max(length(dpdx), length(dpdy));  // ground: Gradient noise
+    vec3 ground_slope = wrinkle_decals_fbm_slope(s.position, ground_width, 2.0, 3, 2.0, 0.5) * 0.04;
     vec3 slide_difference = s.position - vec3(-1.2, 1.2, 2.5);  // slide: Cone decal
     float slide_sum = slide_difference.x * 0.9103665 + slide_difference.z * 0.41380295;
     float slide_dot_product = dot(slide_difference, vec3(0.15822151, 0.9240136, -0.3480873));
@@ -146,11 +143,11 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float slide_negated_4 = -dot(dpdy, vec3(-0.38235956, 0.38235956, 0.84119105));
     vec2 slide_product_5 = (slide_test_2 ? 0.0 : slide_negated_4) * 0.23086819 * slide_quotient;
     vec2 slide_product_6 = (slide_test_2 ? 0.0 : 0.38235956) * 0.23086819 * slide_quotient;
-    vec2 slide_product_7 = (vec2(0.9103665, 0.15822151) - slide_product_6) / slide_product * 0.5;
-    vec2 slide_product_8 = (slide_test_2 ? 0.0 : -0.38235956) * 0.23086819 * slide_quotient;
-    vec2 slide_vector_3 = vec2(-slide_product_8.x, 0.9240136 - slide_product_8.y);
-    vec2 slide_product_9 = (slide_test_2 ? 0.0 : -0.84119105) * 0.23086819 * slide_quotient;
-    vec2 slide_product_10 = (vec2(0.41380295, -0.3480873) - slide_product_9) / slide_product * 0.5;
+    vec2 slide_slope = (vec2(0.9103665, 0.15822151) - slide_product_6) / slide_product * 0.5;
+    vec2 slide_product_7 = (slide_test_2 ? 0.0 : -0.38235956) * 0.23086819 * slide_quotient;
+    vec2 slide_vector_3 = vec2(-slide_product_7.x, 0.9240136 - slide_product_7.y);
+    vec2 slide_product_8 = (slide_test_2 ? 0.0 : -0.84119105) * 0.23086819 * slide_quotient;
+    vec2 slide_slope_2 = (vec2(0.41380295, -0.3480873) - slide_product_8) / slide_product * 0.5;
     vec2 bricks_size = vec2(textureSize(decals_bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = (slide_vector - slide_product_4) / slide_product * 0.5 * bricks_size;
     float bricks_dot_product = dot(bricks_product, bricks_product);
@@ -168,37 +165,37 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec2 bricks_slope = wrinkle_decals_smooth_slope(slide_uv, 1.0 / bricks_size);
     float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
     vec2 bricks_mixed = mix(bricks_product_3, bricks_slope, bricks_clamped);
-    float bricks_dot_product_2 = dot(bricks_mixed, slide_product_7 * bricks_size);
+    float bricks_dot_product_2 = dot(bricks_mixed, slide_slope * bricks_size);
     float bricks_dot_product_3 = dot(bricks_mixed,
             slide_vector_3 / slide_product * 0.5 * bricks_size);
-    float bricks_dot_product_4 = dot(bricks_mixed, slide_product_10 * bricks_size);
+    float bricks_dot_product_4 = dot(bricks_mixed, slide_slope_2 * bricks_size);
     vec3 bricks_vector_4 = vec3(bricks_dot_product_2, bricks_dot_product_3, bricks_dot_product_4);
     // with_bricks: Masked decal
-    vec3 with_bricks_product = ground_product_2 * 0.04 * (1.0 - slide_attenuation);
-    vec3 with_bricks_sum = with_bricks_product + bricks_vector_4 * 0.02 * slide_attenuation;
+    vec3 with_bricks_product = bricks_vector_4 * 0.02 * slide_attenuation;
+    vec3 with_bricks_sum = ground_slope * (1.0 - slide_attenuation) + with_bricks_product;
     vec3 stamp_difference = s.position - vec3(0.45, 0.25, 0.75);  // stamp: Box decal
-    float stamp_sum = stamp_difference.x * 0.8944272 + stamp_difference.z * -0.4472136;
+    float stamp_difference_2 = stamp_difference.x * 0.8944272 - stamp_difference.z * 0.4472136;
     float stamp_dot_product = dot(stamp_difference, vec3(-0.115900114, 0.96583426, -0.23180023));
     float stamp_dot_product_2 = dot(stamp_difference, vec3(0.4319342, 0.25916052, 0.8638684));
-    vec3 stamp_vector = vec3(stamp_sum, stamp_dot_product, stamp_dot_product_2);
+    vec3 stamp_vector = vec3(stamp_difference_2, stamp_dot_product, stamp_dot_product_2);
     vec3 stamp_quotient = stamp_vector / vec3(0.6, 0.6, 1.0);
     vec2 stamp_uv = stamp_quotient.xy + 0.5;
-    float stamp_sum_2 = dpdx.x * 0.8944272 + dpdx.z * -0.4472136;
+    float stamp_difference_3 = dpdx.x * 0.8944272 - dpdx.z * 0.4472136;
     float stamp_dot_product_3 = dot(dpdx, vec3(-0.115900114, 0.96583426, -0.23180023));
     float stamp_dot_product_4 = dot(dpdx, vec3(0.4319342, 0.25916052, 0.8638684));
-    vec3 stamp_vector_2 = vec3(stamp_sum_2, stamp_dot_product_3, stamp_dot_product_4);
-    float stamp_sum_3 = dpdy.x * 0.8944272 + dpdy.z * -0.4472136;
+    vec3 stamp_vector_2 = vec3(stamp_difference_3, stamp_dot_product_3, stamp_dot_product_4);
+    float stamp_difference_4 = dpdy.x * 0.8944272 - dpdy.z * 0.4472136;
     float stamp_dot_product_5 = dot(dpdy, vec3(-0.115900114, 0.96583426, -0.23180023));
     float stamp_dot_product_6 = dot(dpdy, vec3(0.4319342, 0.25916052, 0.8638684));
-    vec3 stamp_vector_3 = vec3(stamp_sum_3, stamp_dot_product_5, stamp_dot_product_6);
+    vec3 stamp_vector_3 = vec3(stamp_difference_4, stamp_dot_product_5, stamp_dot_product_6);
     vec3 stamp_product = abs(stamp_quotient) * 2.0;
-    float stamp_difference_2 = 1.0 - smoothstep(0.9, 1.0, stamp_product.x);
-    float stamp_product_2 = stamp_difference_2 * (1.0 - smoothstep(0.9, 1.0, stamp_product.y));
+    float stamp_difference_5 = 1.0 - smoothstep(0.9, 1.0, stamp_product.x);
+    float stamp_product_2 = stamp_difference_5 * (1.0 - smoothstep(0.9, 1.0, stamp_product.y));
     float stamp_product_3 = stamp_product_2 * (1.0 - smoothstep(0.9, 1.0, stamp_product.z));
     float stamp_dot_product_7 = dot(slide_product_3, vec3(0.4319342, 0.25916052, 0.8638684));
     float stamp_clamped = clamp(stamp_dot_product_7, 0.0, 1.0);
-    float stamp_attenuation = stamp_product_3 * (stamp_clamped > 0.0 ? pow(stamp_clamped,
-            0.2) : 0.0);
+    float stamp_attenuation = stamp_product_3 *
+            (stamp_clamped > 0.0 ? pow(stamp_clamped, 0.2) : 0.0);
     vec2 weave_size = vec2(textureSize(decals_weave_image, 0));  // weave: Height map
     vec2 weave_product = (stamp_vector_2 / vec3(0.6, 0.6, 1.0)).xy * weave_size;
     float weave_dot_product = dot(weave_product, weave_product);
@@ -218,9 +215,9 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float weave_dot_product_2 = dot(weave_mixed, vec2(1.4907119, -0.19316685) * weave_size);
     float weave_product_4 = weave_mixed.y * (1.6097238 * weave_size.y);
     float weave_dot_product_3 = dot(weave_mixed, vec2(-0.74535596, -0.3863337) * weave_size);
-    vec3 weave_product_5 = vec3(weave_dot_product_2, weave_product_4, weave_dot_product_3) * 0.03;
+    vec3 weave_slope_2 = vec3(weave_dot_product_2, weave_product_4, weave_dot_product_3) * 0.03;
     // with_weave: Add decal
-    vec3 with_weave_sum = with_bricks_sum + weave_product_5 * stamp_attenuation;
+    vec3 with_weave_sum = with_bricks_sum + weave_slope_2 * stamp_attenuation;
     vec3 hit_difference = s.position - vec3(0.1, -0.55, 0.9);  // hit: Sphere decal
     float hit_extent = length(hit_difference);
     bool hit_test = dot(hit_difference, hit_difference) > 0.0;
@@ -231,9 +228,9 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float hit_attenuation = (1.0 - smoothstep(0.7, 1.0, hit_extent / 0.5)) * hit_choice;
     bool hit_test_2 = hit_extent > 0.0;
     vec3 hit_quotient = (dpdx - hit_unit * dot(hit_unit, dpdx)) / hit_extent;
-    vec3 hit_choice_2 = hit_test ? (hit_test_2 ? hit_quotient : vec3(0.0)) : vec3(0.0);
+    vec3 hit_slope_dx = hit_test ? (hit_test_2 ? hit_quotient : vec3(0.0)) : vec3(0.0);
     vec3 hit_quotient_2 = (dpdy - hit_unit * dot(hit_unit, dpdy)) / hit_extent;
-    vec3 hit_choice_3 = hit_test ? (hit_test_2 ? hit_quotient_2 : vec3(0.0)) : vec3(0.0);
+    vec3 hit_slope_dy = hit_test ? (hit_test_2 ? hit_quotient_2 : vec3(0.0)) : vec3(0.0);
     bool ball_test = dot(hit_direction, hit_direction) > 0.0;  // ball: Cube normal map
     vec3 ball_choice = ball_test ? normalize(hit_direction) : vec3(0.0);
     vec3 ball_magnitude = abs(hit_direction);
@@ -251,28 +248,26 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec2 ball_vector_2 = vec2(hit_direction.x, ball_negated_2 * hit_direction.z);
     float ball_sign_3 = hit_direction.z < 0.0 ? -1.0 : 1.0;
     vec2 ball_vector_3 = vec2(ball_sign_3 * hit_direction.x, hit_direction.y);
-    vec2 ball_choice_4 = ball_test_3 ? ball_vector : (ball_test_4 ? ball_vector_2 : ball_vector_3);
+    vec2 ball_choice_4 = ball_test_3 ? ball_vector : ball_test_4 ? ball_vector_2 : ball_vector_3;
     vec2 ball_quotient = ball_choice_4 / ball_choice_3;
     vec2 ball_sum = (ball_test_5 ? ball_quotient : vec2(0.0)) * 0.5 + 0.5;
-    vec2 ball_vector_4 = vec2(hit_choice_2.z * ball_negated, hit_choice_2.y);
-    vec2 ball_vector_5 = vec2(hit_choice_2.x, hit_choice_2.z * ball_negated_2);
-    vec2 ball_vector_6 = vec2(hit_choice_2.x * ball_sign_3, hit_choice_2.y);
-    vec2 ball_choice_5 = ball_test_3 ? ball_vector_4 : (ball_test_4 ? ball_vector_5 :
-            ball_vector_6);
+    vec2 ball_vector_4 = vec2(hit_slope_dx.z * ball_negated, hit_slope_dx.y);
+    vec2 ball_vector_5 = vec2(hit_slope_dx.x, hit_slope_dx.z * ball_negated_2);
+    vec2 ball_vector_6 = vec2(hit_slope_dx.x * ball_sign_3, hit_slope_dx.y);
+    vec2 ball_choice_5 = ball_test_3 ? ball_vector_4 : ball_test_4 ? ball_vector_5 : ball_vector_6;
     vec3 ball_sign_4 = sign(hit_direction);
-    vec3 ball_product = hit_choice_2 * ball_sign_4;
+    vec3 ball_product = hit_slope_dx * ball_sign_4;
     float ball_choice_6 = ball_test_4 ? ball_product.y : ball_product.z;
     vec2 ball_product_2 = (ball_test_3 ? ball_product.x : ball_choice_6) * ball_quotient;
     vec2 ball_quotient_2 = (ball_choice_5 - ball_product_2) / ball_choice_3;
     vec2 ball_product_3 = (ball_test_5 ? ball_quotient_2 : vec2(0.0)) * 0.5;
     vec2 ball_quotient_3 = vec2(textureSize(decals_ball_image, 0)) / vec2(6.0, 1.0);
     float ball_extent = length(ball_product_3 * ball_quotient_3);
-    vec2 ball_vector_7 = vec2(hit_choice_3.z * ball_negated, hit_choice_3.y);
-    vec2 ball_vector_8 = vec2(hit_choice_3.x, hit_choice_3.z * ball_negated_2);
-    vec2 ball_vector_9 = vec2(hit_choice_3.x * ball_sign_3, hit_choice_3.y);
-    vec2 ball_choice_7 = ball_test_3 ? ball_vector_7 : (ball_test_4 ? ball_vector_8 :
-            ball_vector_9);
-    vec3 ball_product_4 = hit_choice_3 * ball_sign_4;
+    vec2 ball_vector_7 = vec2(hit_slope_dy.z * ball_negated, hit_slope_dy.y);
+    vec2 ball_vector_8 = vec2(hit_slope_dy.x, hit_slope_dy.z * ball_negated_2);
+    vec2 ball_vector_9 = vec2(hit_slope_dy.x * ball_sign_3, hit_slope_dy.y);
+    vec2 ball_choice_7 = ball_test_3 ? ball_vector_7 : ball_test_4 ? ball_vector_8 : ball_vector_9;
+    vec3 ball_product_4 = hit_slope_dy * ball_sign_4;
     float ball_choice_8 = ball_test_4 ? ball_product_4.y : ball_product_4.z;
     vec2 ball_product_5 = (ball_test_3 ? ball_product_4.x : ball_choice_8) * ball_quotient;
     vec2 ball_quotient_4 = (ball_choice_7 - ball_product_5) / ball_choice_3;
@@ -293,9 +288,8 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float ball_dot_product = dot(ball_choice, ball_texel_2);
     float ball_greatest_2 = max(abs(ball_dot_product), max(length(ball_texel_2) / 128.0, 1e-06));
     vec3 ball_volume = (ball_choice * ball_dot_product - ball_texel_2) / ball_greatest_2;
-    // with_dent: Masked decal
-    vec3 with_dent_gradient = with_weave_sum * (1.0 - hit_attenuation) - ball_volume *
-            hit_attenuation;
+    vec3 with_dent_product = with_weave_sum * (1.0 - hit_attenuation);  // with_dent: Masked decal
+    vec3 with_dent_difference = with_dent_product - ball_volume * hit_attenuation;
     vec3 scratch_difference = s.position - vec3(-0.85, -0.35, 0.5);  // scratch: Capsule decal
     float scratch_sum = scratch_difference.x * 0.6 + scratch_difference.z * 0.45;
     float scratch_quotient = scratch_sum / 0.5625;
@@ -306,24 +300,23 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float scratch_extent = length(scratch_vector);
     bool scratch_test = 1.0 < max(scratch_quotient, 0.0);
     bool scratch_test_2 = scratch_quotient < 0.0;
-    float scratch_choice = scratch_test ? 0.0 : (scratch_test_2 ? 0.0 : 1.0666667);
+    float scratch_choice = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : 1.0666667;
     float scratch_product = scratch_difference_2 * (1.0 - scratch_choice * 0.6);
     float scratch_sum_2 = scratch_product + scratch_difference_3 * -(scratch_choice * 0.45);
-    float scratch_choice_2 = scratch_test ? 0.0 : (scratch_test_2 ? 0.0 : 0.8);
+    float scratch_choice_2 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : 0.8;
     float scratch_product_2 = scratch_difference_3 * (1.0 - scratch_choice_2 * 0.45);
     float scratch_sum_3 = scratch_difference_2 * -(scratch_choice_2 * 0.6) + scratch_product_2;
-    vec3 scratch_quotient_2 = vec3(scratch_sum_2, scratch_difference.y,
-            scratch_sum_3) / scratch_extent;
+    vec3 scratch_quotient_2 = vec3(scratch_sum_2, scratch_difference.y, scratch_sum_3) /
+            scratch_extent;
     vec3 scratch_quotient_3 = (scratch_extent > 0.0 ? scratch_quotient_2 : vec3(0.0)) / 0.15;
-    float scratch_clamped_2 = clamp((scratch_extent / 0.15 - 0.7) / 0.3, 0.0, 1.0);
-    vec3 scratch_product_3 = scratch_quotient_3 * (scratch_clamped_2 * (1.0 - scratch_clamped_2) *
-            6.0);
+    float scratch_t = clamp((scratch_extent / 0.15 - 0.7) / 0.3, 0.0, 1.0);
+    vec3 scratch_negated = -(scratch_quotient_3 * (scratch_t * (1.0 - scratch_t) * 6.0) / 0.3);
     bool scratch_test_3 = dot(scratch_vector, scratch_vector) > 0.0;
     vec3 scratch_direction = scratch_test_3 ? normalize(scratch_vector) : vec3(0.0);
-    float scratch_clamped_3 = clamp(dot(slide_product_3, scratch_direction), 0.0, 1.0);
-    float scratch_choice_3 = scratch_clamped_3 > 0.0 ? pow(scratch_clamped_3, 0.0) : 1.0;
+    float scratch_clamped_2 = clamp(dot(slide_product_3, scratch_direction), 0.0, 1.0);
+    float scratch_choice_3 = scratch_clamped_2 > 0.0 ? pow(scratch_clamped_2, 0.0) : 1.0;
     // g: Add bumps
-    vec3 g_gradient = with_dent_gradient + -(scratch_product_3 / 0.3) * scratch_choice_3 * -0.06;
+    vec3 g_gradient = with_dent_difference - scratch_negated * scratch_choice_3 * 0.06;
     WrinkleMaterial_decals m;
     // normal: Resolve
     m.normal = normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);

@@ -15,77 +15,71 @@ uniform sampler2D everything_cloth_image;    // textures/weave_normal.png (norma
 uniform sampler2D everything_bricks_image;   // textures/bricks_height.png (linear, repeat)
 
 uint wrinkle_everything_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-vec3 wrinkle_everything_noise_direction(vec3 corner) {
-    uint sum = uint(int(corner.y)) + wrinkle_everything_hash(uint(int(corner.z)));
-    uint sum_2 = uint(int(corner.x)) + wrinkle_everything_hash(sum);
-    uint hash = wrinkle_everything_hash(sum_2);
-    uint product = ((((hash >> 8u) * 3u) >> 24u) * 4u + (hash & 3u)) * 2u;
-    float number = float((2237013u >> product) & 3u);
-    float number_2 = float((5573130u >> product) & 3u);
-    return vec3(number, float((677154u >> product) & 3u), number_2) - 1.0;
+uint wrinkle_everything_hash3(vec3 cell) {
+    uint z = wrinkle_everything_hash(uint(int(cell.z)));
+    uint yz = wrinkle_everything_hash(uint(int(cell.y)) + z);
+    return wrinkle_everything_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_everything_gradient_corner(vec3 corner, vec3 way) {
-    vec3 direction = wrinkle_everything_noise_direction(corner);
-    return vec4(direction, dot(direction, way));
+    uint bits = wrinkle_everything_hash3(corner);
+    float a = 1.0 - 2.0 * float(bits & 1u);
+    uint axis = (bits >> 8u) * 3u >> 24u;
+    float first = axis == 0u ? a : 0.0;
+    float x = a - first;
+    float b = 1.0 - float(bits & 2u);
+    float last = axis == 2u ? b : 0.0;
+    float y = first + last;
+    float z = b - last;
+    return vec4(x, y, z, dot(vec3(x, y, z), way));
+}
+
+vec4 wrinkle_everything_gradient_edge(vec3 corner, vec3 way, float t, float t_slope) {
+    vec4 a = wrinkle_everything_gradient_corner(corner, way);
+    vec4 b = wrinkle_everything_gradient_corner(vec3(corner.x + 1.0, corner.yz),
+            vec3(way.x - 1.0, way.yz));
+    vec4 mixed = mix(a, b, t);
+    return vec4(mixed.x + t_slope * (b.w - a.w), mixed.yzw);
 }
 
 vec4 wrinkle_everything_gradient_noise(vec3 p) {
-    vec3 floored = floor(p);
-    vec3 difference = p - floored;
-    vec4 corner = wrinkle_everything_gradient_corner(floored, difference);
-    vec3 sum = floored + 1.0;
-    vec3 vector = vec3(sum.x, floored.yz);
-    vec3 difference_2 = difference - 1.0;
-    vec3 vector_2 = vec3(difference_2.x, difference.yz);
-    vec4 corner_2 = wrinkle_everything_gradient_corner(vector, vector_2);
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec4 mixed = mix(corner, corner_2, product.x);
-    vec3 vector_3 = vec3(floored.x, sum.y, floored.z);
-    vec3 vector_4 = vec3(difference.x, difference_2.y, difference.z);
-    vec4 corner_3 = wrinkle_everything_gradient_corner(vector_3, vector_4);
-    vec3 vector_5 = vec3(difference_2.xy, difference.z);
-    vec4 corner_4 = wrinkle_everything_gradient_corner(vec3(sum.xy, floored.z), vector_5);
-    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
-    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
-    vec3 vector_6 = vec3(floored.xy, sum.z);
-    vec3 vector_7 = vec3(difference.xy, difference_2.z);
-    vec4 corner_5 = wrinkle_everything_gradient_corner(vector_6, vector_7);
-    vec3 vector_8 = vec3(difference_2.x, difference.y, difference_2.z);
-    vec4 corner_6 = wrinkle_everything_gradient_corner(vec3(sum.x, floored.y, sum.z), vector_8);
-    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
-    vec3 vector_9 = vec3(difference.x, difference_2.yz);
-    vec4 corner_7 = wrinkle_everything_gradient_corner(vec3(floored.x, sum.yz), vector_9);
-    vec4 corner_8 = wrinkle_everything_gradient_corner(sum, difference_2);
-    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
-    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
-    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
-    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
-    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
-    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
-    vec3 vector_10 = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
-    vec3 sum_3 = mixed_7.xyz + product_2 * vector_10;
-    return vec4(sum_3, mixed_7.w);
+    vec3 cell = floor(p);
+    vec3 f = p - cell;
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 t_slope = 30.0 * f * f * back * back;
+    vec4 a = wrinkle_everything_gradient_edge(cell, f, t.x, t_slope.x);
+    vec4 b = wrinkle_everything_gradient_edge(vec3(cell.x, cell.y + 1.0, cell.z),
+            vec3(f.x, f.y - 1.0, f.z), t.x, t_slope.x);
+    vec4 ab = mix(a, b, t.y);
+    vec4 low = vec4(ab.x, ab.y + t_slope.y * (b.w - a.w), ab.zw);
+    vec4 c = wrinkle_everything_gradient_edge(vec3(cell.xy, cell.z + 1.0), vec3(f.xy, f.z - 1.0),
+            t.x, t_slope.x);
+    vec4 d = wrinkle_everything_gradient_edge(vec3(cell.x, cell.yz + 1.0), vec3(f.x, f.yz - 1.0),
+            t.x, t_slope.x);
+    vec4 cd = mix(c, d, t.y);
+    vec4 high = vec4(cd.x, cd.y + t_slope.y * (d.w - c.w), cd.zw);
+    vec4 joined = mix(low, high, t.z);
+    return vec4(joined.xy, joined.z + t_slope.z * (cd.w - ab.w), joined.w);
 }
 
-vec3 wrinkle_everything_fbm_slope(vec3 point, float width, int octaves, float lacunarity,
-        float gain) {
-    float frequency = 1.0;
+vec3 wrinkle_everything_fbm_slope(vec3 point, float width, float scale, int octaves,
+        float lacunarity, float gain) {
+    float frequency = scale;
     float weight = 1.0;
     float total = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 sum = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
-        vec3 product = wrinkle_everything_gradient_noise(sum).xyz * frequency;
+        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec4 noise = wrinkle_everything_gradient_noise(p);
+        float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
-        sum_slope += product * (1.0 - smoothstep(0.25, 0.75, width * frequency)) * weight;
+        sum_slope += noise.xyz * frequency * fade * weight;
         frequency *= lacunarity;
         weight *= gain;
     }
@@ -129,8 +123,9 @@ WrinkleMaterial_everything wrinkle_everything(WrinkleSurface_everything s) {
     float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
     float cloth_depth = max(max(abs(cloth_texel.z), cloth_least_depth), 5e-07);
     vec2 cloth_texel_2 = cloth_texel.x * vec2(0.9396926, -0.34202015);
-    float grain_product = max(length(dpdx), length(dpdy)) * 30.0;  // grain: Gradient noise
-    vec3 grain_slope = wrinkle_everything_fbm_slope(s.position * 30.0, grain_product, 2, 2.0, 0.5);
+    float grain_width = max(length(dpdx), length(dpdy));  // grain: Gradient noise
+    vec3 grain_slope = wrinkle_everything_fbm_slope(s.position, grain_width, 30.0, 2, 2.0, 0.5) *
+            0.002;
     // softer: Scale bump
     vec2 softer_slope = (cloth_texel_2 + cloth_texel.y * vec2(0.34202015, 0.9396926)) * 0.3;
     vec2 tile_uv = s.uv0 * vec2(8.0, 4.0);  // tile: UV transform
@@ -153,10 +148,10 @@ WrinkleMaterial_everything wrinkle_everything(WrinkleSurface_everything s) {
     float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
     vec2 bricks_mixed = mix(bricks_product_3, bricks_slope, bricks_clamped);
     float bricks_dot_product_2 = dot(bricks_mixed, bricks_product);
-    vec2 bricks_product_4 = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_product_2)) * 0.015;
+    vec2 bricks_slope_2 = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_product_2)) * 0.015;
     float normal_product = carving_greatest * cloth_depth;  // normal: Resolve
     float normal_negated = -normal_product;
-    vec3 normal_product_2 = grain_slope * 30.0 * 0.002 * normal_negated;
+    vec3 normal_product_2 = grain_slope * normal_negated;
     float normal_difference = -carving_dot_product * cloth_depth - dot(normal, normal_product_2);
     vec2 normal_slope = softer_slope * carving_greatest;
     float normal_sign = duv1_dx.x * duv1_dy.y - duv1_dy.x * duv1_dx.y < 0.0 ? -1.0 : 1.0;
@@ -164,9 +159,9 @@ WrinkleMaterial_everything wrinkle_everything(WrinkleSurface_everything s) {
     vec3 normal_along_u = cross(uv1_bitangent, normal) * normal_slope_u;
     float normal_slope_v = normal_slope.y * (uv1_scale * (screen_area < 0.0 ? -1.0 : 1.0));
     vec3 normal_sum = normal_along_u + uv1_bitangent * normal_slope_v;
-    vec2 normal_product_3 = bricks_product_4 * normal_negated * inverse_area;
-    vec3 normal_cross_product = cross(normal,
-            dpdx * normal_product_3.y - dpdy * normal_product_3.x);
+    vec2 normal_product_3 = bricks_slope_2 * normal_negated * inverse_area;
+    vec3 normal_cross_product = cross(normal, dpdx * normal_product_3.y -
+            dpdy * normal_product_3.x);
     vec3 normal_sum_2 = carving_texel * cloth_depth + normal_sum + normal_cross_product;
     vec3 normal_sum_3 = normal_sum_2 + normal_product_2;
     vec3 normal_sum_4 = normal * (normal_product * s.facing + normal_difference) + normal_sum_3;

@@ -12,82 +12,77 @@ struct WrinkleMaterial_heights {
 };
 
 uint wrinkle_heights_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-vec3 wrinkle_heights_noise_direction(vec3 corner) {
-    uint sum = uint(int(corner.y)) + wrinkle_heights_hash(uint(int(corner.z)));
-    uint sum_2 = uint(int(corner.x)) + wrinkle_heights_hash(sum);
-    uint hash = wrinkle_heights_hash(sum_2);
-    uint product = ((((hash >> 8u) * 3u) >> 24u) * 4u + (hash & 3u)) * 2u;
-    float number = float((2237013u >> product) & 3u);
-    float number_2 = float((5573130u >> product) & 3u);
-    return vec3(number, float((677154u >> product) & 3u), number_2) - 1.0;
+uint wrinkle_heights_hash3(vec3 cell) {
+    uint z = wrinkle_heights_hash(uint(int(cell.z)));
+    uint yz = wrinkle_heights_hash(uint(int(cell.y)) + z);
+    return wrinkle_heights_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_heights_gradient_corner(vec3 corner, vec3 way) {
-    vec3 direction = wrinkle_heights_noise_direction(corner);
-    return vec4(direction, dot(direction, way));
+    uint bits = wrinkle_heights_hash3(corner);
+    float a = 1.0 - 2.0 * float(bits & 1u);
+    uint axis = (bits >> 8u) * 3u >> 24u;
+    float first = axis == 0u ? a : 0.0;
+    float x = a - first;
+    float b = 1.0 - float(bits & 2u);
+    float last = axis == 2u ? b : 0.0;
+    float y = first + last;
+    float z = b - last;
+    return vec4(x, y, z, dot(vec3(x, y, z), way));
+}
+
+vec4 wrinkle_heights_gradient_edge(vec3 corner, vec3 way, float t, float t_slope) {
+    vec4 a = wrinkle_heights_gradient_corner(corner, way);
+    vec4 b = wrinkle_heights_gradient_corner(vec3(corner.x + 1.0, corner.yz),
+            vec3(way.x - 1.0, way.yz));
+    vec4 mixed = mix(a, b, t);
+    return vec4(mixed.x + t_slope * (b.w - a.w), mixed.yzw);
 }
 
 vec4 wrinkle_heights_gradient_noise(vec3 p) {
-    vec3 floored = floor(p);
-    vec3 difference = p - floored;
-    vec4 corner = wrinkle_heights_gradient_corner(floored, difference);
-    vec3 sum = floored + 1.0;
-    vec3 difference_2 = difference - 1.0;
-    vec3 vector = vec3(difference_2.x, difference.yz);
-    vec4 corner_2 = wrinkle_heights_gradient_corner(vec3(sum.x, floored.yz), vector);
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec4 mixed = mix(corner, corner_2, product.x);
-    vec3 vector_2 = vec3(difference.x, difference_2.y, difference.z);
-    vec4 corner_3 = wrinkle_heights_gradient_corner(vec3(floored.x, sum.y, floored.z), vector_2);
-    vec3 vector_3 = vec3(difference_2.xy, difference.z);
-    vec4 corner_4 = wrinkle_heights_gradient_corner(vec3(sum.xy, floored.z), vector_3);
-    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
-    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
-    vec3 vector_4 = vec3(difference.xy, difference_2.z);
-    vec4 corner_5 = wrinkle_heights_gradient_corner(vec3(floored.xy, sum.z), vector_4);
-    vec3 vector_5 = vec3(difference_2.x, difference.y, difference_2.z);
-    vec4 corner_6 = wrinkle_heights_gradient_corner(vec3(sum.x, floored.y, sum.z), vector_5);
-    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
-    vec3 vector_6 = vec3(difference.x, difference_2.yz);
-    vec4 corner_7 = wrinkle_heights_gradient_corner(vec3(floored.x, sum.yz), vector_6);
-    vec4 corner_8 = wrinkle_heights_gradient_corner(sum, difference_2);
-    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
-    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
-    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
-    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
-    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
-    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
-    vec3 vector_7 = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
-    vec3 sum_3 = mixed_7.xyz + product_2 * vector_7;
-    return vec4(sum_3, mixed_7.w);
+    vec3 cell = floor(p);
+    vec3 f = p - cell;
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 t_slope = 30.0 * f * f * back * back;
+    vec4 a = wrinkle_heights_gradient_edge(cell, f, t.x, t_slope.x);
+    vec4 b = wrinkle_heights_gradient_edge(vec3(cell.x, cell.y + 1.0, cell.z),
+            vec3(f.x, f.y - 1.0, f.z), t.x, t_slope.x);
+    vec4 ab = mix(a, b, t.y);
+    vec4 low = vec4(ab.x, ab.y + t_slope.y * (b.w - a.w), ab.zw);
+    vec4 c = wrinkle_heights_gradient_edge(vec3(cell.xy, cell.z + 1.0), vec3(f.xy, f.z - 1.0), t.x,
+            t_slope.x);
+    vec4 d = wrinkle_heights_gradient_edge(vec3(cell.x, cell.yz + 1.0), vec3(f.x, f.yz - 1.0), t.x,
+            t_slope.x);
+    vec4 cd = mix(c, d, t.y);
+    vec4 high = vec4(cd.x, cd.y + t_slope.y * (d.w - c.w), cd.zw);
+    vec4 joined = mix(low, high, t.z);
+    return vec4(joined.xy, joined.z + t_slope.z * (cd.w - ab.w), joined.w);
 }
 
-vec4 wrinkle_heights_fbm_with_slope(vec3 point, float width, int octaves, float lacunarity,
+vec4 wrinkle_heights_fbm(vec3 point, float width, float scale, int octaves, float lacunarity,
         float gain) {
-    float frequency = 1.0;
+    float frequency = scale;
     float weight = 1.0;
     float total = 0.0;
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec4 noise = wrinkle_heights_gradient_noise(point * frequency + vec3(19.19, 7.43,
-                31.71) * float(i));
-        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec4 noise = wrinkle_heights_gradient_noise(p);
+        float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
-        sum += noise.w * difference * weight;
-        sum_slope += noise.xyz * frequency * difference * weight;
+        sum += noise.w * fade * weight;
+        sum_slope += noise.xyz * frequency * fade * weight;
         frequency *= lacunarity;
         weight *= gain;
     }
-    vec4 vector = vec4(sum_slope, sum);
-    return vector / total;
+    return vec4(sum_slope, sum) / total;
 }
 
 WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
@@ -95,13 +90,6 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    float sand_product = max(length(dpdx), length(dpdy)) * 12.0;  // sand: Gradient noise
-    vec4 sand_slope = wrinkle_heights_fbm_with_slope(s.position * 12.0, sand_product, 4, 2.0, 0.5);
-    float sand_height = sand_slope.w * 0.02;
-    float sand_dot_product = dot(sand_slope.xyz, dpdx - normal * dot(normal, dpdx));
-    float sand_dot_product_2 = dot(sand_slope.xyz, dpdy - normal * dot(normal, dpdy));
-    vec2 sand_product_2 = vec2(sand_dot_product, sand_dot_product_2) * 12.0 * 0.02;
-    float low_height = 0.01 - sand_height;  // low: Invert height
     vec2 domes_product = s.uv0 * 6.0;  // domes: Domes
     float domes_floored = floor(domes_product.y);
     float domes_difference = domes_product.y - domes_floored - 0.5;
@@ -111,20 +99,28 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     float domes_root = sqrt(max(domes_difference_2, 0.0));
     vec2 domes_product_2 = dFdx(s.uv0) * 6.0;
     vec2 domes_product_3 = dFdy(s.uv0) * 6.0;
-    float domes_greatest = max(length(domes_product_2), length(domes_product_3));
-    float domes_difference_3 = 1.0 - smoothstep(0.25, 0.75, domes_greatest);
-    float domes_value = mix(0.20845777, (domes_root - 0.6) / 0.4, domes_difference_3);
+    float domes_width = max(length(domes_product_2), length(domes_product_3));
+    float domes_fade = 1.0 - smoothstep(0.25, 0.75, domes_width);
+    float domes_value = mix(0.20845777, (domes_root - 0.6) / 0.4, domes_fade);
     float domes_height = domes_value * 0.08;
-    float bricks_greatest = max(0.15, domes_greatest);  // bricks: Bricks
+    vec2 domes_vector_2 = vec2(dot(domes_product_2, domes_vector),
+            dot(domes_product_3, domes_vector));
+    vec2 domes_vector_3 = vec2(dot(domes_vector, domes_product_2),
+            dot(domes_vector, domes_product_3));
+    vec2 domes_quotient_2 = (domes_vector_2 + domes_vector_3) / 0.1225;
+    vec2 domes_product_4 = (1.0 < domes_quotient ? vec2(0.0) : domes_quotient_2) * 0.64;
+    vec2 domes_choice = domes_difference_2 < 0.0 ? vec2(0.0) : -domes_product_4;
+    vec2 domes_quotient_3 = domes_choice * (domes_root > 0.0 ? 0.5 / domes_root : 0.0) / 0.4;
+    vec2 domes_slope = domes_quotient_3 * domes_fade * 0.08;
+    float bricks_greatest = max(0.15, domes_width);  // bricks: Bricks
     float bricks_difference = fract(domes_product.x / 2.5 - domes_floored * 0.5) - 0.5;
     float bricks_product = (0.5 - abs(bricks_difference)) * 2.5;
     float bricks_difference_2 = 0.5 - abs(domes_difference);
-    float bricks_difference_3 = 0.5 * (bricks_greatest + 0.21) - min(bricks_product,
-            bricks_difference_2);
+    float bricks_difference_3 = 0.5 * (bricks_greatest + 0.21) -
+            min(bricks_product, bricks_difference_2);
     float bricks_quotient = bricks_difference_3 / bricks_greatest;
     float bricks_least = min(1.0, 0.21 / bricks_greatest);
-    float bricks_difference_4 = 1.0 - clamp(bricks_quotient, 0.0, bricks_least);
-    float bricks_value = mix(0.72364, bricks_difference_4, domes_difference_3);
+    float bricks_value = mix(0.72364, 1.0 - clamp(bricks_quotient, 0.0, bricks_least), domes_fade);
     float bricks_height = bricks_value * 0.05;
     vec2 bricks_negated = -(vec2(domes_product_2.y, domes_product_3.y) * sign(domes_difference));
     vec2 bricks_quotient_2 = vec2(domes_product_2.x, domes_product_3.x) / 2.5;
@@ -133,39 +129,35 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     vec2 bricks_negated_2 = -bricks_choice;
     vec2 bricks_choice_2 = bricks_quotient < 0.0 ? vec2(0.0) : bricks_negated_2 / bricks_greatest;
     vec2 bricks_choice_3 = bricks_least < max(bricks_quotient, 0.0) ? vec2(0.0) : bricks_choice_2;
-    vec2 bricks_product_3 = -bricks_choice_3 * domes_difference_3 * 0.05;
-    vec2 bricks_vector = vec2(dot(domes_product_2, domes_vector), dot(domes_product_3,
-            domes_vector));
-    vec2 bricks_vector_2 = vec2(dot(domes_vector, domes_product_2), dot(domes_vector,
-            domes_product_3));
-    vec2 domes_quotient_2 = (bricks_vector + bricks_vector_2) / 0.1225;  // domes: Domes (continued)
-    vec2 domes_product_4 = (1.0 < domes_quotient ? vec2(0.0) : domes_quotient_2) * 0.64;
-    vec2 domes_choice = domes_difference_2 < 0.0 ? vec2(0.0) : -domes_product_4;
-    vec2 domes_quotient_3 = domes_choice * (domes_root > 0.0 ? 0.5 / domes_root : 0.0) / 0.4;
-    vec2 domes_product_5 = domes_quotient_3 * domes_difference_3 * 0.08;
+    vec2 bricks_slope = -bricks_choice_3 * domes_fade * 0.05;
     float joined_difference = domes_height - bricks_height;  // joined: Higher of two heights
     float joined_difference_2 = 0.01 - abs(joined_difference);
     float joined_greatest = max(joined_difference_2, 0.0);
     float joined_quotient = joined_greatest * joined_greatest / 0.04;
     float joined_height = max(domes_height, bricks_height) + joined_quotient;
-    vec2 joined_choice = domes_height < bricks_height ? bricks_product_3 : domes_product_5;
-    vec2 joined_negated = -((domes_product_5 - bricks_product_3) * sign(joined_difference));
-    vec2 joined_choice_2 = joined_difference_2 < 0.0 ? vec2(0.0) : joined_negated;
-    vec2 joined_product = joined_choice_2 * joined_greatest;
+    vec2 joined_negated = -((domes_slope - bricks_slope) * sign(joined_difference));
+    vec2 joined_choice = joined_difference_2 < 0.0 ? vec2(0.0) : joined_negated;
+    vec2 joined_slope = (domes_height < bricks_height ? bricks_slope : domes_slope) +
+            joined_choice * joined_greatest * 2.0 / 0.04;
     float cut_negated = -joined_height;  // cut: Lower of two heights
     float cut_sum = cut_negated + 0.06;
     float cut_difference = 0.01 - abs(cut_sum);
     float cut_greatest = max(cut_difference, 0.0);
     float cut_height = -(max(cut_negated, -0.06) + cut_greatest * cut_greatest / 0.04);
-    vec2 cut_negated_2 = -(joined_choice + (joined_product + joined_product) / 0.04);
+    vec2 cut_negated_2 = -joined_slope;
     vec2 cut_choice = cut_negated < -0.06 ? vec2(0.0) : cut_negated_2;
     vec2 cut_choice_2 = cut_difference < 0.0 ? vec2(0.0) : -(cut_negated_2 * sign(cut_sum));
-    vec2 cut_product = cut_choice_2 * cut_greatest;
+    vec2 cut_sum_2 = cut_choice + cut_choice_2 * cut_greatest * 2.0 / 0.04;
+    // sand: Gradient noise
+    vec4 sand = wrinkle_heights_fbm(s.position, max(length(dpdx), length(dpdy)), 12.0, 4, 2.0, 0.5);
+    float sand_height = sand.w * 0.02;
+    vec2 sand_slope = vec2(dot(sand.xyz, dpdx - normal * dot(normal, dpdx)),
+            dot(sand.xyz, dpdy - normal * dot(normal, dpdy)));
+    vec2 sand_slope_2 = sand_slope * 0.02;
+    float low_height = 0.01 - sand_height;  // low: Invert height
     float carved_height = cut_height - low_height;  // carved: Subtract heights
-    vec2 carved_sum = -(cut_choice + (cut_product + cut_product) / 0.04) + sand_product_2;
     float fitted_quotient = (carved_height + 0.02) / 0.1;  // fitted: Remap height
-    vec2 fitted_quotient_2 = carved_sum / 0.1;
-    vec2 fitted_choice = fitted_quotient < 0.0 ? vec2(0.0) : fitted_quotient_2;
+    vec2 fitted_choice = fitted_quotient < 0.0 ? vec2(0.0) : (-cut_sum_2 + sand_slope_2) / 0.1;
     vec2 fitted_choice_2 = 1.0 < max(fitted_quotient, 0.0) ? vec2(0.0) : fitted_choice;
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.06;

@@ -31,18 +31,18 @@ vec3 wrinkle_hex_pebbles_hex_grid(vec2 at, out vec2 result_2, out vec2 result_3,
 }
 
 uint wrinkle_hex_pebbles_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
 vec4 wrinkle_hex_pebbles_hex_copy(vec2 corner, float rotation) {
-    uint sum = uint(int(corner.x)) + wrinkle_hex_pebbles_hash(uint(int(corner.y)));
-    uint hash = wrinkle_hex_pebbles_hash(sum);
+    uint hash = wrinkle_hex_pebbles_hash(uint(int(corner.x)) +
+            wrinkle_hex_pebbles_hash(uint(int(corner.y))));
     uint hash_2 = wrinkle_hex_pebbles_hash(hash);
     vec2 vector = vec2(float(hash_2 >> 8u), float(wrinkle_hex_pebbles_hash(hash_2) >> 8u));
-    float product = (2.0 * (float(hash >> 8u) * 5.9604645e-08) - 1.0) * 3.1415927 * rotation;
-    return vec4(vector * 5.9604645e-08, cos(product), sin(product));
+    float product = (2.0 * (float(hash >> 8u) / 16777216.0) - 1.0) * 3.1415927 * rotation;
+    return vec4(vector / 16777216.0, cos(product), sin(product));
 }
 
 vec2 wrinkle_hex_pebbles_smooth_slope(vec2 at, vec2 texel) {
@@ -66,8 +66,8 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
-    vec2 tile_product = dFdx(s.uv0) * 3.0;
-    vec2 tile_product_2 = dFdy(s.uv0) * 3.0;
+    vec2 tile_slope_dx = dFdx(s.uv0) * 3.0;
+    vec2 tile_slope_dy = dFdy(s.uv0) * 3.0;
     // grain: Hex-tiled normal map
     vec2 grain_grid_2;
     vec2 grain_grid_3;
@@ -82,15 +82,15 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 grain_vector = vec2(-grain_copy.w, grain_copy.z);
     vec2 grain_sum_2 = grain_product + grain_vector * grain_difference.y + grain_quotient;
     vec2 grain_sum_3 = grain_sum_2 + grain_copy.xy;
-    vec2 grain_sum_4 = grain_copy.zw * tile_product.x + grain_vector * tile_product.y;
-    vec2 grain_sum_5 = grain_copy.zw * tile_product_2.x + grain_vector * tile_product_2.y;
+    vec2 grain_sum_4 = grain_copy.zw * tile_slope_dx.x + grain_vector * tile_slope_dx.y;
+    vec2 grain_sum_5 = grain_copy.zw * tile_slope_dy.x + grain_vector * tile_slope_dy.y;
     vec4 grain_texel = textureGrad(hex_pebbles_grain_image, grain_sum_3, grain_sum_4, grain_sum_5);
     vec3 grain_texel_2 = grain_texel.xyz - 0.5;
     float grain_least_depth = max(abs(grain_texel_2.x), abs(grain_texel_2.y)) * 0.0078125;
     float grain_quotient_2 = -0.4 / max(max(abs(grain_texel_2.z), grain_least_depth), 5e-07);
     vec2 grain_product_2 = grain_texel_2.xy * grain_quotient_2;
-    vec2 grain_vector_2 = vec2(dot(grain_product_2, grain_copy.zw), dot(grain_product_2,
-            grain_vector));
+    vec2 grain_vector_2 = vec2(dot(grain_product_2, grain_copy.zw),
+            dot(grain_product_2, grain_vector));
     float grain_dot_product = dot(grain_vector_2, grain_vector_2);
     vec4 grain_copy_2 = wrinkle_hex_pebbles_hex_copy(grain_grid_3, 1.0);
     float grain_sum_6 = grain_grid_3.x + 0.5 * grain_grid_3.y;
@@ -100,16 +100,16 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 grain_vector_3 = vec2(-grain_copy_2.w, grain_copy_2.z);
     vec2 grain_sum_7 = grain_product_3 + grain_vector_3 * grain_difference_2.y + grain_quotient_3;
     vec2 grain_sum_8 = grain_sum_7 + grain_copy_2.xy;
-    vec2 grain_sum_9 = grain_copy_2.zw * tile_product.x + grain_vector_3 * tile_product.y;
-    vec2 grain_sum_10 = grain_copy_2.zw * tile_product_2.x + grain_vector_3 * tile_product_2.y;
+    vec2 grain_sum_9 = grain_copy_2.zw * tile_slope_dx.x + grain_vector_3 * tile_slope_dx.y;
+    vec2 grain_sum_10 = grain_copy_2.zw * tile_slope_dy.x + grain_vector_3 * tile_slope_dy.y;
     vec4 grain_texel_3 = textureGrad(hex_pebbles_grain_image, grain_sum_8, grain_sum_9,
             grain_sum_10);
     vec3 grain_texel_4 = grain_texel_3.xyz - 0.5;
     float grain_least_depth_2 = max(abs(grain_texel_4.x), abs(grain_texel_4.y)) * 0.0078125;
     float grain_quotient_4 = -0.4 / max(max(abs(grain_texel_4.z), grain_least_depth_2), 5e-07);
     vec2 grain_product_4 = grain_texel_4.xy * grain_quotient_4;
-    vec2 grain_vector_4 = vec2(dot(grain_product_4, grain_copy_2.zw), dot(grain_product_4,
-            grain_vector_3));
+    vec2 grain_vector_4 = vec2(dot(grain_product_4, grain_copy_2.zw),
+            dot(grain_product_4, grain_vector_3));
     float grain_dot_product_2 = dot(grain_vector_4, grain_vector_4);
     vec4 grain_copy_3 = wrinkle_hex_pebbles_hex_copy(grain_grid_4, 1.0);
     float grain_sum_11 = grain_grid_4.x + 0.5 * grain_grid_4.y;
@@ -119,16 +119,16 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 grain_vector_5 = vec2(-grain_copy_3.w, grain_copy_3.z);
     vec2 grain_sum_12 = grain_product_5 + grain_vector_5 * grain_difference_3.y + grain_quotient_5;
     vec2 grain_sum_13 = grain_sum_12 + grain_copy_3.xy;
-    vec2 grain_sum_14 = grain_copy_3.zw * tile_product.x + grain_vector_5 * tile_product.y;
-    vec2 grain_sum_15 = grain_copy_3.zw * tile_product_2.x + grain_vector_5 * tile_product_2.y;
+    vec2 grain_sum_14 = grain_copy_3.zw * tile_slope_dx.x + grain_vector_5 * tile_slope_dx.y;
+    vec2 grain_sum_15 = grain_copy_3.zw * tile_slope_dy.x + grain_vector_5 * tile_slope_dy.y;
     vec4 grain_texel_5 = textureGrad(hex_pebbles_grain_image, grain_sum_13, grain_sum_14,
             grain_sum_15);
     vec3 grain_texel_6 = grain_texel_5.xyz - 0.5;
     float grain_least_depth_3 = max(abs(grain_texel_6.x), abs(grain_texel_6.y)) * 0.0078125;
     float grain_quotient_6 = -0.4 / max(max(abs(grain_texel_6.z), grain_least_depth_3), 5e-07);
     vec2 grain_product_6 = grain_texel_6.xy * grain_quotient_6;
-    vec2 grain_vector_6 = vec2(dot(grain_product_6, grain_copy_3.zw), dot(grain_product_6,
-            grain_vector_5));
+    vec2 grain_vector_6 = vec2(dot(grain_product_6, grain_copy_3.zw),
+            dot(grain_product_6, grain_vector_5));
     float grain_dot_product_3 = dot(grain_vector_6, grain_vector_6);
     vec3 grain_vector_7 = vec3(grain_dot_product, grain_dot_product_2, grain_dot_product_3);
     vec3 grain_product_7 = 0.6 * sqrt(max(grain_vector_7 / (1.0 + grain_vector_7), 0.0));
@@ -173,11 +173,11 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 pebbles_vector = vec2(-pebbles_copy.w, pebbles_copy.z);
     vec2 pebbles_sum_2 = pebbles_product + pebbles_vector * pebbles_difference.y;
     vec2 pebbles_sum_3 = pebbles_sum_2 + pebbles_quotient + pebbles_copy.xy;
-    vec2 pebbles_sum_4 = pebbles_copy.zw * tile_product.x + pebbles_vector * tile_product.y;
+    vec2 pebbles_sum_4 = pebbles_copy.zw * tile_slope_dx.x + pebbles_vector * tile_slope_dx.y;
     vec2 pebbles_size = vec2(textureSize(hex_pebbles_pebbles_image, 0));
     vec2 pebbles_product_2 = pebbles_sum_4 * pebbles_size;
     float pebbles_dot_product = dot(pebbles_product_2, pebbles_product_2);
-    vec2 pebbles_sum_5 = pebbles_copy.zw * tile_product_2.x + pebbles_vector * tile_product_2.y;
+    vec2 pebbles_sum_5 = pebbles_copy.zw * tile_slope_dy.x + pebbles_vector * tile_slope_dy.y;
     vec2 pebbles_product_3 = pebbles_sum_5 * pebbles_size;
     float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_3, pebbles_product_3));
     float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
@@ -203,29 +203,29 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     float pebbles_choice_2 = pebbles_greatest_2.y > 0.0 ? pow(pebbles_greatest_2.y, 7.0) : 0.0;
     float pebbles_choice_3 = pebbles_greatest_2.z > 0.0 ? pow(pebbles_greatest_2.z, 7.0) : 0.0;
     vec3 pebbles_vector_5 = vec3(pebbles_choice, pebbles_choice_2, pebbles_choice_3);
-    vec3 pebbles_quotient_5 = pebbles_vector_5 / (pebbles_choice + pebbles_choice_2 +
-            pebbles_choice_3);
+    vec3 pebbles_quotient_5 = pebbles_vector_5 /
+            (pebbles_choice + pebbles_choice_2 + pebbles_choice_3);
     float pebbles_product_4 = 2.0 * pebbles_quotient_5.x;
     float pebbles_product_5 = 0.5 * (pebbles_product_4 > 0.0 ? pebbles_product_4 : 0.0);
     float pebbles_difference_3 = 2.0 - pebbles_product_4;
-    float pebbles_difference_4 = 1.0 - 0.5 * (pebbles_difference_3 > 0.0 ? pebbles_difference_3 :
-            0.0);
+    float pebbles_difference_4 = 1.0 -
+            0.5 * (pebbles_difference_3 > 0.0 ? pebbles_difference_3 : 0.0);
     float pebbles_choice_4 = pebbles_quotient_5.x < 0.5 ? pebbles_product_5 : pebbles_difference_4;
     float pebbles_product_6 = 2.0 * pebbles_quotient_5.y;
     float pebbles_product_7 = 0.5 * (pebbles_product_6 > 0.0 ? pebbles_product_6 : 0.0);
     float pebbles_difference_5 = 2.0 - pebbles_product_6;
-    float pebbles_difference_6 = 1.0 - 0.5 * (pebbles_difference_5 > 0.0 ? pebbles_difference_5 :
-            0.0);
+    float pebbles_difference_6 = 1.0 -
+            0.5 * (pebbles_difference_5 > 0.0 ? pebbles_difference_5 : 0.0);
     float pebbles_choice_5 = pebbles_quotient_5.y < 0.5 ? pebbles_product_7 : pebbles_difference_6;
     float pebbles_product_8 = 2.0 * pebbles_quotient_5.z;
     float pebbles_product_9 = 0.5 * (pebbles_product_8 > 0.0 ? pebbles_product_8 : 0.0);
     float pebbles_difference_7 = 2.0 - pebbles_product_8;
-    float pebbles_difference_8 = 1.0 - 0.5 * (pebbles_difference_7 > 0.0 ? pebbles_difference_7 :
-            0.0);
+    float pebbles_difference_8 = 1.0 -
+            0.5 * (pebbles_difference_7 > 0.0 ? pebbles_difference_7 : 0.0);
     float pebbles_choice_6 = pebbles_quotient_5.z < 0.5 ? pebbles_product_9 : pebbles_difference_8;
     vec3 pebbles_vector_6 = vec3(pebbles_choice_4, pebbles_choice_5, pebbles_choice_6);
-    vec3 pebbles_quotient_6 = pebbles_vector_6 / (pebbles_choice_4 + pebbles_choice_5 +
-            pebbles_choice_6);
+    vec3 pebbles_quotient_6 = pebbles_vector_6 /
+            (pebbles_choice_4 + pebbles_choice_5 + pebbles_choice_6);
     vec2 pebbles_product_10 = pebbles_vector_4 * pebbles_quotient_6.x;
     vec4 pebbles_copy_2 = wrinkle_hex_pebbles_hex_copy(pebbles_grid_3, 1.0);
     float pebbles_sum_6 = pebbles_grid_3.x + 0.5 * pebbles_grid_3.y;
@@ -235,14 +235,13 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 pebbles_vector_7 = vec2(-pebbles_copy_2.w, pebbles_copy_2.z);
     vec2 pebbles_sum_7 = pebbles_product_11 + pebbles_vector_7 * pebbles_difference_9.y;
     vec2 pebbles_sum_8 = pebbles_sum_7 + pebbles_quotient_7 + pebbles_copy_2.xy;
-    vec2 pebbles_sum_9 = pebbles_copy_2.zw * tile_product.x + pebbles_vector_7 * tile_product.y;
+    vec2 pebbles_sum_9 = pebbles_copy_2.zw * tile_slope_dx.x + pebbles_vector_7 * tile_slope_dx.y;
     vec2 pebbles_product_12 = pebbles_sum_9 * pebbles_size;
     float pebbles_dot_product_3 = dot(pebbles_product_12, pebbles_product_12);
-    vec2 pebbles_sum_10 = pebbles_copy_2.zw * tile_product_2.x + pebbles_vector_7 *
-            tile_product_2.y;
+    vec2 pebbles_sum_10 = pebbles_copy_2.zw * tile_slope_dy.x + pebbles_vector_7 * tile_slope_dy.y;
     vec2 pebbles_product_13 = pebbles_sum_10 * pebbles_size;
-    float pebbles_greatest_3 = max(pebbles_dot_product_3, dot(pebbles_product_13,
-            pebbles_product_13));
+    float pebbles_greatest_3 = max(pebbles_dot_product_3,
+            dot(pebbles_product_13, pebbles_product_13));
     float pebbles_root_2 = sqrt(max(pebbles_greatest_3, 1.0));
     vec2 pebbles_quotient_8 = pebbles_root_2 / pebbles_size;
     vec2 pebbles_vector_8 = vec2(pebbles_sum_8.x + pebbles_quotient_8.x, pebbles_sum_8.y);
@@ -270,22 +269,21 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 pebbles_vector_11 = vec2(-pebbles_copy_3.w, pebbles_copy_3.z);
     vec2 pebbles_sum_13 = pebbles_product_14 + pebbles_vector_11 * pebbles_difference_11.y;
     vec2 pebbles_sum_14 = pebbles_sum_13 + pebbles_quotient_10 + pebbles_copy_3.xy;
-    vec2 pebbles_sum_15 = pebbles_copy_3.zw * tile_product.x + pebbles_vector_11 * tile_product.y;
+    vec2 pebbles_sum_15 = pebbles_copy_3.zw * tile_slope_dx.x + pebbles_vector_11 * tile_slope_dx.y;
     vec2 pebbles_product_15 = pebbles_sum_15 * pebbles_size;
     float pebbles_dot_product_5 = dot(pebbles_product_15, pebbles_product_15);
-    vec2 pebbles_sum_16 = pebbles_copy_3.zw * tile_product_2.x + pebbles_vector_11 *
-            tile_product_2.y;
+    vec2 pebbles_sum_16 = pebbles_copy_3.zw * tile_slope_dy.x + pebbles_vector_11 * tile_slope_dy.y;
     vec2 pebbles_product_16 = pebbles_sum_16 * pebbles_size;
-    float pebbles_greatest_4 = max(pebbles_dot_product_5, dot(pebbles_product_16,
-            pebbles_product_16));
+    float pebbles_greatest_4 = max(pebbles_dot_product_5,
+            dot(pebbles_product_16, pebbles_product_16));
     float pebbles_root_3 = sqrt(max(pebbles_greatest_4, 1.0));
     vec2 pebbles_quotient_11 = pebbles_root_3 / pebbles_size;
     vec2 pebbles_vector_12 = vec2(pebbles_sum_14.x + pebbles_quotient_11.x, pebbles_sum_14.y);
-    vec4 pebbles_texel_7 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_12, pebbles_sum_15,
-            pebbles_sum_16);
+    vec4 pebbles_texel_7 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_12,
+            pebbles_sum_15, pebbles_sum_16);
     vec2 pebbles_vector_13 = vec2(pebbles_sum_14.x, pebbles_sum_14.y + pebbles_quotient_11.y);
-    vec4 pebbles_texel_8 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_13, pebbles_sum_15,
-            pebbles_sum_16);
+    vec4 pebbles_texel_8 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_13,
+            pebbles_sum_15, pebbles_sum_16);
     vec4 pebbles_texel_9 = textureGrad(hex_pebbles_pebbles_image, pebbles_sum_14, pebbles_sum_15,
             pebbles_sum_16);
     vec2 pebbles_difference_12 = vec2(pebbles_texel_7.x, pebbles_texel_8.x) - pebbles_texel_9.x;
@@ -297,15 +295,15 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     float pebbles_dot_product_6 = dot(pebbles_mixed_3, pebbles_copy_3.zw);
     vec2 pebbles_vector_14 = vec2(pebbles_dot_product_6, dot(pebbles_mixed_3, pebbles_vector_11));
     vec2 pebbles_product_17 = (pebbles_sum_11 + pebbles_vector_14 * pebbles_quotient_6.z) * 0.03;
-    float pebbles_dot_product_7 = dot(pebbles_product_17, tile_product);
-    vec2 pebbles_vector_15 = vec2(pebbles_dot_product_7, dot(pebbles_product_17, tile_product_2));
+    float pebbles_dot_product_7 = dot(pebbles_product_17, tile_slope_dx);
+    vec2 pebbles_vector_15 = vec2(pebbles_dot_product_7, dot(pebbles_product_17, tile_slope_dy));
     // normal: Resolve
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
     vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (grain_sum_19.y * normal_product);
     vec3 normal_sum = s.tangent.xyz * (grain_sum_19.x * inverse_normal_length) + normal_along_v;
     vec2 normal_product_2 = pebbles_vector_15 * (sign(screen_area) / max(abs(screen_area), 1e-36));
-    vec3 normal_cross_product = cross(normal,
-            dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec3 normal_cross_product = cross(normal, dpdx * normal_product_2.y -
+            dpdy * normal_product_2.x);
     vec3 normal_gradient = normal_sum + normal_cross_product;
     vec3 normal_bumped = normal * s.facing - normal_gradient;
     // tint: Hex-tiled colour

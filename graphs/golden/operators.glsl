@@ -38,18 +38,15 @@ WrinkleMaterial_operators wrinkle_operators(WrinkleSurface_operators s) {
     float gentle_extent = length(gentle_along_u + gentle_along_v);
     float gentle_choice = gentle_extent != 0.0 ? 0.57735026 / gentle_extent : 0.0;
     // stack: Compositor
-    vec2 stack_slope = -weave_texel_2 * 0.6 + weave_texel_2 * cloth_least * 0.4;
     float stack_negated = -(2.0 * (gentle_extent > 0.57735026 ? gentle_choice : 1.0) * 0.5);
-    vec2 stack_slope_2 = rivets_texel.xy * stack_negated;
-    vec2 stack_slope_3 = (rivets_texel.xy * -cloth_least + stack_slope_2) * 0.6;
-    vec2 stack_slope_4 = stack_slope_3 + rivets_texel.xy * (1.0 - cloth_least) * 0.4;
-    // pebbles: Derivative map
-    vec2 pebbles_texel = (texture(operators_pebbles_image, tile_uv).xy - 0.5) * 2.0 * 2.0;
-    vec3 pebbles_product = normal * s.facing;
+    vec2 stack_slope = rivets_texel.xy * stack_negated;
+    vec2 stack_slope_2 = (rivets_texel.xy * -cloth_least + stack_slope) * 0.6;
+    vec2 stack_slope_3 = stack_slope_2 + rivets_texel.xy * (1.0 - cloth_least) * 0.4;
+    vec2 stack_slope_4 = (texture(operators_pebbles_image, tile_uv).xy - 0.5) * 2.0 * 2.0 * 0.6;
     float normal_product = weave_depth * rivets_depth;  // normal: Resolve
-    vec2 normal_slope = stack_slope_4 * weave_depth;
-    vec2 normal_slope_2 = stack_slope * rivets_depth + normal_slope;
-    vec2 normal_slope_3 = normal_slope_2 + pebbles_texel * 0.6 * -normal_product;
+    vec2 normal_slope = (-weave_texel_2 * 0.6 + weave_texel_2 * cloth_least * 0.4) * rivets_depth;
+    vec2 normal_slope_2 = stack_slope_3 * weave_depth;
+    vec2 normal_slope_3 = normal_slope + normal_slope_2 + stack_slope_4 * -normal_product;
     vec3 normal_along_v = bitangent * (normal_slope_3.y * handedness);
     vec3 normal_gradient = s.tangent.xyz * normal_slope_3.x + normal_along_v;
     vec3 normal_bumped = s.normal * (normal_product * s.facing) + normal_gradient;
@@ -58,6 +55,7 @@ WrinkleMaterial_operators wrinkle_operators(WrinkleSurface_operators s) {
     float tilt_quotient = -1.0 / max(abs(again_dot_product), 1.1920929e-07);  // tilt: Tilt of bump
     vec3 tilt_product = normal * (-again_dot_product * tilt_quotient);
     float tilt_slope = length(normal_normal * tilt_quotient + tilt_product);
+    vec3 pebbles_product = normal * s.facing;  // pebbles: Derivative map
     float apart_dot_product = dot(pebbles_product, normal_normal);  // apart: Angle of normals
     float apart_extent = length(cross(pebbles_product, normal_normal));
     bool apart_test = abs(apart_dot_product) + abs(apart_extent) > 0.0;

@@ -29,32 +29,33 @@ vec2 wrinkle_parallax_bricks_smooth_slope(vec2 at, vec2 texel) {
 WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_bricks s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
-    vec2 duv0_dx = dFdx(s.uv0);
     vec3 dpdy = dFdy(s.position_relative);
-    vec2 duv0_dy = dFdy(s.uv0);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 bricks_product = normal * s.facing;  // bricks: Height map
     vec2 bricks_size = vec2(textureSize(parallax_bricks_bricks_image, 0));
-    float march_dot_product = dot(bricks_product, s.view);  // march: Parallax occlusion
+    vec2 march_slope_dx = dFdx(s.uv0);  // march: Parallax occlusion
+    float march_dot_product = dot(bricks_product, s.view);
     vec3 march_difference = s.view - bricks_product * march_dot_product;
     vec3 march_difference_2 = dpdy - bricks_product * dot(bricks_product, dpdy);
     vec3 march_cross_product = cross(march_difference_2, bricks_product);
+    vec2 march_product = march_slope_dx * dot(march_difference, march_cross_product);
+    vec2 march_slope_dy = dFdy(s.uv0);
     vec3 march_difference_3 = dpdx - bricks_product * dot(bricks_product, dpdx);
-    vec2 march_product = duv0_dy * dot(march_difference, cross(bricks_product, march_difference_3));
-    vec2 march_sum = duv0_dx * dot(march_difference, march_cross_product) + march_product;
-    float march_dot_product_2 = dot(march_difference_3, march_cross_product);
-    float march_sign = march_dot_product_2 < 0.0 ? -1.0 : 1.0;
-    vec2 march_product_2 = march_sum * (march_sign / max(abs(march_dot_product_2), 1e-36));
+    float march_dot_product_2 = dot(march_difference, cross(bricks_product, march_difference_3));
+    vec2 march_sum = march_product + march_slope_dy * march_dot_product_2;
+    float march_dot_product_3 = dot(march_difference_3, march_cross_product);
+    float march_sign = march_dot_product_3 < 0.0 ? -1.0 : 1.0;
+    vec2 march_product_2 = march_sum * (march_sign / max(abs(march_dot_product_3), 1e-36));
     vec2 march_product_3 = march_product_2 * (-1.0 / max(abs(march_dot_product), 0.1));
     float march_quotient = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
     vec2 tile_uv = vec2(s.uv0.x * 2.0, s.uv0.y);  // tile: UV transform
-    vec2 tile_vector = vec2(duv0_dx.x * 2.0, duv0_dx.y);
-    vec2 tile_vector_2 = vec2(duv0_dy.x * 2.0, duv0_dy.y);
+    vec2 tile_slope_dx = vec2(march_slope_dx.x * 2.0, march_slope_dx.y);
+    vec2 tile_slope_dy = vec2(march_slope_dy.x * 2.0, march_slope_dy.y);
     // bricks: Height map (continued)
     float bricks_height = (texture(parallax_bricks_bricks_image, tile_uv).x - 1.0) * 0.03;
-    vec2 bricks_product_2 = tile_vector * bricks_size;
+    vec2 bricks_product_2 = tile_slope_dx * bricks_size;
     float bricks_dot_product = dot(bricks_product_2, bricks_product_2);
-    vec2 bricks_product_3 = tile_vector_2 * bricks_size;
+    vec2 bricks_product_3 = tile_slope_dy * bricks_size;
     float bricks_greatest = max(max(bricks_dot_product, dot(bricks_product_3, bricks_product_3)),
             1.0);
     float bricks_root = sqrt(bricks_greatest);
@@ -70,10 +71,10 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
         float march_least = min(march_state_3 + march_quotient, 0.03);
         vec2 march_sum_2 = s.uv0 + march_product_3 * march_least;
         // tile: UV transform (continued)
-        vec2 tile_vector_3 = vec2(march_sum_2.x * 2.0, march_sum_2.y);
+        vec2 tile_vector = vec2(march_sum_2.x * 2.0, march_sum_2.y);
         // bricks: Height map (continued)
-        vec4 bricks_texel = textureGrad(parallax_bricks_bricks_image, tile_vector_3, tile_vector,
-                tile_vector_2);
+        vec4 bricks_texel = textureGrad(parallax_bricks_bricks_image, tile_vector, tile_slope_dx,
+                tile_slope_dy);
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
@@ -87,14 +88,15 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
     for (int i_2 = 0; i_2 < 3; ++i_2) {
         if (!(march_state_8 > 0.0)) break;
         float march_difference_4 = march_state_6 - march_state_8;
-        float march_sum_3 = march_state_5 + (march_state_7 - march_state_5) * (march_difference_4
-                != 0.0 ? march_state_6 / march_difference_4 : 0.0);
+        float march_sum_3 = march_state_5 +
+                (march_state_7 - march_state_5) *
+                (march_difference_4 != 0.0 ? march_state_6 / march_difference_4 : 0.0);
         vec2 march_sum_4 = s.uv0 + march_product_3 * march_sum_3;
         // tile: UV transform (continued)
-        vec2 tile_vector_4 = vec2(march_sum_4.x * 2.0, march_sum_4.y);
+        vec2 tile_vector_2 = vec2(march_sum_4.x * 2.0, march_sum_4.y);
         // bricks: Height map (continued)
-        vec4 bricks_texel_2 = textureGrad(parallax_bricks_bricks_image, tile_vector_4, tile_vector,
-                tile_vector_2);
+        vec4 bricks_texel_2 = textureGrad(parallax_bricks_bricks_image, tile_vector_2,
+                tile_slope_dx, tile_slope_dy);
         // march: Parallax occlusion (continued)
         float march_sum_5 = (bricks_texel_2.x - 1.0) * 0.03 + march_sum_3;
         bool march_test = march_sum_5 < 0.0;
@@ -109,19 +111,19 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
     vec2 march_product_4 = march_product_3 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
     vec2 march_uv = s.uv0 + march_product_4;
     float tile_product = march_uv.x * 2.0;  // tile: UV transform (continued)
-    vec2 tile_vector_5 = vec2(tile_product, march_uv.y);
+    vec2 tile_vector_3 = vec2(tile_product, march_uv.y);
     // bricks: Height map (continued)
     vec2 bricks_vector = vec2(tile_product + bricks_quotient.x, march_uv.y);
-    vec4 bricks_texel_3 = textureGrad(parallax_bricks_bricks_image, bricks_vector, tile_vector,
-            tile_vector_2);
+    vec4 bricks_texel_3 = textureGrad(parallax_bricks_bricks_image, bricks_vector, tile_slope_dx,
+            tile_slope_dy);
     vec2 bricks_vector_2 = vec2(tile_product, march_uv.y + bricks_quotient.y);
-    vec4 bricks_texel_4 = textureGrad(parallax_bricks_bricks_image, bricks_vector_2, tile_vector,
-            tile_vector_2);
-    vec4 bricks_texel_5 = textureGrad(parallax_bricks_bricks_image, tile_vector_5, tile_vector,
-            tile_vector_2);
+    vec4 bricks_texel_4 = textureGrad(parallax_bricks_bricks_image, bricks_vector_2, tile_slope_dx,
+            tile_slope_dy);
+    vec4 bricks_texel_5 = textureGrad(parallax_bricks_bricks_image, tile_vector_3, tile_slope_dx,
+            tile_slope_dy);
     vec2 bricks_difference = vec2(bricks_texel_3.x, bricks_texel_4.x) - bricks_texel_5.x;
     vec2 bricks_product_4 = bricks_difference * (1.0 / bricks_root);
-    vec2 bricks_slope = wrinkle_parallax_bricks_smooth_slope(tile_vector_5, 1.0 / bricks_size);
+    vec2 bricks_slope = wrinkle_parallax_bricks_smooth_slope(tile_vector_3, 1.0 / bricks_size);
     vec2 bricks_mixed = mix(bricks_product_4, bricks_slope, bricks_clamped);
     float bricks_dot_product_2 = dot(bricks_mixed, bricks_product_2);
     // normal: Resolve

@@ -28,80 +28,71 @@ vec2 wrinkle_parallax_dents_smooth_slope(vec2 at, vec2 texel) {
 }
 
 uint wrinkle_parallax_dents_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-vec3 wrinkle_parallax_dents_noise_direction(vec3 corner) {
-    uint sum = uint(int(corner.y)) + wrinkle_parallax_dents_hash(uint(int(corner.z)));
-    uint sum_2 = uint(int(corner.x)) + wrinkle_parallax_dents_hash(sum);
-    uint hash = wrinkle_parallax_dents_hash(sum_2);
-    uint product = ((((hash >> 8u) * 3u) >> 24u) * 4u + (hash & 3u)) * 2u;
-    float number = float((2237013u >> product) & 3u);
-    float number_2 = float((5573130u >> product) & 3u);
-    return vec3(number, float((677154u >> product) & 3u), number_2) - 1.0;
+uint wrinkle_parallax_dents_hash3(vec3 cell) {
+    uint z = wrinkle_parallax_dents_hash(uint(int(cell.z)));
+    uint yz = wrinkle_parallax_dents_hash(uint(int(cell.y)) + z);
+    return wrinkle_parallax_dents_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_parallax_dents_gradient_corner(vec3 corner, vec3 way) {
-    vec3 direction = wrinkle_parallax_dents_noise_direction(corner);
-    return vec4(direction, dot(direction, way));
+    uint bits = wrinkle_parallax_dents_hash3(corner);
+    float a = 1.0 - 2.0 * float(bits & 1u);
+    uint axis = (bits >> 8u) * 3u >> 24u;
+    float first = axis == 0u ? a : 0.0;
+    float x = a - first;
+    float b = 1.0 - float(bits & 2u);
+    float last = axis == 2u ? b : 0.0;
+    float y = first + last;
+    float z = b - last;
+    return vec4(x, y, z, dot(vec3(x, y, z), way));
+}
+
+vec4 wrinkle_parallax_dents_gradient_edge(vec3 corner, vec3 way, float t, float t_slope) {
+    vec4 a = wrinkle_parallax_dents_gradient_corner(corner, way);
+    vec4 b = wrinkle_parallax_dents_gradient_corner(vec3(corner.x + 1.0, corner.yz),
+            vec3(way.x - 1.0, way.yz));
+    vec4 mixed = mix(a, b, t);
+    return vec4(mixed.x + t_slope * (b.w - a.w), mixed.yzw);
 }
 
 vec4 wrinkle_parallax_dents_gradient_noise(vec3 p) {
-    vec3 floored = floor(p);
-    vec3 difference = p - floored;
-    vec4 corner = wrinkle_parallax_dents_gradient_corner(floored, difference);
-    vec3 sum = floored + 1.0;
-    vec3 vector = vec3(sum.x, floored.yz);
-    vec3 difference_2 = difference - 1.0;
-    vec3 vector_2 = vec3(difference_2.x, difference.yz);
-    vec4 corner_2 = wrinkle_parallax_dents_gradient_corner(vector, vector_2);
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec4 mixed = mix(corner, corner_2, product.x);
-    vec3 vector_3 = vec3(floored.x, sum.y, floored.z);
-    vec3 vector_4 = vec3(difference.x, difference_2.y, difference.z);
-    vec4 corner_3 = wrinkle_parallax_dents_gradient_corner(vector_3, vector_4);
-    vec3 vector_5 = vec3(sum.xy, floored.z);
-    vec3 vector_6 = vec3(difference_2.xy, difference.z);
-    vec4 corner_4 = wrinkle_parallax_dents_gradient_corner(vector_5, vector_6);
-    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
-    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
-    vec3 vector_7 = vec3(floored.xy, sum.z);
-    vec3 vector_8 = vec3(difference.xy, difference_2.z);
-    vec4 corner_5 = wrinkle_parallax_dents_gradient_corner(vector_7, vector_8);
-    vec3 vector_9 = vec3(sum.x, floored.y, sum.z);
-    vec3 vector_10 = vec3(difference_2.x, difference.y, difference_2.z);
-    vec4 corner_6 = wrinkle_parallax_dents_gradient_corner(vector_9, vector_10);
-    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
-    vec3 vector_11 = vec3(floored.x, sum.yz);
-    vec3 vector_12 = vec3(difference.x, difference_2.yz);
-    vec4 corner_7 = wrinkle_parallax_dents_gradient_corner(vector_11, vector_12);
-    vec4 corner_8 = wrinkle_parallax_dents_gradient_corner(sum, difference_2);
-    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
-    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
-    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
-    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
-    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
-    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
-    vec3 vector_13 = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
-    vec3 sum_3 = mixed_7.xyz + product_2 * vector_13;
-    return vec4(sum_3, mixed_7.w);
+    vec3 cell = floor(p);
+    vec3 f = p - cell;
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 t_slope = 30.0 * f * f * back * back;
+    vec4 a = wrinkle_parallax_dents_gradient_edge(cell, f, t.x, t_slope.x);
+    vec4 b = wrinkle_parallax_dents_gradient_edge(vec3(cell.x, cell.y + 1.0, cell.z),
+            vec3(f.x, f.y - 1.0, f.z), t.x, t_slope.x);
+    vec4 ab = mix(a, b, t.y);
+    vec4 low = vec4(ab.x, ab.y + t_slope.y * (b.w - a.w), ab.zw);
+    vec4 c = wrinkle_parallax_dents_gradient_edge(vec3(cell.xy, cell.z + 1.0),
+            vec3(f.xy, f.z - 1.0), t.x, t_slope.x);
+    vec4 d = wrinkle_parallax_dents_gradient_edge(vec3(cell.x, cell.yz + 1.0),
+            vec3(f.x, f.yz - 1.0), t.x, t_slope.x);
+    vec4 cd = mix(c, d, t.y);
+    vec4 high = vec4(cd.x, cd.y + t_slope.y * (d.w - c.w), cd.zw);
+    vec4 joined = mix(low, high, t.z);
+    return vec4(joined.xy, joined.z + t_slope.z * (cd.w - ab.w), joined.w);
 }
 
-vec3 wrinkle_parallax_dents_fbm_slope(vec3 point, float width, int octaves, float lacunarity,
-        float gain) {
-    float frequency = 1.0;
+vec3 wrinkle_parallax_dents_fbm_slope(vec3 point, float width, float scale, int octaves,
+        float lacunarity, float gain) {
+    float frequency = scale;
     float weight = 1.0;
     float total = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 sum = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
-        vec3 product = wrinkle_parallax_dents_gradient_noise(sum).xyz * frequency;
+        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec4 noise = wrinkle_parallax_dents_gradient_noise(p);
+        float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
-        sum_slope += product * (1.0 - smoothstep(0.25, 0.75, width * frequency)) * weight;
+        sum_slope += noise.xyz * frequency * fade * weight;
         frequency *= lacunarity;
         weight *= gain;
     }
@@ -109,36 +100,38 @@ vec3 wrinkle_parallax_dents_fbm_slope(vec3 point, float width, int octaves, floa
 }
 
 WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_dents s) {
-    vec3 normal = normalize(s.normal);  // the surface point
-    vec3 dpdx = dFdx(s.position_relative);
-    vec2 duv0_dx = dFdx(s.uv0);
-    vec3 dpdy = dFdy(s.position_relative);
-    vec2 duv0_dy = dFdy(s.uv0);
-    float screen_area = dot(normal, cross(dpdx, dpdy));
+    vec3 normal = normalize(s.normal);
     vec3 pebbles_product = normal * s.facing;  // pebbles: Height map
     vec2 pebbles_size = vec2(textureSize(parallax_dents_pebbles_image, 0));
-    float march_dot_product = dot(pebbles_product, s.view);  // march: Parallax occlusion
+    vec3 march_slope_dx = dFdx(s.position_relative);  // march: Parallax occlusion
+    vec2 march_slope_dx_2 = dFdx(s.uv0);
+    float march_dot_product = dot(pebbles_product, s.view);
     vec3 march_difference = s.view - pebbles_product * march_dot_product;
-    vec3 march_difference_2 = dpdy - pebbles_product * dot(pebbles_product, dpdy);
+    vec3 march_slope_dy = dFdy(s.position_relative);
+    vec3 march_difference_2 = march_slope_dy -
+            pebbles_product * dot(pebbles_product, march_slope_dy);
     vec3 march_cross_product = cross(march_difference_2, pebbles_product);
-    vec2 march_product = duv0_dx * dot(march_difference, march_cross_product);
-    vec3 march_difference_3 = dpdx - pebbles_product * dot(pebbles_product, dpdx);
+    vec2 march_product = march_slope_dx_2 * dot(march_difference, march_cross_product);
+    vec2 march_slope_dy_2 = dFdy(s.uv0);
+    vec3 march_product_2 = pebbles_product * dot(pebbles_product, march_slope_dx);
+    vec3 march_difference_3 = march_slope_dx - march_product_2;
     float march_dot_product_2 = dot(march_difference, cross(pebbles_product, march_difference_3));
+    vec2 march_sum = march_product + march_slope_dy_2 * march_dot_product_2;
     float march_dot_product_3 = dot(march_difference_3, march_cross_product);
     float march_sign = march_dot_product_3 < 0.0 ? -1.0 : 1.0;
-    float march_quotient = march_sign / max(abs(march_dot_product_3), 1e-36);
-    vec2 march_product_2 = (march_product + duv0_dy * march_dot_product_2) * march_quotient;
-    float march_quotient_2 = -1.0 / max(abs(march_dot_product), 0.1);
-    vec2 march_product_3 = march_product_2 * march_quotient_2;
-    float march_quotient_3 = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
+    vec2 march_product_3 = march_sum * (march_sign / max(abs(march_dot_product_3), 1e-36));
+    float march_quotient = -1.0 / max(abs(march_dot_product), 0.1);
+    vec2 march_product_4 = march_product_3 * march_quotient;
+    float march_quotient_2 = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
+    float screen_area = dot(normal, cross(march_slope_dx, march_slope_dy));
     vec2 tile_uv = s.uv0 * 2.0;  // tile: UV transform
-    vec2 tile_product = duv0_dx * 2.0;
-    vec2 tile_product_2 = duv0_dy * 2.0;
+    vec2 tile_slope_dx = march_slope_dx_2 * 2.0;
+    vec2 tile_slope_dy = march_slope_dy_2 * 2.0;
     // pebbles: Height map (continued)
     float pebbles_height = (texture(parallax_dents_pebbles_image, tile_uv).x - 1.0) * 0.03;
-    vec2 pebbles_product_2 = tile_product * pebbles_size;
+    vec2 pebbles_product_2 = tile_slope_dx * pebbles_size;
     float pebbles_dot_product = dot(pebbles_product_2, pebbles_product_2);
-    vec2 pebbles_product_3 = tile_product_2 * pebbles_size;
+    vec2 pebbles_product_3 = tile_slope_dy * pebbles_size;
     float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_3, pebbles_product_3));
     float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
     vec2 pebbles_quotient = pebbles_root / pebbles_size;
@@ -150,12 +143,12 @@ WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_de
     float march_state_4 = pebbles_height;
     for (int i = 0; i < 33; ++i) {
         if (!(march_state_4 < 0.0 && march_state_3 < 0.03)) break;
-        float march_least = min(march_state_3 + march_quotient_3, 0.03);
+        float march_least = min(march_state_3 + march_quotient_2, 0.03);
         // tile: UV transform (continued)
-        vec2 tile_product_3 = (s.uv0 + march_product_3 * march_least) * 2.0;
+        vec2 tile_product = (s.uv0 + march_product_4 * march_least) * 2.0;
         // pebbles: Height map (continued)
-        vec4 pebbles_texel = textureGrad(parallax_dents_pebbles_image, tile_product_3, tile_product,
-                tile_product_2);
+        vec4 pebbles_texel = textureGrad(parallax_dents_pebbles_image, tile_product, tile_slope_dx,
+                tile_slope_dy);
         float pebbles_texel_2 = (pebbles_texel.x - 1.0) * 0.03;
         march_state = march_state_3;
         march_state_2 = march_state_4;
@@ -170,58 +163,61 @@ WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_de
     for (int i_2 = 0; i_2 < 3; ++i_2) {
         if (!(march_state_8 > 0.0)) break;
         float march_difference_4 = march_state_6 - march_state_8;
-        float march_sum = march_state_5 + (march_state_7 - march_state_5) * (march_difference_4 !=
-                0.0 ? march_state_6 / march_difference_4 : 0.0);
+        float march_sum_2 = march_state_5 +
+                (march_state_7 - march_state_5) *
+                (march_difference_4 != 0.0 ? march_state_6 / march_difference_4 : 0.0);
         // tile: UV transform (continued)
-        vec2 tile_product_4 = (s.uv0 + march_product_3 * march_sum) * 2.0;
+        vec2 tile_product_2 = (s.uv0 + march_product_4 * march_sum_2) * 2.0;
         // pebbles: Height map (continued)
-        vec4 pebbles_texel_3 = textureGrad(parallax_dents_pebbles_image, tile_product_4,
-                tile_product, tile_product_2);
+        vec4 pebbles_texel_3 = textureGrad(parallax_dents_pebbles_image, tile_product_2,
+                tile_slope_dx, tile_slope_dy);
         float pebbles_texel_4 = (pebbles_texel_3.x - 1.0) * 0.03;
-        float march_sum_2 = pebbles_texel_4 + march_sum;  // march: Parallax occlusion (continued)
-        bool march_test = march_sum_2 < 0.0;
-        march_state_5 = march_test ? march_sum : march_state_5;
-        march_state_6 = march_test ? march_sum_2 : march_state_6;
-        march_state_7 = march_test ? march_state_7 : march_sum;
-        march_state_8 = march_test ? march_state_8 : march_sum_2;
+        float march_sum_3 = pebbles_texel_4 + march_sum_2;  // march: Parallax occlusion (continued)
+        bool march_test = march_sum_3 < 0.0;
+        march_state_5 = march_test ? march_sum_2 : march_state_5;
+        march_state_6 = march_test ? march_sum_3 : march_state_6;
+        march_state_7 = march_test ? march_state_7 : march_sum_2;
+        march_state_8 = march_test ? march_state_8 : march_sum_3;
     }
     float march_difference_5 = march_state_6 - march_state_8;
     float march_choice = march_difference_5 != 0.0 ? march_state_6 / march_difference_5 : 0.0;
-    float march_sum_3 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
-    float march_choice_2 = march_state_8 < 0.0 ? march_state_7 : march_sum_3;
-    vec2 march_uv = s.uv0 + march_product_3 * march_choice_2;
-    vec3 march_product_4 = (march_difference * march_quotient_2 - pebbles_product) * march_choice_2;
-    vec3 march_position = s.position + march_product_4;
-    vec2 tile_product_5 = march_uv * 2.0;  // tile: UV transform (continued)
+    float march_sum_4 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
+    float march_choice_2 = march_state_8 < 0.0 ? march_state_7 : march_sum_4;
+    vec2 march_uv = s.uv0 + march_product_4 * march_choice_2;
+    vec3 march_product_5 = (march_difference * march_quotient - pebbles_product) * march_choice_2;
+    vec3 march_position = s.position + march_product_5;
+    vec2 tile_product_3 = march_uv * 2.0;  // tile: UV transform (continued)
     // pebbles: Height map (continued)
-    vec2 pebbles_vector = vec2(tile_product_5.x + pebbles_quotient.x, tile_product_5.y);
-    vec4 pebbles_texel_5 = textureGrad(parallax_dents_pebbles_image, pebbles_vector, tile_product,
-            tile_product_2);
-    vec2 pebbles_vector_2 = vec2(tile_product_5.x, tile_product_5.y + pebbles_quotient.y);
-    vec4 pebbles_texel_6 = textureGrad(parallax_dents_pebbles_image, pebbles_vector_2, tile_product,
-            tile_product_2);
-    vec4 pebbles_texel_7 = textureGrad(parallax_dents_pebbles_image, tile_product_5, tile_product,
-            tile_product_2);
+    vec2 pebbles_vector = vec2(tile_product_3.x + pebbles_quotient.x, tile_product_3.y);
+    vec4 pebbles_texel_5 = textureGrad(parallax_dents_pebbles_image, pebbles_vector, tile_slope_dx,
+            tile_slope_dy);
+    vec2 pebbles_vector_2 = vec2(tile_product_3.x, tile_product_3.y + pebbles_quotient.y);
+    vec4 pebbles_texel_6 = textureGrad(parallax_dents_pebbles_image, pebbles_vector_2,
+            tile_slope_dx, tile_slope_dy);
+    vec4 pebbles_texel_7 = textureGrad(parallax_dents_pebbles_image, tile_product_3, tile_slope_dx,
+            tile_slope_dy);
     vec2 pebbles_difference = vec2(pebbles_texel_5.x, pebbles_texel_6.x) - pebbles_texel_7.x;
     vec2 pebbles_product_4 = pebbles_difference * (1.0 / pebbles_root);
-    vec2 pebbles_slope = wrinkle_parallax_dents_smooth_slope(tile_product_5, 1.0 / pebbles_size);
+    vec2 pebbles_slope = wrinkle_parallax_dents_smooth_slope(tile_product_3, 1.0 / pebbles_size);
     vec2 pebbles_mixed = mix(pebbles_product_4, pebbles_slope, pebbles_clamped);
     float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_product_2);
     // relief: Resolve
     vec2 relief_vector = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_product_3));
     float relief_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
     vec2 relief_product_2 = relief_vector * relief_product;
-    vec3 relief_gradient = cross(normal, dpdx * relief_product_2.y - dpdy * relief_product_2.x);
+    vec3 relief_product_3 = march_slope_dx * relief_product_2.y;
+    vec3 relief_gradient = cross(normal, relief_product_3 - march_slope_dy * relief_product_2.x);
     vec3 relief_normal = normalize(pebbles_product - relief_gradient);
-    vec3 dents_product = march_position * 14.0;  // dents: Gradient noise
-    float dents_product_2 = max(length(dpdx), length(dpdy)) * 14.0;
-    vec3 dents_slope = wrinkle_parallax_dents_fbm_slope(dents_product, dents_product_2, 2, 2.0,
+    // dents: Gradient noise
+    float dents_width = max(length(march_slope_dx), length(march_slope_dy));
+    vec3 dents_slope = wrinkle_parallax_dents_fbm_slope(march_position, dents_width, 14.0, 2, 2.0,
             0.5);
-    vec3 dents_gradient = dents_slope * 14.0 * 0.004;
+    vec3 dents_slope_2 = dents_slope * 0.004;
     // normal: Resolve
-    vec3 normal_product = relief_normal * (1.0 + dot(relief_normal, dents_gradient));
+    vec3 normal_difference = relief_normal * (1.0 + dot(relief_normal, dents_slope_2)) -
+            dents_slope_2;
     WrinkleMaterial_parallax_dents m;
-    m.normal = normalize(normal_product - dents_gradient);
+    m.normal = normalize(normal_difference);
     m.height = (pebbles_texel_7.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)
     return m;
 }

@@ -14,120 +14,107 @@ struct WrinkleMaterial_parallax_detail {
 uniform sampler2D parallax_detail_weave_image;  // textures/weave_normal.png (normal_gl, repeat)
 
 uint wrinkle_parallax_detail_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-vec3 wrinkle_parallax_detail_noise_direction(vec3 corner) {
-    uint sum = uint(int(corner.y)) + wrinkle_parallax_detail_hash(uint(int(corner.z)));
-    uint sum_2 = uint(int(corner.x)) + wrinkle_parallax_detail_hash(sum);
-    uint hash = wrinkle_parallax_detail_hash(sum_2);
-    uint product = ((((hash >> 8u) * 3u) >> 24u) * 4u + (hash & 3u)) * 2u;
-    float number = float((2237013u >> product) & 3u);
-    float number_2 = float((5573130u >> product) & 3u);
-    return vec3(number, float((677154u >> product) & 3u), number_2) - 1.0;
+uint wrinkle_parallax_detail_hash3(vec3 cell) {
+    uint z = wrinkle_parallax_detail_hash(uint(int(cell.z)));
+    uint yz = wrinkle_parallax_detail_hash(uint(int(cell.y)) + z);
+    return wrinkle_parallax_detail_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_parallax_detail_gradient_corner(vec3 corner, vec3 way) {
-    vec3 direction = wrinkle_parallax_detail_noise_direction(corner);
-    return vec4(direction, dot(direction, way));
+    uint bits = wrinkle_parallax_detail_hash3(corner);
+    float a = 1.0 - 2.0 * float(bits & 1u);
+    uint axis = (bits >> 8u) * 3u >> 24u;
+    float first = axis == 0u ? a : 0.0;
+    float x = a - first;
+    float b = 1.0 - float(bits & 2u);
+    float last = axis == 2u ? b : 0.0;
+    float y = first + last;
+    float z = b - last;
+    return vec4(x, y, z, dot(vec3(x, y, z), way));
+}
+
+vec4 wrinkle_parallax_detail_gradient_edge(vec3 corner, vec3 way, float t, float t_slope) {
+    vec4 a = wrinkle_parallax_detail_gradient_corner(corner, way);
+    vec4 b = wrinkle_parallax_detail_gradient_corner(vec3(corner.x + 1.0, corner.yz),
+            vec3(way.x - 1.0, way.yz));
+    vec4 mixed = mix(a, b, t);
+    return vec4(mixed.x + t_slope * (b.w - a.w), mixed.yzw);
 }
 
 vec4 wrinkle_parallax_detail_gradient_noise(vec3 p) {
-    vec3 floored = floor(p);
-    vec3 difference = p - floored;
-    vec4 corner = wrinkle_parallax_detail_gradient_corner(floored, difference);
-    vec3 sum = floored + 1.0;
-    vec3 vector = vec3(sum.x, floored.yz);
-    vec3 difference_2 = difference - 1.0;
-    vec3 vector_2 = vec3(difference_2.x, difference.yz);
-    vec4 corner_2 = wrinkle_parallax_detail_gradient_corner(vector, vector_2);
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec4 mixed = mix(corner, corner_2, product.x);
-    vec3 vector_3 = vec3(floored.x, sum.y, floored.z);
-    vec3 vector_4 = vec3(difference.x, difference_2.y, difference.z);
-    vec4 corner_3 = wrinkle_parallax_detail_gradient_corner(vector_3, vector_4);
-    vec3 vector_5 = vec3(sum.xy, floored.z);
-    vec3 vector_6 = vec3(difference_2.xy, difference.z);
-    vec4 corner_4 = wrinkle_parallax_detail_gradient_corner(vector_5, vector_6);
-    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
-    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
-    vec3 vector_7 = vec3(floored.xy, sum.z);
-    vec3 vector_8 = vec3(difference.xy, difference_2.z);
-    vec4 corner_5 = wrinkle_parallax_detail_gradient_corner(vector_7, vector_8);
-    vec3 vector_9 = vec3(sum.x, floored.y, sum.z);
-    vec3 vector_10 = vec3(difference_2.x, difference.y, difference_2.z);
-    vec4 corner_6 = wrinkle_parallax_detail_gradient_corner(vector_9, vector_10);
-    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
-    vec3 vector_11 = vec3(floored.x, sum.yz);
-    vec3 vector_12 = vec3(difference.x, difference_2.yz);
-    vec4 corner_7 = wrinkle_parallax_detail_gradient_corner(vector_11, vector_12);
-    vec4 corner_8 = wrinkle_parallax_detail_gradient_corner(sum, difference_2);
-    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
-    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
-    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
-    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
-    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
-    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
-    vec3 vector_13 = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
-    vec3 sum_3 = mixed_7.xyz + product_2 * vector_13;
-    return vec4(sum_3, mixed_7.w);
+    vec3 cell = floor(p);
+    vec3 f = p - cell;
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 t_slope = 30.0 * f * f * back * back;
+    vec4 a = wrinkle_parallax_detail_gradient_edge(cell, f, t.x, t_slope.x);
+    vec4 b = wrinkle_parallax_detail_gradient_edge(vec3(cell.x, cell.y + 1.0, cell.z),
+            vec3(f.x, f.y - 1.0, f.z), t.x, t_slope.x);
+    vec4 ab = mix(a, b, t.y);
+    vec4 low = vec4(ab.x, ab.y + t_slope.y * (b.w - a.w), ab.zw);
+    vec4 c = wrinkle_parallax_detail_gradient_edge(vec3(cell.xy, cell.z + 1.0),
+            vec3(f.xy, f.z - 1.0), t.x, t_slope.x);
+    vec4 d = wrinkle_parallax_detail_gradient_edge(vec3(cell.x, cell.yz + 1.0),
+            vec3(f.x, f.yz - 1.0), t.x, t_slope.x);
+    vec4 cd = mix(c, d, t.y);
+    vec4 high = vec4(cd.x, cd.y + t_slope.y * (d.w - c.w), cd.zw);
+    vec4 joined = mix(low, high, t.z);
+    return vec4(joined.xy, joined.z + t_slope.z * (cd.w - ab.w), joined.w);
 }
 
-vec4 wrinkle_parallax_detail_fbm_with_slope(vec3 point, float width, int octaves, float lacunarity,
-        float gain) {
-    float frequency = 1.0;
+vec4 wrinkle_parallax_detail_fbm(vec3 point, float width, float scale, int octaves,
+        float lacunarity, float gain) {
+    float frequency = scale;
     float weight = 1.0;
     float total = 0.0;
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 sum_2 = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
-        vec4 noise = wrinkle_parallax_detail_gradient_noise(sum_2);
-        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec4 noise = wrinkle_parallax_detail_gradient_noise(p);
+        float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
-        sum += noise.w * difference * weight;
-        sum_slope += noise.xyz * frequency * difference * weight;
+        sum += noise.w * fade * weight;
+        sum_slope += noise.xyz * frequency * fade * weight;
         frequency *= lacunarity;
         weight *= gain;
     }
-    vec4 vector = vec4(sum_slope, sum);
-    return vector / total;
+    return vec4(sum_slope, sum) / total;
 }
 
 WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_detail s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
-    vec2 duv0_dx = dFdx(s.uv0);
     vec3 dpdy = dFdy(s.position_relative);
-    vec2 duv0_dy = dFdy(s.uv0);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 point_vector = vec3(s.uv0, 0.37);  // point: Combine vec3
     vec3 march_product = normal * s.facing;  // march: Parallax occlusion
+    vec2 march_slope_dx = dFdx(s.uv0);
     float march_dot_product = dot(march_product, s.view);
     vec3 march_difference = s.view - march_product * march_dot_product;
     vec3 march_difference_2 = dpdy - march_product * dot(march_product, dpdy);
     vec3 march_cross_product = cross(march_difference_2, march_product);
+    vec2 march_product_2 = march_slope_dx * dot(march_difference, march_cross_product);
+    vec2 march_slope_dy = dFdy(s.uv0);
     vec3 march_difference_3 = dpdx - march_product * dot(march_product, dpdx);
-    vec2 march_product_2 = duv0_dy * dot(march_difference, cross(march_product,
-            march_difference_3));
-    vec2 march_sum = duv0_dx * dot(march_difference, march_cross_product) + march_product_2;
-    float march_dot_product_2 = dot(march_difference_3, march_cross_product);
-    float march_sign = march_dot_product_2 < 0.0 ? -1.0 : 1.0;
-    vec2 march_product_3 = march_sum * (march_sign / max(abs(march_dot_product_2), 1e-36));
+    float march_dot_product_2 = dot(march_difference, cross(march_product, march_difference_3));
+    vec2 march_sum = march_product_2 + march_slope_dy * march_dot_product_2;
+    float march_dot_product_3 = dot(march_difference_3, march_cross_product);
+    float march_sign = march_dot_product_3 < 0.0 ? -1.0 : 1.0;
+    vec2 march_product_3 = march_sum * (march_sign / max(abs(march_dot_product_3), 1e-36));
     float march_magnitude = abs(march_dot_product);
     vec2 march_product_4 = march_product_3 * (-1.0 / max(march_magnitude, 0.1));
     float march_quotient = 0.08 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
-    vec3 dunes_product = point_vector * 7.0;  // dunes: Gradient noise
-    float dunes_extent = length(vec3(duv0_dx, 0.0));
-    float dunes_product_2 = max(dunes_extent, length(vec3(duv0_dy, 0.0))) * 7.0;
-    vec4 dunes_slope = wrinkle_parallax_detail_fbm_with_slope(dunes_product, dunes_product_2, 2,
-            2.0, 0.5);
-    float dunes_height = dunes_slope.w * 0.08;
+    float dunes_extent = length(vec3(march_slope_dx, 0.0));  // dunes: Gradient noise
+    float dunes_width = max(dunes_extent, length(vec3(march_slope_dy, 0.0)));
+    float dunes_height = wrinkle_parallax_detail_fbm(point_vector, dunes_width, 7.0, 2, 2.0,
+            0.5).w * 0.08;
     float march_difference_4 = dunes_height - 0.04;  // march: Parallax occlusion (continued)
     float march_state = 0.0;
     float march_state_2 = march_difference_4;
@@ -137,13 +124,13 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
         if (!(march_state_4 < 0.0 && march_state_3 < 0.08)) break;
         float march_least = min(march_state_3 + march_quotient, 0.08);
         vec2 march_sum_2 = s.uv0 + march_product_4 * march_least;
-        vec3 dunes_product_3 = vec3(march_sum_2, 0.37) * 7.0;  // dunes: Gradient noise (continued)
-        vec4 dunes_slope_2 = wrinkle_parallax_detail_fbm_with_slope(dunes_product_3,
-                dunes_product_2, 2, 2.0, 0.5);
+        // dunes: Gradient noise (continued)
+        vec4 dunes = wrinkle_parallax_detail_fbm(vec3(march_sum_2, 0.37), dunes_width, 7.0, 2, 2.0,
+                0.5);
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
-        march_state_4 = dunes_slope_2.w * 0.08 - 0.04 + march_least;
+        march_state_4 = dunes.w * 0.08 - 0.04 + march_least;
     }
     // march: Parallax occlusion (continued)
     float march_state_5 = march_state;
@@ -153,14 +140,15 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     for (int i_2 = 0; i_2 < 3; ++i_2) {
         if (!(march_state_8 > 0.0)) break;
         float march_difference_5 = march_state_6 - march_state_8;
-        float march_sum_3 = march_state_5 + (march_state_7 - march_state_5) * (march_difference_5
-                != 0.0 ? march_state_6 / march_difference_5 : 0.0);
+        float march_sum_3 = march_state_5 +
+                (march_state_7 - march_state_5) *
+                (march_difference_5 != 0.0 ? march_state_6 / march_difference_5 : 0.0);
         vec2 march_sum_4 = s.uv0 + march_product_4 * march_sum_3;
-        vec3 dunes_product_4 = vec3(march_sum_4, 0.37) * 7.0;  // dunes: Gradient noise (continued)
-        vec4 dunes_slope_3 = wrinkle_parallax_detail_fbm_with_slope(dunes_product_4,
-                dunes_product_2, 2, 2.0, 0.5);
+        // dunes: Gradient noise (continued)
+        vec4 dunes_2 = wrinkle_parallax_detail_fbm(vec3(march_sum_4, 0.37), dunes_width, 7.0, 2,
+                2.0, 0.5);
         // march: Parallax occlusion (continued)
-        float march_sum_5 = dunes_slope_3.w * 0.08 - 0.04 + march_sum_3;
+        float march_sum_5 = dunes_2.w * 0.08 - 0.04 + march_sum_3;
         bool march_test = march_sum_5 < 0.0;
         march_state_5 = march_test ? march_sum_3 : march_state_5;
         march_state_6 = march_test ? march_sum_5 : march_state_6;
@@ -171,12 +159,11 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     float march_choice = march_difference_6 != 0.0 ? march_state_6 / march_difference_6 : 0.0;
     float march_sum_6 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
     vec2 march_product_5 = march_product_4 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
-    vec2 march_detail_uv = s.uv0 + march_product_5;
-    vec3 dunes_product_5 = vec3(march_detail_uv, 0.37) * 7.0;  // dunes: Gradient noise (continued)
-    vec4 dunes_slope_4 = wrinkle_parallax_detail_fbm_with_slope(dunes_product_5, dunes_product_2, 2,
-            2.0, 0.5);
-    vec2 dunes_product_6 = dunes_slope_4.x * (vec2(duv0_dx.x, duv0_dy.x) * 7.0);
-    vec2 dunes_sum = dunes_product_6 + dunes_slope_4.y * (vec2(duv0_dx.y, duv0_dy.y) * 7.0);
+    vec2 march_uv = s.uv0 + march_product_5;
+    // dunes: Gradient noise (continued)
+    vec4 dunes_3 = wrinkle_parallax_detail_fbm(vec3(march_uv, 0.37), dunes_width, 7.0, 2, 2.0, 0.5);
+    vec2 dunes_product = dunes_3.x * vec2(march_slope_dx.x, march_slope_dy.x);
+    vec2 dunes_sum = dunes_product + dunes_3.y * vec2(march_slope_dx.y, march_slope_dy.y);
     // march: Parallax occlusion (continued)
     vec2 march_product_6 = dunes_sum * (sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08);
     vec3 march_gradient = cross(normal, dpdx * march_product_6.y - dpdy * march_product_6.x);
@@ -186,20 +173,20 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     float march_logarithm = log2(max(march_quotient_2, 9.536743e-07));
     float march_lod = 0.5 * march_logarithm;
     float march_exponential = exp2(march_lod);
-    vec2 tile_uv = march_detail_uv * 4.0;  // tile: UV transform
-    vec2 tile_product = duv0_dx * march_exponential * 4.0;
-    vec2 tile_product_2 = duv0_dy * march_exponential * 4.0;
-    float tile_product_3 = march_exponential * 4.0;
+    vec2 tile_uv = march_uv * 4.0;  // tile: UV transform
+    vec2 tile_slope_dx = march_slope_dx * march_exponential * 4.0;
+    vec2 tile_slope_dy = march_slope_dy * march_exponential * 4.0;
+    float tile_product = march_exponential * 4.0;
     // weave: Tangent normal map
-    vec4 weave_texel = textureGrad(parallax_detail_weave_image, tile_uv, tile_product,
-            tile_product_2);
+    vec4 weave_texel = textureGrad(parallax_detail_weave_image, tile_uv, tile_slope_dx,
+            tile_slope_dy);
     vec3 weave_texel_2 = weave_texel.xyz - 0.5;
     float weave_least_depth = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel_2.z), weave_least_depth), 5e-07);
     vec2 weave_texel_3 = weave_texel_2.xy * 0.5;
-    float weave_magnitude = abs(tile_product_3 * tile_product_3);
+    float weave_magnitude = abs(tile_product * tile_product);
     float weave_choice = weave_magnitude > 0.0 ? inversesqrt(max(weave_magnitude, 1e-36)) : 0.0;
-    float weave_product = tile_product_3 * weave_choice;
+    float weave_product = tile_product * weave_choice;
     // normal: Resolve
     float normal_slope_u = weave_texel_3.x * weave_product * inverse_normal_length;
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
@@ -209,6 +196,6 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     float normal_difference = weave_depth - dot(relief_normal, normal_sum);
     WrinkleMaterial_parallax_detail m;
     m.normal = normalize(relief_normal * normal_difference + normal_sum);
-    m.height = dunes_slope_4.w * 0.08;  // march: Parallax occlusion (continued)
+    m.height = dunes_3.w * 0.08;  // march: Parallax occlusion (continued)
     return m;
 }

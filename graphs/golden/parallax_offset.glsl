@@ -29,48 +29,47 @@ vec2 wrinkle_parallax_offset_smooth_slope(vec2 at, vec2 texel) {
 WrinkleMaterial_parallax_offset wrinkle_parallax_offset(WrinkleSurface_parallax_offset s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
-    vec2 duv0_dx = dFdx(s.uv0);
     vec3 dpdy = dFdy(s.position_relative);
-    vec2 duv0_dy = dFdy(s.uv0);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 pebbles_product = normal * s.facing;  // pebbles: Height map
     vec2 pebbles_size = vec2(textureSize(parallax_offset_pebbles_image, 0));
-    // shift: Parallax offset
+    vec2 shift_slope_dx = dFdx(s.uv0);  // shift: Parallax offset
     vec3 shift_difference = dpdy - pebbles_product * dot(pebbles_product, dpdy);
     vec3 shift_cross_product = cross(shift_difference, pebbles_product);
+    vec2 shift_slope_dy = dFdy(s.uv0);
     vec3 shift_difference_2 = dpdx - pebbles_product * dot(pebbles_product, dpdx);
-    vec2 shift_product = duv0_dy * dot(s.view, cross(pebbles_product, shift_difference_2));
-    vec2 shift_sum = duv0_dx * dot(s.view, shift_cross_product) + shift_product;
+    vec2 shift_product = shift_slope_dy * dot(s.view, cross(pebbles_product, shift_difference_2));
+    vec2 shift_sum = shift_slope_dx * dot(s.view, shift_cross_product) + shift_product;
     float shift_dot_product = dot(shift_difference_2, shift_cross_product);
     float shift_sign = shift_dot_product < 0.0 ? -1.0 : 1.0;
     vec2 shift_product_2 = shift_sum * (shift_sign / max(abs(shift_dot_product), 1e-36));
     vec2 tile_uv = s.uv0 * 2.0;  // tile: UV transform
-    vec2 tile_product = duv0_dx * 2.0;
-    vec2 tile_product_2 = duv0_dy * 2.0;
+    vec2 tile_slope_dx = shift_slope_dx * 2.0;
+    vec2 tile_slope_dy = shift_slope_dy * 2.0;
     // pebbles: Height map (continued)
     float pebbles_height = (texture(parallax_offset_pebbles_image, tile_uv).x - 0.5) * 0.03;
-    vec2 pebbles_product_2 = tile_product * pebbles_size;
+    vec2 pebbles_product_2 = tile_slope_dx * pebbles_size;
     float pebbles_dot_product = dot(pebbles_product_2, pebbles_product_2);
-    vec2 pebbles_product_3 = tile_product_2 * pebbles_size;
+    vec2 pebbles_product_3 = tile_slope_dy * pebbles_size;
     float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_3, pebbles_product_3));
     float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
     vec2 pebbles_quotient = pebbles_root / pebbles_size;
     float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
     // shift: Parallax offset (continued)
     vec2 shift_uv = s.uv0 - shift_product_2 * -pebbles_height;
-    vec2 tile_product_3 = shift_uv * 2.0;  // tile: UV transform (continued)
+    vec2 tile_product = shift_uv * 2.0;  // tile: UV transform (continued)
     // pebbles: Height map (continued)
-    vec2 pebbles_vector = vec2(tile_product_3.x + pebbles_quotient.x, tile_product_3.y);
-    vec4 pebbles_texel = textureGrad(parallax_offset_pebbles_image, pebbles_vector, tile_product,
-            tile_product_2);
-    vec2 pebbles_vector_2 = vec2(tile_product_3.x, tile_product_3.y + pebbles_quotient.y);
+    vec2 pebbles_vector = vec2(tile_product.x + pebbles_quotient.x, tile_product.y);
+    vec4 pebbles_texel = textureGrad(parallax_offset_pebbles_image, pebbles_vector, tile_slope_dx,
+            tile_slope_dy);
+    vec2 pebbles_vector_2 = vec2(tile_product.x, tile_product.y + pebbles_quotient.y);
     vec4 pebbles_texel_2 = textureGrad(parallax_offset_pebbles_image, pebbles_vector_2,
-            tile_product, tile_product_2);
-    vec4 pebbles_texel_3 = textureGrad(parallax_offset_pebbles_image, tile_product_3, tile_product,
-            tile_product_2);
+            tile_slope_dx, tile_slope_dy);
+    vec4 pebbles_texel_3 = textureGrad(parallax_offset_pebbles_image, tile_product, tile_slope_dx,
+            tile_slope_dy);
     vec2 pebbles_difference = vec2(pebbles_texel.x, pebbles_texel_2.x) - pebbles_texel_3.x;
     vec2 pebbles_product_4 = pebbles_difference * (1.0 / pebbles_root);
-    vec2 pebbles_slope = wrinkle_parallax_offset_smooth_slope(tile_product_3, 1.0 / pebbles_size);
+    vec2 pebbles_slope = wrinkle_parallax_offset_smooth_slope(tile_product, 1.0 / pebbles_size);
     vec2 pebbles_mixed = mix(pebbles_product_4, pebbles_slope, pebbles_clamped);
     float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_product_2);
     // normal: Resolve

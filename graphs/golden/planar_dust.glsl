@@ -30,13 +30,13 @@ WrinkleMaterial_planar_dust wrinkle_planar_dust(WrinkleSurface_planar_dust s) {
     vec3 dpdy = dFdy(s.position_relative);
     float from_above_negated = -(normal.y < 0.0 ? -1.0 : 1.0);  // from_above: Planar UV
     vec2 from_above_uv = vec2(s.position.x, from_above_negated * s.position.z) * 1.5;
-    vec2 from_above_product = vec2(dpdx.x, dpdx.z * from_above_negated) * 1.5;
-    vec2 from_above_product_2 = vec2(dpdy.x, dpdy.z * from_above_negated) * 1.5;
+    vec2 from_above_slope_dx = vec2(dpdx.x, dpdx.z * from_above_negated) * 1.5;
+    vec2 from_above_slope_dy = vec2(dpdy.x, dpdy.z * from_above_negated) * 1.5;
     float from_above_weight = smoothstep(0.2, 0.5, normal.y);
     vec2 pebbles_size = vec2(textureSize(planar_dust_pebbles_image, 0));  // pebbles: Height map
-    vec2 pebbles_product = from_above_product * pebbles_size;
+    vec2 pebbles_product = from_above_slope_dx * pebbles_size;
     float pebbles_dot_product = dot(pebbles_product, pebbles_product);
-    vec2 pebbles_product_2 = from_above_product_2 * pebbles_size;
+    vec2 pebbles_product_2 = from_above_slope_dy * pebbles_size;
     float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_2, pebbles_product_2));
     float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
     vec2 pebbles_quotient = pebbles_root / pebbles_size;

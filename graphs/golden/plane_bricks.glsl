@@ -28,13 +28,14 @@ WrinkleMaterial_plane_bricks wrinkle_plane_bricks(WrinkleSurface_plane_bricks s)
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
-    float slant_sum = s.position.x * 0.8944272 + s.position.z * -0.4472136;  // slant: Plane UV
+    // slant: Plane UV
+    float slant_difference = s.position.x * 0.8944272 - s.position.z * 0.4472136;
     float slant_dot_product = dot(s.position, vec3(-0.18257418, 0.91287094, -0.36514837));
-    vec2 slant_uv = vec2(slant_sum, slant_dot_product) * 1.5;
+    vec2 slant_uv = vec2(slant_difference, slant_dot_product) * 1.5;
     float slant_dot_product_2 = dot(dpdx, vec3(-0.18257418, 0.91287094, -0.36514837));
-    vec2 slant_vector = vec2(dpdx.x * 0.8944272 + dpdx.z * -0.4472136, slant_dot_product_2);
+    vec2 slant_vector = vec2(dpdx.x * 0.8944272 - dpdx.z * 0.4472136, slant_dot_product_2);
     float slant_dot_product_3 = dot(dpdy, vec3(-0.18257418, 0.91287094, -0.36514837));
-    vec2 slant_vector_2 = vec2(dpdy.x * 0.8944272 + dpdy.z * -0.4472136, slant_dot_product_3);
+    vec2 slant_vector_2 = vec2(dpdy.x * 0.8944272 - dpdy.z * 0.4472136, slant_dot_product_3);
     vec2 g_size = vec2(textureSize(plane_bricks_g_image, 0));  // g: Height map
     vec2 g_product = slant_vector * 1.5 * g_size;
     vec2 g_product_2 = slant_vector_2 * 1.5 * g_size;
@@ -50,9 +51,9 @@ WrinkleMaterial_plane_bricks wrinkle_plane_bricks(WrinkleSurface_plane_bricks s)
     float g_dot_product = dot(g_mixed, vec2(1.3416408, -0.2738613) * g_size);
     float g_product_4 = g_mixed.y * (1.3693064 * g_size.y);
     float g_dot_product_2 = dot(g_mixed, vec2(-0.6708204, -0.5477226) * g_size);
-    vec3 g_gradient = vec3(g_dot_product, g_product_4, g_dot_product_2) * 0.03;
+    vec3 g_slope_2 = vec3(g_dot_product, g_product_4, g_dot_product_2) * 0.03;
     WrinkleMaterial_plane_bricks m;
     // normal: Resolve
-    m.normal = normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);
+    m.normal = normalize(normal * (s.facing + dot(normal, g_slope_2)) - g_slope_2);
     return m;
 }

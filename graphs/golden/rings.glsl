@@ -19,69 +19,66 @@ WrinkleMaterial_rings wrinkle_rings(WrinkleSurface_rings s) {
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 place_vector = s.uv0 + -0.5;  // place: Add vec2
     vec2 lengths_vector = place_vector * 2.0;  // lengths: Scale vec2
-    vec2 lengths_product = dFdx(s.uv0) * 2.0;
-    vec2 lengths_product_2 = dFdy(s.uv0) * 2.0;
+    vec2 lengths_slope_dx = dFdx(s.uv0) * 2.0;
+    vec2 lengths_slope_dy = dFdy(s.uv0) * 2.0;
     vec3 flat_place_vector = vec3(lengths_vector, 0.0);  // flat_place: Combine vec3
     // shifted: Subtract vec3
     vec3 shifted_vector = vec3(lengths_vector.x - 0.05, lengths_vector.y, 0.0);
     vec3 blended_vector = mix(flat_place_vector, shifted_vector, 0.5);  // blended: Mix vec3
+    vec2 parts_slope = vec2(lengths_slope_dx.x, lengths_slope_dy.x);  // parts: Separate vec2
+    vec2 parts_slope_2 = vec2(lengths_slope_dx.y, lengths_slope_dy.y);
     float radius_result = length(blended_vector);  // radius: Length
+    vec2 radius_sum = blended_vector.x * parts_slope + blended_vector.y * parts_slope_2;
+    vec2 radius_slope = radius_result > 0.0 ? radius_sum / radius_result : vec2(0.0);
     float squared_result = dot(blended_vector, blended_vector);  // squared: Dot product
+    vec2 squared_slope = parts_slope * blended_vector.x + parts_slope_2 * blended_vector.y +
+            radius_sum;
     float root_result = sqrt(squared_result);  // root: Square root
-    float root_choice = root_result > 0.0 ? 0.5 / root_result : 0.0;
+    vec2 root_slope = squared_slope * (root_result > 0.0 ? 0.5 / root_result : 0.0);
     float least_result = min(radius_result, root_result);  // least: Minimum
+    vec2 least_slope = root_result < radius_result ? root_slope : radius_slope;
     float most_result = max(least_result, 0.1);  // most: Maximum
+    vec2 most_slope = least_result < 0.1 ? vec2(0.0) : least_slope;
     float inside_result = clamp(most_result, 0.1, 0.9);  // inside: Clamp
-    float edge_result = step(0.15, inside_result);  // edge: Step
+    vec2 inside_choice = most_result < 0.1 ? vec2(0.0) : most_slope;
     bool curve_test = inside_result > 0.0;  // curve: Power
     float curve_power = pow(inside_result, 1.5);
     float curve_choice = curve_test ? 1.5 * curve_power / inside_result : 0.0;
+    vec2 curve_product = (0.9 < most_result ? vec2(0.0) : inside_choice) * curve_choice;
     float curve_result = curve_test ? curve_power : 0.0;
     float phase_result = curve_result * 40.0;  // phase: Multiply
-    vec2 normal_vector = vec2(lengths_product.x, lengths_product_2.x);  // normal: Resolve
-    vec2 angle_vector = vec2(lengths_product.y, lengths_product_2.y);  // angle: Arctangent of y, x
+    // waves: Sine
+    vec2 waves_slope = (curve_test ? curve_product : vec2(0.0)) * 40.0 * cos(phase_result);
+    float waves_result = sin(phase_result);
+    float edge_result = step(0.15, inside_result);  // edge: Step
+    // angle: Arctangent of y, x
     bool angle_test = abs(lengths_vector.x) + abs(lengths_vector.y) > 0.0;
-    vec2 angle_difference = angle_vector * lengths_vector.x - normal_vector * lengths_vector.y;
+    vec2 angle_difference = parts_slope_2 * lengths_vector.x - parts_slope * lengths_vector.y;
     float angle_product = lengths_vector.y * lengths_vector.y;
     float angle_sum = angle_product + lengths_vector.x * lengths_vector.x;
     vec2 angle_product_2 = angle_difference * (angle_sum > 0.0 ? 1.0 / angle_sum : 0.0);
     float angle_result = angle_test ? atan(lengths_vector.y, lengths_vector.x) : 0.0;
-    // radius: Length (continued)
-    vec2 radius_sum = blended_vector.x * normal_vector + blended_vector.y * angle_vector;
-    vec2 radius_choice = radius_result > 0.0 ? radius_sum / radius_result : vec2(0.0);
-    // squared: Dot product (continued)
-    vec2 squared_sum = normal_vector * blended_vector.x + angle_vector * blended_vector.y;
-    vec2 root_product = (squared_sum + radius_sum) * root_choice;  // root: Square root (continued)
-    // least: Minimum (continued)
-    vec2 least_choice = root_result < radius_result ? root_product : radius_choice;
-    vec2 most_choice = least_result < 0.1 ? vec2(0.0) : least_choice;  // most: Maximum (continued)
-    vec2 inside_choice = most_result < 0.1 ? vec2(0.0) : most_choice;  // inside: Clamp (continued)
-    // curve: Power (continued)
-    vec2 curve_product = (0.9 < most_result ? vec2(0.0) : inside_choice) * curve_choice;
-    // waves: Sine
-    vec2 waves_product = (curve_test ? curve_product : vec2(0.0)) * 40.0 * cos(phase_result);
-    float waves_result = sin(phase_result);
     float turns_result = angle_result / 1.0471976;  // turns: Divide
     float spoke_result = fract(turns_result);  // spoke: Fraction
     // from_middle: Negate
-    vec2 from_middle_negated = -((angle_test ? angle_product_2 : vec2(0.0)) / 1.0471976);
+    vec2 from_middle_slope = -((angle_test ? angle_product_2 : vec2(0.0)) / 1.0471976);
     float from_middle_result = -spoke_result;
     float centred_result = from_middle_result + 0.5;  // centred: Add
     float bend_result = tan(centred_result);  // bend: Tangent
-    vec2 bend_product = from_middle_negated * (1.0 + bend_result * bend_result);
+    vec2 bend_slope = from_middle_slope * (1.0 + bend_result * bend_result);
     float whole_result = floor(turns_result);  // whole: Floor
     float odd_result = mod(whole_result, 2.0);  // odd: Modulo
+    // sum: Add heights
+    vec2 sum_slope = waves_slope * 0.01 * edge_result + bend_slope * (1.0 - odd_result) * 0.01;
+    // normal: Resolve
+    vec2 normal_product = sum_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec3 normal_gradient = cross(normal, dpdx * normal_product.y - dpdy * normal_product.x);
     float relief_result = waves_result * 0.01;  // relief: Multiply
     float ringed_result = relief_result * edge_result;  // ringed: Multiply
     float spokes_result = mix(bend_result, 0.2, odd_result);  // spokes: Mix
-    vec2 spoked_product = bend_product * (1.0 - odd_result) * 0.01;  // spoked: Multiply
-    float spoked_result = spokes_result * 0.01;
-    vec2 sum_sum = waves_product * 0.01 * edge_result + spoked_product;  // sum: Add heights
-    // normal: Resolve (continued)
-    vec2 normal_product = sum_sum * (sign(screen_area) / max(abs(screen_area), 1e-36));
-    vec3 normal_gradient = cross(normal, dpdx * normal_product.y - dpdy * normal_product.x);
+    float spoked_result = spokes_result * 0.01;  // spoked: Multiply
     WrinkleMaterial_rings m;
-    m.normal = normalize(normal * s.facing - normal_gradient);
+    m.normal = normalize(normal * s.facing - normal_gradient);  // normal: Resolve (continued)
     m.height = ringed_result + spoked_result;  // sum: Add heights (continued)
     m.front = s.position.z;
     return m;

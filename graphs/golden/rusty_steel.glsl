@@ -17,289 +17,247 @@ struct WrinkleMaterial_rusty_steel {
 };
 
 uint wrinkle_rusty_steel_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-vec3 wrinkle_rusty_steel_noise_direction(vec3 corner) {
-    uint sum = uint(int(corner.y)) + wrinkle_rusty_steel_hash(uint(int(corner.z)));
-    uint sum_2 = uint(int(corner.x)) + wrinkle_rusty_steel_hash(sum);
-    uint hash = wrinkle_rusty_steel_hash(sum_2);
-    uint product = ((((hash >> 8u) * 3u) >> 24u) * 4u + (hash & 3u)) * 2u;
-    float number = float((2237013u >> product) & 3u);
-    float number_2 = float((5573130u >> product) & 3u);
-    return vec3(number, float((677154u >> product) & 3u), number_2) - 1.0;
+uint wrinkle_rusty_steel_hash3(vec3 cell) {
+    uint z = wrinkle_rusty_steel_hash(uint(int(cell.z)));
+    uint yz = wrinkle_rusty_steel_hash(uint(int(cell.y)) + z);
+    return wrinkle_rusty_steel_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_rusty_steel_gradient_corner(vec3 corner, vec3 way) {
-    vec3 direction = wrinkle_rusty_steel_noise_direction(corner);
-    return vec4(direction, dot(direction, way));
+    uint bits = wrinkle_rusty_steel_hash3(corner);
+    float a = 1.0 - 2.0 * float(bits & 1u);
+    uint axis = (bits >> 8u) * 3u >> 24u;
+    float first = axis == 0u ? a : 0.0;
+    float x = a - first;
+    float b = 1.0 - float(bits & 2u);
+    float last = axis == 2u ? b : 0.0;
+    float y = first + last;
+    float z = b - last;
+    return vec4(x, y, z, dot(vec3(x, y, z), way));
+}
+
+vec4 wrinkle_rusty_steel_gradient_edge(vec3 corner, vec3 way, float t, float t_slope) {
+    vec4 a = wrinkle_rusty_steel_gradient_corner(corner, way);
+    vec4 b = wrinkle_rusty_steel_gradient_corner(vec3(corner.x + 1.0, corner.yz),
+            vec3(way.x - 1.0, way.yz));
+    vec4 mixed = mix(a, b, t);
+    return vec4(mixed.x + t_slope * (b.w - a.w), mixed.yzw);
 }
 
 vec4 wrinkle_rusty_steel_gradient_noise(vec3 p) {
-    vec3 floored = floor(p);
-    vec3 difference = p - floored;
-    vec4 corner = wrinkle_rusty_steel_gradient_corner(floored, difference);
-    vec3 sum = floored + 1.0;
-    vec3 vector = vec3(sum.x, floored.yz);
-    vec3 difference_2 = difference - 1.0;
-    vec3 vector_2 = vec3(difference_2.x, difference.yz);
-    vec4 corner_2 = wrinkle_rusty_steel_gradient_corner(vector, vector_2);
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec4 mixed = mix(corner, corner_2, product.x);
-    vec3 vector_3 = vec3(floored.x, sum.y, floored.z);
-    vec3 vector_4 = vec3(difference.x, difference_2.y, difference.z);
-    vec4 corner_3 = wrinkle_rusty_steel_gradient_corner(vector_3, vector_4);
-    vec3 vector_5 = vec3(difference_2.xy, difference.z);
-    vec4 corner_4 = wrinkle_rusty_steel_gradient_corner(vec3(sum.xy, floored.z), vector_5);
-    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
-    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
-    vec3 vector_6 = vec3(floored.xy, sum.z);
-    vec3 vector_7 = vec3(difference.xy, difference_2.z);
-    vec4 corner_5 = wrinkle_rusty_steel_gradient_corner(vector_6, vector_7);
-    vec3 vector_8 = vec3(difference_2.x, difference.y, difference_2.z);
-    vec4 corner_6 = wrinkle_rusty_steel_gradient_corner(vec3(sum.x, floored.y, sum.z), vector_8);
-    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
-    vec3 vector_9 = vec3(difference.x, difference_2.yz);
-    vec4 corner_7 = wrinkle_rusty_steel_gradient_corner(vec3(floored.x, sum.yz), vector_9);
-    vec4 corner_8 = wrinkle_rusty_steel_gradient_corner(sum, difference_2);
-    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
-    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
-    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
-    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
-    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
-    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
-    vec3 vector_10 = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
-    vec3 sum_3 = mixed_7.xyz + product_2 * vector_10;
-    return vec4(sum_3, mixed_7.w);
+    vec3 cell = floor(p);
+    vec3 f = p - cell;
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 t_slope = 30.0 * f * f * back * back;
+    vec4 a = wrinkle_rusty_steel_gradient_edge(cell, f, t.x, t_slope.x);
+    vec4 b = wrinkle_rusty_steel_gradient_edge(vec3(cell.x, cell.y + 1.0, cell.z),
+            vec3(f.x, f.y - 1.0, f.z), t.x, t_slope.x);
+    vec4 ab = mix(a, b, t.y);
+    vec4 low = vec4(ab.x, ab.y + t_slope.y * (b.w - a.w), ab.zw);
+    vec4 c = wrinkle_rusty_steel_gradient_edge(vec3(cell.xy, cell.z + 1.0), vec3(f.xy, f.z - 1.0),
+            t.x, t_slope.x);
+    vec4 d = wrinkle_rusty_steel_gradient_edge(vec3(cell.x, cell.yz + 1.0), vec3(f.x, f.yz - 1.0),
+            t.x, t_slope.x);
+    vec4 cd = mix(c, d, t.y);
+    vec4 high = vec4(cd.x, cd.y + t_slope.y * (d.w - c.w), cd.zw);
+    vec4 joined = mix(low, high, t.z);
+    return vec4(joined.xy, joined.z + t_slope.z * (cd.w - ab.w), joined.w);
 }
 
-vec4 wrinkle_rusty_steel_fbm_with_slope(vec3 point, float width, int octaves, float lacunarity,
+vec4 wrinkle_rusty_steel_fbm(vec3 point, float width, float scale, int octaves, float lacunarity,
         float gain) {
-    float frequency = 1.0;
+    float frequency = scale;
     float weight = 1.0;
     float total = 0.0;
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 sum_2 = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
-        vec4 noise = wrinkle_rusty_steel_gradient_noise(sum_2);
-        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec4 noise = wrinkle_rusty_steel_gradient_noise(p);
+        float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
-        sum += noise.w * difference * weight;
-        sum_slope += noise.xyz * frequency * difference * weight;
+        sum += noise.w * fade * weight;
+        sum_slope += noise.xyz * frequency * fade * weight;
         frequency *= lacunarity;
         weight *= gain;
     }
-    vec4 vector = vec4(sum_slope, sum);
-    return vector / total;
+    return vec4(sum_slope, sum) / total;
 }
 
-vec3 wrinkle_rusty_steel_scratch_with_slope(vec2 p, int index, float density, vec2 size,
-        vec2 angles) {
-    float number = float(index);
-    float floored = floor((number + 0.5) * 0.11111111);
-    vec2 sum = p + vec2(0.37, 0.61) * floored;
-    float sum_2 = number - 9.0 * floored + 0.5;
-    vec2 floored_2 = floor(vec2(sum_2, sum_2 * 0.33333334));
-    vec2 sum_3 = floor(sum) + (floored_2 - 3.0 * floor((floored_2 + 0.5) * 0.33333334) - 1.0);
-    uint sum_4 = uint(int(sum_3.y)) + wrinkle_rusty_steel_hash(uint(int(floored)));
-    uint sum_5 = uint(int(sum_3.x)) + wrinkle_rusty_steel_hash(sum_4);
-    uint hash = wrinkle_rusty_steel_hash(sum_5);
-    uint hash_2 = wrinkle_rusty_steel_hash(hash ^ 2654435769u);
-    bool test = float(wrinkle_rusty_steel_hash(hash_2) >> 8u) * 5.9604645e-08 < density;
-    uint hash_3 = wrinkle_rusty_steel_hash(hash);
-    float difference = float(wrinkle_rusty_steel_hash(hash_3) >> 8u) * 5.9604645e-08 - 0.5;
-    float product = difference * angles.y;
-    float sum_6 = angles.x + product;
-    float sine = sin(sum_6);
-    float cosine = cos(sum_6);
-    vec2 vector = vec2(sine, -cosine);
-    vec2 difference_2 = sum - sum_3 - vec2(float(hash >> 8u), float(hash_3 >> 8u)) * 5.9604645e-08;
-    float dot_product = dot(difference_2, vector);
-    vec2 negated = -(vector * sign(dot_product) / size.y);
-    float difference_3 = 1.0 - abs(dot_product) / size.y;
-    float clamped = clamp(difference_3, 0.0, 1.0);
-    float product_2 = size.x * (0.25 + 0.25 * (float(hash_2 >> 8u) * 5.9604645e-08));
-    bool test_2 = product_2 != 0.0;
-    vec2 vector_2 = vec2(cosine, sine);
-    float choice = test_2 ? dot(difference_2, vector_2) / product_2 : 0.0;
-    float difference_4 = 1.0 - choice * choice;
-    float greatest = max(difference_4, 0.0);
-    vec2 product_3 = (test_2 ? vector_2 / product_2 : vec2(0.0)) * choice;
-    float ramp = smoothstep(0.0, 1.0, difference_3);
-    vec2 product_4 = (difference_4 < 0.0 ? vec2(0.0) : -(product_3 + product_3)) * ramp;
-    vec2 sum_7 = negated * (clamped * (1.0 - clamped) * 6.0) * greatest + product_4;
-    vec3 vector_3 = vec3(sum_7, ramp * greatest);
-    return test ? vector_3 : vec3(0.0);
+vec3 wrinkle_rusty_steel_random3(uint bits) {
+    uint second = wrinkle_rusty_steel_hash(bits);
+    uint third = wrinkle_rusty_steel_hash(second);
+    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / 16777216.0;
 }
 
-vec3 wrinkle_rusty_steel_scratches_with_slope(vec2 p, float width, int layers, float density,
+vec3 wrinkle_rusty_steel_scratch(vec2 p, int index, float density, vec2 size, vec2 angles) {
+    float middle = float(index) + 0.5;
+    float layer = floor(middle / 9.0);
+    vec2 moved = p + vec2(0.37, 0.61) * layer;
+    vec2 offset = floor(mod(middle / vec2(1.0, 3.0), 3.0)) - 1.0;
+    vec2 cell = floor(moved) + offset;
+    uint bits = wrinkle_rusty_steel_hash3(vec3(cell, layer));
+    uint more = wrinkle_rusty_steel_hash(bits ^ 2654435769u);
+    bool drawn = float(wrinkle_rusty_steel_hash(more) >> 8u) / 16777216.0 < density;
+    vec3 random = wrinkle_rusty_steel_random3(bits);
+    float angle = angles.x + (random.z - 0.5) * angles.y;
+    float sine = sin(angle);
+    float cosine = cos(angle);
+    vec2 across = vec2(sine, -cosine);
+    vec2 way = moved - cell - random.xy;
+    float side = dot(way, across) / size.y;
+    float inside = 1.0 - abs(side);
+    float t = clamp(inside, 0.0, 1.0);
+    vec2 along = vec2(cosine, sine);
+    float half_length = size.x * (0.25 + 0.25 * (float(more >> 8u) / 16777216.0));
+    float end = dot(way, along) / half_length;
+    float rest = 1.0 - end * end;
+    float taper = max(rest, 0.0);
+    vec2 product = -(across / size.y * sign(side)) * (t * (1.0 - t) * 6.0) * taper;
+    vec2 taper_slope = rest < 0.0 ? vec2(0.0) : -(along / half_length * end * 2.0);
+    float profile = smoothstep(0.0, 1.0, inside);
+    vec3 vector = vec3(product + taper_slope * profile, profile * taper);
+    return drawn ? vector : vec3(0.0);
+}
+
+vec3 wrinkle_rusty_steel_scratches(vec2 uv, float width, float scale, int layers, float density,
         vec2 size, vec2 angles) {
-    int product = layers * 9;
+    vec2 p = uv * scale;
+    int count = layers * 9;
     float deepest = 0.0;
     int found = 0;
-    for (int i = 0; i < min(product, 36); ++i) {
-        vec3 slope = wrinkle_rusty_steel_scratch_with_slope(p, i, density, size, angles);
-        found = deepest < slope.z ? i : found;
-        deepest = max(deepest, slope.z);
+    for (int i = 0; i < min(count, 36); ++i) {
+        vec3 stroke = wrinkle_rusty_steel_scratch(p, i, density, size, angles);
+        found = deepest < stroke.z ? i : found;
+        deepest = max(deepest, stroke.z);
     }
-    vec3 slope_2 = wrinkle_rusty_steel_scratch_with_slope(p, found, density, size, angles);
-    float difference = 1.0 - smoothstep(0.25, 0.75, width / (4.0 * size.y));
-    float clamped = clamp(size.x * size.y * density * (0.5 * float(layers)), 0.0, 1.0);
-    return vec3(slope_2.xy * difference, mix(clamped, slope_2.z, difference));
+    vec3 stroke_2 = wrinkle_rusty_steel_scratch(p, found, density, size, angles);
+    float fade = 1.0 - smoothstep(0.25, 0.75, width / (4.0 * size.y) * abs(scale));
+    float mean = clamp(size.x * size.y * density * (0.5 * float(layers)), 0.0, 1.0);
+    return vec3(stroke_2.xy * scale * fade, mix(mean, stroke_2.z, fade));
 }
 
 vec3 wrinkle_rusty_steel_feature_point(vec3 cell, float jitter) {
-    uint sum = uint(int(cell.y)) + wrinkle_rusty_steel_hash(uint(int(cell.z)));
-    uint sum_2 = uint(int(cell.x)) + wrinkle_rusty_steel_hash(sum);
-    uint hash = wrinkle_rusty_steel_hash(sum_2);
-    uint hash_2 = wrinkle_rusty_steel_hash(hash);
-    float number = float(wrinkle_rusty_steel_hash(hash_2) >> 8u);
-    vec3 difference = vec3(float(hash >> 8u), float(hash_2 >> 8u), number) * 5.9604645e-08 - 0.5;
-    return difference * jitter;
+    uint bits = wrinkle_rusty_steel_hash3(cell);
+    return (wrinkle_rusty_steel_random3(bits) - 0.5) * jitter;
 }
 
-vec4 wrinkle_rusty_steel_worley_with_slope(vec3 p, float width, float jitter) {
-    vec3 floored = floor(p);
-    vec3 difference = p - floored - 0.5;
+vec4 wrinkle_rusty_steel_worley(vec3 point, float width, float scale, float jitter) {
+    vec3 p = point * scale;
+    vec3 cell = floor(p);
+    vec3 from = p - cell - 0.5;
     float first = 9.0;
     vec3 nearest = vec3(0.0);
     for (int i = 0; i < 27; ++i) {
-        float sum = float(i) + 0.5;
-        vec3 floored_2 = floor(vec3(sum, sum * vec2(0.33333334, 0.11111111)));
-        vec3 difference_2 = floored_2 - 3.0 * floor((floored_2 + 0.5) * 0.33333334) - 1.0;
-        vec3 sum_2 = difference_2 + wrinkle_rusty_steel_feature_point(floored + difference_2,
-                jitter);
-        vec3 difference_3 = sum_2 - difference;
-        float dot_product = dot(difference_3, difference_3);
-        nearest = dot_product < first ? difference_2 : nearest;
-        first = min(first, dot_product);
+        vec3 offset = floor(mod((float(i) + 0.5) / vec3(1.0, 3.0, 9.0), 3.0)) - 1.0;
+        vec3 way = offset + wrinkle_rusty_steel_feature_point(cell + offset, jitter) - from;
+        float square = dot(way, way);
+        nearest = square < first ? offset : nearest;
+        first = min(first, square);
     }
-    vec3 sum_3 = nearest + wrinkle_rusty_steel_feature_point(floored + nearest, jitter);
-    float extent = length(sum_3 - difference);
-    vec3 choice = extent > 0.0 ? (difference - sum_3) / extent : vec3(0.0);
-    float difference_4 = 1.0 - smoothstep(0.25, 0.75, width);
-    return vec4(choice * difference_4, mix(0.48 + 0.04 * jitter, extent, difference_4));
+    vec3 sum = nearest + wrinkle_rusty_steel_feature_point(cell + nearest, jitter);
+    vec3 to_nearest = sum - from;
+    float extent = length(to_nearest);
+    float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(scale));
+    vec3 product = (extent > 0.0 ? to_nearest * -scale / extent : vec3(0.0)) * fade;
+    return vec4(product, mix(0.48 + 0.04 * jitter, extent, fade));
 }
 
 WrinkleMaterial_rusty_steel wrinkle_rusty_steel(WrinkleSurface_rusty_steel s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
+    float position_width = max(length(dpdx), length(dpdy));
     vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
     vec3 surface_dpdy = dpdy - normal * dot(normal, dpdy);
     vec2 duv0_dx = dFdx(s.uv0);
     vec2 duv0_dy = dFdy(s.uv0);
+    float uv0_width = max(length(duv0_dx), length(duv0_dy));
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    float bends_greatest = max(length(dpdx), length(dpdy));  // bends: Fractal noise
-    float bends_product = bends_greatest * 2.0;
-    vec4 bends_slope = wrinkle_rusty_steel_fbm_with_slope(s.position * 2.0, bends_product, 8, 2.0,
-            0.5);
-    float bends_dot_product = dot(bends_slope.xyz, surface_dpdx);
-    vec2 bends_product_2 = vec2(bends_dot_product, dot(bends_slope.xyz, surface_dpdy)) * 2.0;
-    float bends_height = bends_slope.w * 0.03;
-    vec2 long_scratches_product = s.uv0 * 3.0;  // long_scratches: Scratches
-    float long_scratches_greatest = max(length(duv0_dx), length(duv0_dy));
-    float long_scratches_product_2 = long_scratches_greatest * 3.0;
-    vec3 long_scratches_slope = wrinkle_rusty_steel_scratches_with_slope(long_scratches_product,
-            long_scratches_product_2, 3, 0.7, vec2(1.5, 0.04), vec2(0.0, 0.6981317));
-    float long_scratches_dot_product = dot(long_scratches_slope.xy, duv0_dx);
-    vec2 fine_scratches_product = s.uv0 * 11.0;  // fine_scratches: Scratches
-    float fine_scratches_product_2 = long_scratches_greatest * 11.0;
-    vec3 fine_scratches_slope = wrinkle_rusty_steel_scratches_with_slope(fine_scratches_product,
-            fine_scratches_product_2, 2, 0.5, vec2(1.4, 0.05), vec2(0.0, 6.2831855));
-    float fine_scratches_dot_product = dot(fine_scratches_slope.xy, duv0_dx);
-    float grain_product = bends_greatest * 60.0;  // grain: Gradient noise
-    vec4 grain_slope = wrinkle_rusty_steel_fbm_with_slope(s.position * 60.0, grain_product, 2, 2.0,
-            0.5);
-    float grain_dot_product = dot(grain_slope.xyz, surface_dpdx);
-    vec2 grain_product_2 = vec2(grain_dot_product, dot(grain_slope.xyz, surface_dpdy)) * 60.0;
-    float grain_height = grain_slope.w * 0.002;
-    float flakes_product = bends_greatest * 14.0;  // flakes: Worley noise
-    vec4 flakes_slope = wrinkle_rusty_steel_worley_with_slope(s.position * 14.0, flakes_product,
-            1.0);
-    float flakes_dot_product = dot(flakes_slope.xyz, surface_dpdx);
-    vec2 flakes_product_2 = vec2(flakes_dot_product, dot(flakes_slope.xyz, surface_dpdy)) * 14.0;
-    float flakes_height = flakes_slope.w * 0.01;
-    float pores_product = bends_greatest * 25.0;  // pores: Gradient noise
-    vec4 pores_slope = wrinkle_rusty_steel_fbm_with_slope(s.position * 25.0, pores_product, 3, 2.0,
-            0.5);
-    float pores_dot_product = dot(pores_slope.xyz, surface_dpdx);
-    vec2 pores_product_2 = vec2(pores_dot_product, dot(pores_slope.xyz, surface_dpdy)) * 25.0;
-    float pores_height = pores_slope.w * 0.004;
-    vec3 patches_product = s.position * 1.5;  // patches: Gradient noise
-    float patches_product_2 = bends_greatest * 1.5;
-    vec4 patches_slope = wrinkle_rusty_steel_fbm_with_slope(patches_product, patches_product_2, 3,
-            2.0, 0.5);
-    float patches_dot_product = dot(patches_slope.xyz, surface_dpdx);
-    vec2 patches_product_3 = vec2(patches_dot_product, dot(patches_slope.xyz, surface_dpdy)) * 1.5;
-    float dust_edge_result = smoothstep(0.3, 0.9, flakes_slope.w);  // dust_edge: Smooth step
-    float dust_edge_clamped = clamp((flakes_slope.w - 0.3) / 0.6, 0.0, 1.0);
-    vec2 dust_edge_product = flakes_product_2 * (dust_edge_clamped * (1.0 - dust_edge_clamped) *
-            6.0);
+    // bends: Fractal noise
+    vec4 bends = wrinkle_rusty_steel_fbm(s.position, position_width, 2.0, 8, 2.0, 0.5);
+    vec2 bends_slope = vec2(dot(bends.xyz, surface_dpdx), dot(bends.xyz, surface_dpdy)) * 0.03;
+    float bends_height = bends.w * 0.03;
+    // long_scratches: Scratches
+    vec3 long_scratches = wrinkle_rusty_steel_scratches(s.uv0, uv0_width, 3.0, 3, 0.7,
+            vec2(1.5, 0.04), vec2(0.0, 0.6981317));
+    vec2 long_scratches_slope = vec2(dot(long_scratches.xy, duv0_dx),
+            dot(long_scratches.xy, duv0_dy));
+    vec2 steel_slope = bends_slope - long_scratches_slope * 0.003;  // steel: Add heights
+    float steel_height = bends_height - long_scratches.z * 0.003;
+    // fine_scratches: Scratches
+    vec3 fine_scratches = wrinkle_rusty_steel_scratches(s.uv0, uv0_width, 11.0, 2, 0.5,
+            vec2(1.4, 0.05), vec2(0.0, 6.2831855));
+    vec2 fine_scratches_slope = vec2(dot(fine_scratches.xy, duv0_dx),
+            dot(fine_scratches.xy, duv0_dy));
+    // blisters: Gradient noise
+    vec4 blisters = wrinkle_rusty_steel_fbm(s.position, position_width, 9.0, 4, 2.0, 0.5);
+    vec2 blisters_slope = vec2(dot(blisters.xyz, surface_dpdx), dot(blisters.xyz, surface_dpdy));
+    float blisters_height = blisters.w * 0.015;
+    // grain: Gradient noise
+    vec4 grain = wrinkle_rusty_steel_fbm(s.position, position_width, 60.0, 2, 2.0, 0.5);
+    vec2 grain_slope = vec2(dot(grain.xyz, surface_dpdx), dot(grain.xyz, surface_dpdy)) * 0.002;
+    float grain_height = grain.w * 0.002;
+    // flakes: Worley noise
+    vec4 flakes = wrinkle_rusty_steel_worley(s.position, position_width, 14.0, 1.0);
+    vec2 flakes_slope = vec2(dot(flakes.xyz, surface_dpdx), dot(flakes.xyz, surface_dpdy));
+    float flakes_height = flakes.w * 0.01;
+    // pores: Gradient noise
+    vec4 pores = wrinkle_rusty_steel_fbm(s.position, position_width, 25.0, 3, 2.0, 0.5);
+    vec2 pores_slope = vec2(dot(pores.xyz, surface_dpdx), dot(pores.xyz, surface_dpdy)) * 0.004;
+    float pores_height = pores.w * 0.004;
+    float crust_height = blisters_height + grain_height;  // crust: Add heights
+    // crusty: Add heights
+    vec2 crusty_slope = blisters_slope * 0.015 + grain_slope + flakes_slope * 0.01;
+    float crusty_height = crust_height + flakes_height;
+    // mottled: Mix heights
+    vec2 mottled_slope = mix(crusty_slope, pores_slope, flakes.w) +
+            flakes_slope * (pores_height - crusty_height);
+    float mottled_height = mix(crusty_height, pores_height, flakes.w);
+    // patches: Gradient noise
+    vec4 patches = wrinkle_rusty_steel_fbm(s.position, position_width, 1.5, 3, 2.0, 0.5);
+    vec2 patches_slope = vec2(dot(patches.xyz, surface_dpdx), dot(patches.xyz, surface_dpdy));
+    float worn_result = patches.w + blisters.w;  // worn: Add
+    float bias_result = worn_result + 0.1;  // bias: Add
+    float rusty_result = smoothstep(-0.1, 0.35, bias_result);  // rusty: Smooth step
+    float rusty_t = clamp((bias_result + 0.1) / 0.45, 0.0, 1.0);
+    vec2 rusty_product = (patches_slope + blisters_slope) * (rusty_t * (1.0 - rusty_t) * 6.0);
+    float scratched_height = steel_height - fine_scratches.z * 0.001;  // scratched: Add heights
+    // polished: Scale height
+    vec2 polished_slope = (steel_slope - fine_scratches_slope * 0.001) * 0.5;
+    float polished_height = scratched_height * 0.5;
+    vec2 rusted_mixed = mix(polished_slope, mottled_slope, rusty_result);  // rusted: Mix heights
+    vec2 rusted_slope = rusted_mixed + rusty_product / 0.45 * (mottled_height - polished_height);
+    float rusted_height = mix(polished_height, mottled_height, rusty_result);
+    float dust_edge_result = smoothstep(0.3, 0.9, flakes.w);  // dust_edge: Smooth step
+    float dust_edge_t = clamp((flakes.w - 0.3) / 0.6, 0.0, 1.0);
+    vec2 dust_edge_slope = flakes_slope * (dust_edge_t * (1.0 - dust_edge_t) * 6.0) / 0.6;
     float dust_mask_result = dust_edge_result * 0.6;  // dust_mask: Multiply
-    float tone_result = (bends_slope.w + 0.6) / 1.2;  // tone: Remap
+    vec2 dusty_product = rusted_slope * (1.0 - dust_mask_result);  // dusty: Mix heights
+    vec2 dusty_slope = dusty_product + dust_edge_slope * 0.6 * (0.004 - rusted_height);
+    // normal: Resolve
+    vec2 normal_product = dusty_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec3 normal_gradient = cross(normal, dpdx * normal_product.y - dpdy * normal_product.x);
+    float tone_result = (bends.w + 0.6) / 1.2;  // tone: Remap
     // steel_color: Mix vec3
     vec3 steel_color_vector = mix(vec3(0.45, 0.46, 0.48), vec3(0.6, 0.6, 0.62), tone_result);
-    float rust_tone_result = (grain_slope.w + 1.0) / 2.0;  // rust_tone: Remap
+    float rust_tone_result = (grain.w + 1.0) / 2.0;  // rust_tone: Remap
     // rust_color: Mix vec3
     vec3 rust_color_vector = mix(vec3(0.28, 0.09, 0.03), vec3(0.45, 0.2, 0.07), rust_tone_result);
-    float cavity_result = mix(0.6, 1.0, pores_slope.w + 0.5);  // cavity: Remap
-    float glow_result = dust_mask_result * 0.2;  // glow: Multiply
-    // scratched: Add heights
-    vec2 scratched_vector = vec2(long_scratches_dot_product, dot(long_scratches_slope.xy, duv0_dy));
-    // steel: Add heights
-    vec2 steel_difference = bends_product_2 * 0.03 - scratched_vector * 3.0 * 0.003;
-    float steel_height = bends_height - long_scratches_slope.z * 0.003;
-    // scratched: Add heights (continued)
-    float scratched_height = steel_height - fine_scratches_slope.z * 0.001;
-    // mottled: Mix heights
-    vec2 mottled_vector = vec2(fine_scratches_dot_product, dot(fine_scratches_slope.xy, duv0_dy));
-    // polished: Scale height
-    vec2 polished_product = (steel_difference - mottled_vector * 11.0 * 0.001) * 0.5;
-    float polished_height = scratched_height * 0.5;
-    vec3 blisters_product = s.position * 9.0;  // blisters: Gradient noise
-    float blisters_product_2 = bends_greatest * 9.0;
-    vec4 blisters_slope = wrinkle_rusty_steel_fbm_with_slope(blisters_product, blisters_product_2,
-            4, 2.0, 0.5);
-    float blisters_dot_product = dot(blisters_slope.xyz, surface_dpdx);
-    float blisters_height = blisters_slope.w * 0.015;
-    float worn_result = patches_slope.w + blisters_slope.w;  // worn: Add
-    float bias_result = worn_result + 0.1;  // bias: Add
-    // dusty: Mix heights
-    vec2 dusty_vector = vec2(blisters_dot_product, dot(blisters_slope.xyz, surface_dpdy));
-    vec2 blisters_product_3 = dusty_vector * 9.0;  // blisters: Gradient noise (continued)
-    vec2 crust_sum = blisters_product_3 * 0.015 + grain_product_2 * 0.002;  // crust: Add heights
-    float crust_height = blisters_height + grain_height;
-    vec2 crusty_sum = crust_sum + flakes_product_2 * 0.01;  // crusty: Add heights
-    float crusty_height = crust_height + flakes_height;
-    // mottled: Mix heights (continued)
-    vec2 mottled_mixed = mix(crusty_sum, pores_product_2 * 0.004, flakes_slope.w);
-    vec2 mottled_sum = mottled_mixed + flakes_product_2 * (pores_height - crusty_height);
-    float mottled_height = mix(crusty_height, pores_height, flakes_slope.w);
-    float rusty_result = smoothstep(-0.1, 0.35, bias_result);  // rusty: Smooth step
-    float rusty_clamped = clamp((bias_result + 0.1) / 0.45, 0.0, 1.0);
-    float rusty_product = rusty_clamped * (1.0 - rusty_clamped) * 6.0;
-    vec2 rusty_quotient = (patches_product_3 + blisters_product_3) * rusty_product / 0.45;
-    vec2 rusted_mixed = mix(polished_product, mottled_sum, rusty_result);  // rusted: Mix heights
-    vec2 rusted_sum = rusted_mixed + rusty_quotient * (mottled_height - polished_height);
-    float rusted_height = mix(polished_height, mottled_height, rusty_result);
-    // dusty: Mix heights (continued)
-    vec2 dusty_product = dust_edge_product / 0.6 * 0.6 * (0.004 - rusted_height);
-    vec2 dusty_sum = rusted_sum * (1.0 - dust_mask_result) + dusty_product;
-    // normal: Resolve
-    vec2 normal_product = dusty_sum * (sign(screen_area) / max(abs(screen_area), 1e-36));
-    vec3 normal_gradient = cross(normal, dpdx * normal_product.y - dpdy * normal_product.x);
     float roughness_result = mix(0.3, 0.85, rusty_result);  // roughness: Remap
+    float cavity_result = mix(0.6, 1.0, pores.w + 0.5);  // cavity: Remap
+    float glow_result = dust_mask_result * 0.2;  // glow: Multiply
     WrinkleMaterial_rusty_steel m;
     m.normal = normalize(normal * s.facing - normal_gradient);  // normal: Resolve (continued)
     m.height = mix(rusted_height, 0.004, dust_mask_result);  // dusty: Mix heights (continued)
     m.color = mix(steel_color_vector, rust_color_vector, rusty_result);  // color: Mix vec3
-    m.roughness = roughness_result - fine_scratches_slope.z * -0.2;  // rough: Add
+    m.roughness = roughness_result + fine_scratches.z * 0.2;  // rough: Add
     m.metalness = 1.0 - rusty_result;  // metalness: Subtract
     m.occlusion = clamp(cavity_result, 0.0, 1.0);  // occlusion: Clamp
     m.emission = vec3(glow_result, 0.4 * glow_result, 0.1 * glow_result);  // emission: Mix vec3

@@ -44,49 +44,49 @@ WrinkleMaterial_sphere_globe wrinkle_sphere_globe(WrinkleSurface_sphere_globe s)
             globe_choice_2;
     float globe_product_4 = (dpdy.x * 0.70710677 + dpdy.y * 0.70710677) * globe_extent;
     float globe_quotient_2 = dot(globe_vector, vec2(globe_negated_3, dpdy.z)) / globe_extent;
-    float globe_difference_2 = globe_product_4 - (globe_test_3 ? globe_quotient_2 : 0.0) *
-            globe_sum;
+    float globe_difference_2 = globe_product_4 -
+            (globe_test_3 ? globe_quotient_2 : 0.0) * globe_sum;
     float globe_choice_5 = globe_test_2 ? globe_difference_2 * globe_choice_3 : 0.0;
     vec2 globe_vector_4 = vec2(globe_test ? globe_product_3 : 0.0, globe_choice_5);
     float globe_negated_4 = -(surface_dpdy.x * -0.70710677 + surface_dpdy.y * 0.70710677);
     float globe_difference_3 = globe_negated_4 * s.position.z - surface_dpdy.z * globe_negated;
     float globe_choice_6 = globe_test ? globe_difference_3 * globe_choice_2 : 0.0;
     float globe_sum_4 = surface_dpdy.x * 0.70710677 + surface_dpdy.y * 0.70710677;
-    float globe_quotient_3 = dot(globe_vector, vec2(globe_negated_4,
-            surface_dpdy.z)) / globe_extent;
+    float globe_quotient_3 = dot(globe_vector, vec2(globe_negated_4, surface_dpdy.z)) /
+            globe_extent;
     float globe_product_5 = (globe_test_3 ? globe_quotient_3 : 0.0) * globe_sum;
     float globe_difference_4 = globe_sum_4 * globe_extent - globe_product_5;
-    vec2 globe_vector_5 = vec2(globe_choice_6,
-            globe_test_2 ? globe_difference_4 * globe_choice_3 : 0.0);
+    vec2 globe_vector_5 = vec2(globe_choice_6, globe_test_2 ? globe_difference_4 * globe_choice_3 :
+            0.0);
     float globe_negated_5 = -(surface_dpdx.x * -0.70710677 + surface_dpdx.y * 0.70710677);
     float globe_difference_5 = globe_negated_5 * s.position.z - surface_dpdx.z * globe_negated;
     float globe_choice_7 = globe_test ? globe_difference_5 * globe_choice_2 : 0.0;
     float globe_sum_5 = surface_dpdx.x * 0.70710677 + surface_dpdx.y * 0.70710677;
-    float globe_quotient_4 = dot(globe_vector, vec2(globe_negated_5,
-            surface_dpdx.z)) / globe_extent;
+    float globe_quotient_4 = dot(globe_vector, vec2(globe_negated_5, surface_dpdx.z)) /
+            globe_extent;
     float globe_product_6 = (globe_test_3 ? globe_quotient_4 : 0.0) * globe_sum;
     float globe_difference_6 = globe_sum_5 * globe_extent - globe_product_6;
-    vec2 globe_vector_6 = vec2(globe_choice_7,
-            globe_test_2 ? globe_difference_6 * globe_choice_3 : 0.0);
+    vec2 globe_vector_6 = vec2(globe_choice_7, globe_test_2 ? globe_difference_6 * globe_choice_3 :
+            0.0);
     vec2 tile_uv = globe_uv * vec2(8.0, 4.0);  // tile: UV transform
-    vec2 tile_product = globe_vector_3 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
-    vec2 tile_product_2 = globe_vector_4 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
-    vec2 tile_product_3 = globe_vector_5 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
-    vec2 tile_product_4 = globe_vector_6 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
+    vec2 tile_slope_dx = globe_vector_3 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
+    vec2 tile_slope_dy = globe_vector_4 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
+    vec2 tile_slope_dy_2 = globe_vector_5 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
+    vec2 tile_slope_dx_2 = globe_vector_6 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
     // g: Tangent normal map
-    vec3 g_texel = textureGrad(sphere_globe_g_image, tile_uv, tile_product,
-            tile_product_2).xyz - 0.5;
-    float g_least_depth = max(abs(g_texel.x), abs(g_texel.y)) * 0.0078125;
+    vec4 g_texel = textureGrad(sphere_globe_g_image, tile_uv, tile_slope_dx, tile_slope_dy);
+    vec3 g_texel_2 = g_texel.xyz - 0.5;
+    float g_least_depth = max(abs(g_texel_2.x), abs(g_texel_2.y)) * 0.0078125;
     // normal: Resolve
-    float normal_product = max(max(abs(g_texel.z), g_least_depth), 5e-07) * s.facing;
-    vec3 normal_bitangent = cross(normal, dpdx * tile_product_3.y - dpdy * tile_product_4.y);
+    float normal_product = max(max(abs(g_texel_2.z), g_least_depth), 5e-07) * s.facing;
+    vec3 normal_bitangent = cross(normal, dpdx * tile_slope_dy_2.y - dpdy * tile_slope_dx_2.y);
     float normal_scale = inversesqrt(max(dot(normal_bitangent, normal_bitangent), 1e-36));
-    float normal_product_2 = tile_product_4.x * tile_product_3.y;
-    float normal_sign = normal_product_2 - tile_product_3.x * tile_product_4.y < 0.0 ? -1.0 : 1.0;
-    float normal_slope_u = g_texel.x * (normal_scale * normal_sign);
+    float normal_product_2 = tile_slope_dx_2.x * tile_slope_dy_2.y;
+    float normal_det = normal_product_2 - tile_slope_dy_2.x * tile_slope_dx_2.y;
+    float normal_slope_u = g_texel_2.x * (normal_scale * (normal_det < 0.0 ? -1.0 : 1.0));
     vec3 normal_along_u = cross(normal_bitangent, normal) * normal_slope_u;
     float normal_product_3 = normal_scale * (dot(normal, cross(dpdx, dpdy)) < 0.0 ? -1.0 : 1.0);
-    vec3 normal_along_v = normal_bitangent * (g_texel.y * normal_product_3);
+    vec3 normal_along_v = normal_bitangent * (g_texel_2.y * normal_product_3);
     WrinkleMaterial_sphere_globe m;
     m.normal = normalize(normal * normal_product + (normal_along_u + normal_along_v));
     return m;

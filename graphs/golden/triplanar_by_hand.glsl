@@ -47,22 +47,20 @@ WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_tripl
     vec2 front_uv = vec2(side_sign * s.position.x, s.position.y) * 2.0;  // front: Planar UV
     // rivets: Tangent normal map
     vec3 rivets_texel = texture(triplanar_by_hand_rivets_image, side_uv).xyz - 0.5;
-    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
-    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
+    float rivets_product = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
+    float rivets_greatest = max(max(abs(rivets_texel.z), rivets_product), 5e-07);
     vec2 rivets_texel_2 = rivets_texel.xy * 0.5;
     // weave: Tangent normal map
     vec3 weave_texel = texture(triplanar_by_hand_weave_image, top_uv).xyz - 0.5;
-    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
+    float weave_product = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
     vec2 weave_texel_2 = weave_texel.xy * 0.25;
+    vec3 weave_vector = vec3(weave_texel_2.x, rivets_texel_2.yx);
+    vec3 weave_product_2 = weave_vector * vec3(4.0, 2.0, side_negated * 2.0);
     // rivets: Tangent normal map (continued)
-    vec3 rivets_vector = vec3(weave_texel_2.x, rivets_texel_2.yx);
     vec3 rivets_magnitude = abs(vec3(rivets_texel.z, weave_texel.zz));
     vec3 rivets_magnitude_2 = abs(vec3(rivets_texel.x, weave_texel.xx));
-    vec3 rivets_magnitude_3 = abs(vec3(rivets_texel.y, weave_texel.yy));
-    vec3 rivets_product = max(rivets_magnitude_2, rivets_magnitude_3) * 0.0078125;
-    vec3 rivets_greatest = max(max(rivets_magnitude, rivets_product), 5e-07);
-    // weave: Tangent normal map (continued)
-    vec3 weave_product = rivets_vector * vec3(4.0, 2.0, side_negated * 2.0);
+    vec3 rivets_greatest_2 = max(rivets_magnitude_2, abs(vec3(rivets_texel.y, weave_texel.yy)));
+    vec3 rivets_depth = max(max(rivets_magnitude, rivets_greatest_2 * 0.0078125), 5e-07);
     vec2 bricks_size = vec2(textureSize(triplanar_by_hand_bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = vec2(dpdx.x * side_sign, dpdx.y) * 2.0 * bricks_size;
     float bricks_dot_product = dot(bricks_product, bricks_product);
@@ -85,11 +83,11 @@ WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_tripl
     vec3 bricks_vector_3 = vec3(bricks_product_4, weave_texel_2.y);
     vec3 bricks_product_5 = bricks_vector_3 * vec3(0.02, 0.02, side_negated_2 * 4.0);
     // normal: Resolve
-    float normal_product = rivets_depth * max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
-    vec3 normal_product_2 = weave_product * weights_weights.yxx * rivets_greatest;
+    float normal_product = rivets_greatest * max(max(abs(weave_texel.z), weave_product), 5e-07);
     float normal_negated = -normal_product;
-    vec3 normal_vector = vec3(normal_negated, normal_negated, rivets_depth);
-    vec3 normal_sum = normal_product_2 + bricks_product_5 * weights_weights.zzy * normal_vector;
+    vec3 normal_vector = vec3(normal_negated, normal_negated, rivets_greatest);
+    vec3 normal_product_2 = bricks_product_5 * weights_weights.zzy * normal_vector;
+    vec3 normal_sum = weave_product_2 * weights_weights.yxx * rivets_depth + normal_product_2;
     vec3 normal_product_3 = normal * (normal_product * s.facing - dot(normal, normal_sum));
     WrinkleMaterial_triplanar_by_hand m;
     m.normal = normalize(normal_product_3 + normal_sum);

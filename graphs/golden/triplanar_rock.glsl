@@ -82,8 +82,8 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     float pebbles_dot_product_2 = dot(pebbles_product_9, pebbles_product_9);
     vec2 pebbles_vector_7 = vec2(pebbles_product_4.z * pebbles_negated_2, pebbles_product_4.y);
     vec2 pebbles_product_10 = pebbles_vector_7 * pebbles_size;
-    float pebbles_greatest_2 = max(pebbles_dot_product_2, dot(pebbles_product_10,
-            pebbles_product_10));
+    float pebbles_greatest_2 = max(pebbles_dot_product_2,
+            dot(pebbles_product_10, pebbles_product_10));
     float pebbles_root_2 = sqrt(max(pebbles_greatest_2, 1.0));
     vec2 pebbles_quotient_3 = pebbles_root_2 / pebbles_size;
     vec2 pebbles_vector_8 = vec2(pebbles_product_8 + pebbles_quotient_3.x, pebbles_product.y);
@@ -98,44 +98,43 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
             pebbles_quotient_2);
     float pebbles_clamped_2 = clamp((0.5 - log2(pebbles_root_2)) / 0.45, 0.0, 1.0);
     vec2 pebbles_mixed_2 = mix(pebbles_product_11, pebbles_slope_2, pebbles_clamped_2);
-    vec3 pebbles_vector_11 = vec3(pebbles_mixed.x, pebbles_mixed_2.yx);
     float pebbles_product_12 = 1.5 * pebbles_size.y;
     float pebbles_product_13 = 1.5 * pebbles_negated_2 * pebbles_size.x;
-    vec3 pebbles_vector_12 = vec3(1.5 * pebbles_size.x, pebbles_product_12, pebbles_product_13);
+    vec3 pebbles_vector_11 = vec3(1.5 * pebbles_size.x, pebbles_product_12, pebbles_product_13);
+    vec3 pebbles_product_14 = vec3(pebbles_mixed.x, pebbles_mixed_2.yx) * pebbles_vector_11;
     vec3 pebbles_greatest_3 = max(abs(normal) - 0.2, vec3(0.0));
-    vec3 pebbles_product_14 = pebbles_greatest_3 * pebbles_greatest_3 * pebbles_greatest_3;
-    float pebbles_sum = pebbles_product_14.x + pebbles_product_14.y + pebbles_product_14.z;
-    vec3 pebbles_quotient_4 = pebbles_product_14 / max(pebbles_sum, 1e-36);
-    vec3 pebbles_product_15 = pebbles_vector_11 * pebbles_vector_12 * pebbles_quotient_4.yxx;
+    vec3 pebbles_product_15 = pebbles_greatest_3 * pebbles_greatest_3 * pebbles_greatest_3;
+    float pebbles_sum = pebbles_product_15.x + pebbles_product_15.y + pebbles_product_15.z;
+    vec3 pebbles_quotient_4 = pebbles_product_15 / max(pebbles_sum, 1e-36);
+    vec3 pebbles_product_16 = pebbles_product_14 * pebbles_quotient_4.yxx;
     float pebbles_sign_3 = normal.z < 0.0 ? -1.0 : 1.0;
-    float pebbles_product_16 = pebbles_sign_3 * pebbles_product.x;
-    vec2 pebbles_vector_13 = vec2(pebbles_product_2.x * pebbles_sign_3, pebbles_product_2.y);
-    vec2 pebbles_product_17 = pebbles_vector_13 * pebbles_size;
-    float pebbles_dot_product_3 = dot(pebbles_product_17, pebbles_product_17);
-    vec2 pebbles_vector_14 = vec2(pebbles_product_4.x * pebbles_sign_3, pebbles_product_4.y);
-    vec2 pebbles_product_18 = pebbles_vector_14 * pebbles_size;
-    float pebbles_greatest_4 = max(pebbles_dot_product_3, dot(pebbles_product_18,
-            pebbles_product_18));
+    float pebbles_product_17 = pebbles_sign_3 * pebbles_product.x;
+    vec2 pebbles_vector_12 = vec2(pebbles_product_2.x * pebbles_sign_3, pebbles_product_2.y);
+    vec2 pebbles_product_18 = pebbles_vector_12 * pebbles_size;
+    float pebbles_dot_product_3 = dot(pebbles_product_18, pebbles_product_18);
+    vec2 pebbles_vector_13 = vec2(pebbles_product_4.x * pebbles_sign_3, pebbles_product_4.y);
+    vec2 pebbles_product_19 = pebbles_vector_13 * pebbles_size;
+    float pebbles_greatest_4 = max(pebbles_dot_product_3,
+            dot(pebbles_product_19, pebbles_product_19));
     float pebbles_root_3 = sqrt(max(pebbles_greatest_4, 1.0));
     vec2 pebbles_quotient_5 = pebbles_root_3 / pebbles_size;
-    vec2 pebbles_vector_15 = vec2(pebbles_product_16 + pebbles_quotient_5.x, pebbles_product.y);
-    vec4 pebbles_texel_7 = texture(triplanar_rock_pebbles_image, pebbles_vector_15);
-    vec2 pebbles_vector_16 = vec2(pebbles_product_16, pebbles_product.y + pebbles_quotient_5.y);
-    vec4 pebbles_texel_8 = texture(triplanar_rock_pebbles_image, pebbles_vector_16);
-    vec2 pebbles_vector_17 = vec2(pebbles_product_16, pebbles_product.y);
-    vec4 pebbles_texel_9 = texture(triplanar_rock_pebbles_image, pebbles_vector_17);
+    vec2 pebbles_vector_14 = vec2(pebbles_product_17 + pebbles_quotient_5.x, pebbles_product.y);
+    vec4 pebbles_texel_7 = texture(triplanar_rock_pebbles_image, pebbles_vector_14);
+    vec2 pebbles_vector_15 = vec2(pebbles_product_17, pebbles_product.y + pebbles_quotient_5.y);
+    vec4 pebbles_texel_8 = texture(triplanar_rock_pebbles_image, pebbles_vector_15);
+    vec2 pebbles_vector_16 = vec2(pebbles_product_17, pebbles_product.y);
+    vec4 pebbles_texel_9 = texture(triplanar_rock_pebbles_image, pebbles_vector_16);
     vec2 pebbles_difference_3 = vec2(pebbles_texel_7.x, pebbles_texel_8.x) - pebbles_texel_9.x;
-    vec2 pebbles_product_19 = pebbles_difference_3 * (1.0 / pebbles_root_3);
-    vec2 pebbles_slope_3 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_17,
+    vec2 pebbles_product_20 = pebbles_difference_3 * (1.0 / pebbles_root_3);
+    vec2 pebbles_slope_3 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_16,
             pebbles_quotient_2);
     float pebbles_clamped_3 = clamp((0.5 - log2(pebbles_root_3)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed_3 = mix(pebbles_product_19, pebbles_slope_3, pebbles_clamped_3);
-    vec3 pebbles_vector_18 = vec3(pebbles_mixed_3, pebbles_mixed.y);
-    float pebbles_product_20 = 1.5 * pebbles_sign_3 * pebbles_size.x;
-    float pebbles_product_21 = 1.5 * pebbles_negated * pebbles_size.y;
-    vec3 pebbles_product_22 = pebbles_vector_18 * vec3(pebbles_product_20, pebbles_product_12,
-            pebbles_product_21);
-    vec3 pebbles_product_23 = (pebbles_product_15 + pebbles_product_22 * pebbles_quotient_4.zzy) *
+    vec2 pebbles_mixed_3 = mix(pebbles_product_20, pebbles_slope_3, pebbles_clamped_3);
+    float pebbles_product_21 = 1.5 * pebbles_sign_3 * pebbles_size.x;
+    float pebbles_product_22 = 1.5 * pebbles_negated * pebbles_size.y;
+    vec3 pebbles_vector_17 = vec3(pebbles_product_21, pebbles_product_12, pebbles_product_22);
+    vec3 pebbles_product_23 = vec3(pebbles_mixed_3, pebbles_mixed.y) * pebbles_vector_17;
+    vec3 pebbles_slope_4 = (pebbles_product_16 + pebbles_product_23 * pebbles_quotient_4.zzy) *
             0.05;
     vec3 weave_product = s.position * 6.0;  // weave: Triplanar normal map
     vec2 weave_vector = vec2(weave_product.x, pebbles_negated * weave_product.z);
@@ -162,7 +161,7 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec2 weave_product_5 = weave_texel_3.xy * weave_quotient_3;
     float weave_negated = -(weave_product_5.x * pebbles_sign_2 + weave_product_3.y * pebbles_sign);
     vec3 weave_volume = vec3(weave_sum, weave_product_5.y + weave_product_4.y, weave_negated);
-    vec3 a_sum = pebbles_product_23 + weave_volume;  // a: Add bumps
+    vec3 a_sum = pebbles_slope_4 + weave_volume;  // a: Add bumps
     vec3 tint_product = s.position * 0.7;  // tint: Triplanar colour
     vec2 tint_vector = vec2(pebbles_negated_2 * tint_product.z, tint_product.y);
     vec4 tint_product_2 = texture(triplanar_rock_tint_image, tint_vector) * pebbles_quotient_4.x;
@@ -204,65 +203,62 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec2 bricks_product_3 = vec2(dpdx.z * pebbles_negated_2, dpdx.y) * bricks_size;
     float bricks_dot_product_2 = dot(bricks_product_3, bricks_product_3);
     vec2 bricks_product_4 = vec2(dpdy.z * pebbles_negated_2, dpdy.y) * bricks_size;
-    float bricks_greatest_2 = max(max(bricks_dot_product_2, dot(bricks_product_4,
-            bricks_product_4)), 1.0);
+    float bricks_greatest_2 = max(max(bricks_dot_product_2,
+            dot(bricks_product_4, bricks_product_4)), 1.0);
     float bricks_root_2 = sqrt(bricks_greatest_2);
     vec2 bricks_quotient_3 = bricks_root_2 / bricks_size;
     float bricks_clamped_2 = clamp((0.5 - log2(bricks_root_2)) / 0.45, 0.0, 1.0);
-    float bricks_product_5 = pebbles_negated_2 * bricks_size.x;
-    vec2 bricks_product_6 = vec2(dpdx.x * pebbles_sign_3, dpdx.y) * bricks_size;
-    float bricks_dot_product_3 = dot(bricks_product_6, bricks_product_6);
-    vec2 bricks_product_7 = vec2(dpdy.x * pebbles_sign_3, dpdy.y) * bricks_size;
-    float bricks_greatest_3 = max(max(bricks_dot_product_3, dot(bricks_product_7,
-            bricks_product_7)), 1.0);
+    vec3 bricks_vector = vec3(bricks_size, pebbles_negated_2 * bricks_size.x);
+    vec2 bricks_product_5 = vec2(dpdx.x * pebbles_sign_3, dpdx.y) * bricks_size;
+    float bricks_dot_product_3 = dot(bricks_product_5, bricks_product_5);
+    vec2 bricks_product_6 = vec2(dpdy.x * pebbles_sign_3, dpdy.y) * bricks_size;
+    float bricks_greatest_3 = max(max(bricks_dot_product_3,
+            dot(bricks_product_6, bricks_product_6)), 1.0);
     float bricks_root_3 = sqrt(bricks_greatest_3);
     vec2 bricks_quotient_4 = bricks_root_3 / bricks_size;
     float bricks_clamped_3 = clamp((0.5 - log2(bricks_root_3)) / 0.45, 0.0, 1.0);
-    float bricks_product_8 = pebbles_negated * bricks_size.y;
+    float bricks_product_7 = pebbles_negated * bricks_size.y;
+    vec3 bricks_vector_2 = vec3(pebbles_sign_3 * bricks_size.x, bricks_size.y, bricks_product_7);
     float relief_product = pebbles_negated * s.position.z;  // relief: Triplanar height
     vec2 relief_vector = vec2(s.position.x, relief_product);
     float relief_product_2 = pebbles_negated_2 * s.position.z;
     vec2 relief_vector_2 = vec2(relief_product_2, s.position.y);
     float relief_product_3 = pebbles_sign_3 * s.position.x;
     vec2 relief_vector_3 = vec2(relief_product_3, s.position.y);
-    vec3 relief_vector_4 = vec3(pebbles_sign_3 * bricks_size.x, bricks_size.y, bricks_product_8);
     // bricks: Height map (continued)
-    vec2 bricks_vector = vec2(s.position.x + bricks_quotient.x, relief_product);
-    vec4 bricks_texel = texture(triplanar_rock_bricks_image, bricks_vector);
-    vec2 bricks_vector_2 = vec2(s.position.x, relief_product + bricks_quotient.y);
-    vec4 bricks_texel_2 = texture(triplanar_rock_bricks_image, bricks_vector_2);
+    vec2 bricks_vector_3 = vec2(s.position.x + bricks_quotient.x, relief_product);
+    vec4 bricks_texel = texture(triplanar_rock_bricks_image, bricks_vector_3);
+    vec2 bricks_vector_4 = vec2(s.position.x, relief_product + bricks_quotient.y);
+    vec4 bricks_texel_2 = texture(triplanar_rock_bricks_image, bricks_vector_4);
     vec4 bricks_texel_3 = texture(triplanar_rock_bricks_image, relief_vector);
     vec2 bricks_difference = vec2(bricks_texel.x, bricks_texel_2.x) - bricks_texel_3.x;
-    vec2 bricks_product_9 = bricks_difference * (1.0 / bricks_root);
+    vec2 bricks_product_8 = bricks_difference * (1.0 / bricks_root);
     vec2 bricks_slope = wrinkle_triplanar_rock_smooth_slope_2(relief_vector, bricks_quotient_2);
-    vec2 bricks_mixed = mix(bricks_product_9, bricks_slope, bricks_clamped);
-    vec2 bricks_vector_3 = vec2(relief_product_2 + bricks_quotient_3.x, s.position.y);
-    vec4 bricks_texel_4 = texture(triplanar_rock_bricks_image, bricks_vector_3);
-    vec2 bricks_vector_4 = vec2(relief_product_2, s.position.y + bricks_quotient_3.y);
-    vec4 bricks_texel_5 = texture(triplanar_rock_bricks_image, bricks_vector_4);
+    vec2 bricks_mixed = mix(bricks_product_8, bricks_slope, bricks_clamped);
+    vec2 bricks_vector_5 = vec2(relief_product_2 + bricks_quotient_3.x, s.position.y);
+    vec4 bricks_texel_4 = texture(triplanar_rock_bricks_image, bricks_vector_5);
+    vec2 bricks_vector_6 = vec2(relief_product_2, s.position.y + bricks_quotient_3.y);
+    vec4 bricks_texel_5 = texture(triplanar_rock_bricks_image, bricks_vector_6);
     vec4 bricks_texel_6 = texture(triplanar_rock_bricks_image, relief_vector_2);
     vec2 bricks_difference_2 = vec2(bricks_texel_4.x, bricks_texel_5.x) - bricks_texel_6.x;
-    vec2 bricks_product_10 = bricks_difference_2 * (1.0 / bricks_root_2);
+    vec2 bricks_product_9 = bricks_difference_2 * (1.0 / bricks_root_2);
     vec2 bricks_slope_2 = wrinkle_triplanar_rock_smooth_slope_2(relief_vector_2, bricks_quotient_2);
-    vec2 bricks_mixed_2 = mix(bricks_product_10, bricks_slope_2, bricks_clamped_2);
-    vec2 bricks_vector_5 = vec2(relief_product_3 + bricks_quotient_4.x, s.position.y);
-    vec4 bricks_texel_7 = texture(triplanar_rock_bricks_image, bricks_vector_5);
-    vec2 bricks_vector_6 = vec2(relief_product_3, s.position.y + bricks_quotient_4.y);
-    vec4 bricks_texel_8 = texture(triplanar_rock_bricks_image, bricks_vector_6);
+    vec2 bricks_mixed_2 = mix(bricks_product_9, bricks_slope_2, bricks_clamped_2);
+    vec3 bricks_product_10 = vec3(bricks_mixed.x, bricks_mixed_2.yx) * bricks_vector * 0.02;
+    vec2 bricks_vector_7 = vec2(relief_product_3 + bricks_quotient_4.x, s.position.y);
+    vec4 bricks_texel_7 = texture(triplanar_rock_bricks_image, bricks_vector_7);
+    vec2 bricks_vector_8 = vec2(relief_product_3, s.position.y + bricks_quotient_4.y);
+    vec4 bricks_texel_8 = texture(triplanar_rock_bricks_image, bricks_vector_8);
     vec4 bricks_texel_9 = texture(triplanar_rock_bricks_image, relief_vector_3);
     vec2 bricks_difference_3 = vec2(bricks_texel_7.x, bricks_texel_8.x) - bricks_texel_9.x;
     vec2 bricks_product_11 = bricks_difference_3 * (1.0 / bricks_root_3);
     vec2 bricks_slope_3 = wrinkle_triplanar_rock_smooth_slope_2(relief_vector_3, bricks_quotient_2);
     vec2 bricks_mixed_3 = mix(bricks_product_11, bricks_slope_3, bricks_clamped_3);
+    vec3 bricks_product_12 = vec3(bricks_mixed_3, bricks_mixed.y) * bricks_vector_2 * 0.02;
     // relief: Triplanar height (continued)
-    vec3 relief_vector_5 = vec3(bricks_mixed.x, bricks_mixed_2.yx);
-    vec3 relief_vector_6 = vec3(bricks_mixed_3, bricks_mixed.y);
-    vec3 relief_product_4 = relief_vector_6 * relief_vector_4 * 0.02 * pebbles_quotient_4.zzy;
-    // bricks: Height map (continued)
-    vec3 bricks_product_12 = relief_vector_5 * vec3(bricks_size, bricks_product_5);
-    // relief: Triplanar height (continued)
-    vec3 relief_sum = bricks_product_12 * 0.02 * pebbles_quotient_4.yxx + relief_product_4;
-    vec3 g_gradient = (slopes_volume + relief_sum) * 0.3;  // g: Mix bumps
+    vec3 relief_slope = bricks_product_10 * pebbles_quotient_4.yxx +
+            bricks_product_12 * pebbles_quotient_4.zzy;
+    vec3 g_gradient = (slopes_volume + relief_slope) * 0.3;  // g: Mix bumps
     vec3 g_gradient_2 = a_sum * 0.7 + g_gradient;
     WrinkleMaterial_triplanar_rock m;
     // normal: Resolve

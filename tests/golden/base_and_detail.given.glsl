@@ -48,8 +48,8 @@ WrinkleMaterial_strap wrinkle_strap(WrinkleSurface_strap s) {
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
     vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (normal_slope.y * normal_product);
     vec2 normal_slope_2 = weave_texel_2.xy * 0.6 * base_depth;
-    float normal_product_2 = uv1_scale * (s.uv1_dx.x * s.uv1_dy.y - s.uv1_dy.x * s.uv1_dx.y < 0.0 ?
-            -1.0 : 1.0);
+    float normal_product_2 = uv1_scale *
+            (s.uv1_dx.x * s.uv1_dy.y - s.uv1_dy.x * s.uv1_dx.y < 0.0 ? -1.0 : 1.0);
     vec3 normal_along_u_2 = cross(uv1_bitangent, normal) * (normal_slope_2.x * normal_product_2);
     float normal_sign = dot(normal, cross(s.position_dx, s.position_dy)) < 0.0 ? -1.0 : 1.0;
     vec3 normal_along_v_2 = uv1_bitangent * (normal_slope_2.y * (uv1_scale * normal_sign));

@@ -23,8 +23,8 @@ float wrinkle_material_spiral(float a) {
 }
 
 WrinkleMaterial_material wrinkle_material(WrinkleSurface_material s) {
-    float sum_spiral = wrinkle_material_spiral(s.position.x);  // sum: Sum
+    float sum = wrinkle_material_spiral(s.position.x);  // sum: Sum
     WrinkleMaterial_material m;
-    m.o = sum_spiral + wrinkle_material_spiral(sum_spiral);
+    m.o = sum + wrinkle_material_spiral(sum);
     return m;
 }

@@ -11,363 +11,363 @@ struct WrinkleMaterial_tower {
 };
 
 uint wrinkle_tower_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    return product >> 22u ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-// 30_with_slope gives relief, relief_slope
-float wrinkle_tower_30_with_slope(float relief, out float out_relief_slope) {
+// 30 gives relief, relief_slope
+float wrinkle_tower_30(float relief, out float out_relief_slope) {
     float negated = -relief;
     out_relief_slope = -(negated < -0.001 ? 0.0 : -1.0);
     return -max(negated, -0.001);
 }
 
-// 29_with_slope gives relief, relief_slope
-float wrinkle_tower_29_with_slope(float relief, out float out_relief_slope) {
+// 29 gives relief, relief_slope
+float wrinkle_tower_29(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_30_with_slope(height, slope);
+    float n30;
+    float relief_2 = wrinkle_tower_30(height, n30);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_30_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n30_2;
+    float relief_3 = wrinkle_tower_30(height_2, n30_2);
+    out_relief_slope = n30 * 0.5 + n30_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 28_with_slope gives relief, relief_slope
-float wrinkle_tower_28_with_slope(float relief, out float out_relief_slope) {
+// 28 gives relief, relief_slope
+float wrinkle_tower_28(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_29_with_slope(height, slope);
+    float n29;
+    float relief_2 = wrinkle_tower_29(height, n29);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_29_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n29_2;
+    float relief_3 = wrinkle_tower_29(height_2, n29_2);
+    out_relief_slope = n29 * 0.5 + n29_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 27_with_slope gives relief, relief_slope
-float wrinkle_tower_27_with_slope(float relief, out float out_relief_slope) {
+// 27 gives relief, relief_slope
+float wrinkle_tower_27(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_28_with_slope(height, slope);
+    float n28;
+    float relief_2 = wrinkle_tower_28(height, n28);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_28_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n28_2;
+    float relief_3 = wrinkle_tower_28(height_2, n28_2);
+    out_relief_slope = n28 * 0.5 + n28_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 26_with_slope gives relief, relief_slope
-float wrinkle_tower_26_with_slope(float relief, out float out_relief_slope) {
+// 26 gives relief, relief_slope
+float wrinkle_tower_26(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_27_with_slope(height, slope);
+    float n27;
+    float relief_2 = wrinkle_tower_27(height, n27);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_27_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n27_2;
+    float relief_3 = wrinkle_tower_27(height_2, n27_2);
+    out_relief_slope = n27 * 0.5 + n27_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 25_with_slope gives relief, relief_slope
-float wrinkle_tower_25_with_slope(float relief, out float out_relief_slope) {
+// 25 gives relief, relief_slope
+float wrinkle_tower_25(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_26_with_slope(height, slope);
+    float n26;
+    float relief_2 = wrinkle_tower_26(height, n26);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_26_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n26_2;
+    float relief_3 = wrinkle_tower_26(height_2, n26_2);
+    out_relief_slope = n26 * 0.5 + n26_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 24_with_slope gives relief, relief_slope
-float wrinkle_tower_24_with_slope(float relief, out float out_relief_slope) {
+// 24 gives relief, relief_slope
+float wrinkle_tower_24(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_25_with_slope(height, slope);
+    float n25;
+    float relief_2 = wrinkle_tower_25(height, n25);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_25_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n25_2;
+    float relief_3 = wrinkle_tower_25(height_2, n25_2);
+    out_relief_slope = n25 * 0.5 + n25_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 23_with_slope gives relief, relief_slope
-float wrinkle_tower_23_with_slope(float relief, out float out_relief_slope) {
+// 23 gives relief, relief_slope
+float wrinkle_tower_23(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_24_with_slope(height, slope);
+    float n24;
+    float relief_2 = wrinkle_tower_24(height, n24);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_24_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n24_2;
+    float relief_3 = wrinkle_tower_24(height_2, n24_2);
+    out_relief_slope = n24 * 0.5 + n24_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 22_with_slope gives relief, relief_slope
-float wrinkle_tower_22_with_slope(float relief, out float out_relief_slope) {
+// 22 gives relief, relief_slope
+float wrinkle_tower_22(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_23_with_slope(height, slope);
+    float n23;
+    float relief_2 = wrinkle_tower_23(height, n23);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_23_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n23_2;
+    float relief_3 = wrinkle_tower_23(height_2, n23_2);
+    out_relief_slope = n23 * 0.5 + n23_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 21_with_slope gives relief, relief_slope
-float wrinkle_tower_21_with_slope(float relief, out float out_relief_slope) {
+// 21 gives relief, relief_slope
+float wrinkle_tower_21(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_22_with_slope(height, slope);
+    float n22;
+    float relief_2 = wrinkle_tower_22(height, n22);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_22_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n22_2;
+    float relief_3 = wrinkle_tower_22(height_2, n22_2);
+    out_relief_slope = n22 * 0.5 + n22_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 20_with_slope gives relief, relief_slope
-float wrinkle_tower_20_with_slope(float relief, out float out_relief_slope) {
+// 20 gives relief, relief_slope
+float wrinkle_tower_20(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_21_with_slope(height, slope);
+    float n21;
+    float relief_2 = wrinkle_tower_21(height, n21);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_21_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n21_2;
+    float relief_3 = wrinkle_tower_21(height_2, n21_2);
+    out_relief_slope = n21 * 0.5 + n21_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 19_with_slope gives relief, relief_slope
-float wrinkle_tower_19_with_slope(float relief, out float out_relief_slope) {
+// 19 gives relief, relief_slope
+float wrinkle_tower_19(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_20_with_slope(height, slope);
+    float n20;
+    float relief_2 = wrinkle_tower_20(height, n20);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_20_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n20_2;
+    float relief_3 = wrinkle_tower_20(height_2, n20_2);
+    out_relief_slope = n20 * 0.5 + n20_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 18_with_slope gives relief, relief_slope
-float wrinkle_tower_18_with_slope(float relief, out float out_relief_slope) {
+// 18 gives relief, relief_slope
+float wrinkle_tower_18(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_19_with_slope(height, slope);
+    float n19;
+    float relief_2 = wrinkle_tower_19(height, n19);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_19_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n19_2;
+    float relief_3 = wrinkle_tower_19(height_2, n19_2);
+    out_relief_slope = n19 * 0.5 + n19_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 17_with_slope gives relief, relief_slope
-float wrinkle_tower_17_with_slope(float relief, out float out_relief_slope) {
+// 17 gives relief, relief_slope
+float wrinkle_tower_17(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_18_with_slope(height, slope);
+    float n18;
+    float relief_2 = wrinkle_tower_18(height, n18);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_18_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n18_2;
+    float relief_3 = wrinkle_tower_18(height_2, n18_2);
+    out_relief_slope = n18 * 0.5 + n18_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 16_with_slope gives relief, relief_slope
-float wrinkle_tower_16_with_slope(float relief, out float out_relief_slope) {
+// 16 gives relief, relief_slope
+float wrinkle_tower_16(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_17_with_slope(height, slope);
+    float n17;
+    float relief_2 = wrinkle_tower_17(height, n17);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_17_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n17_2;
+    float relief_3 = wrinkle_tower_17(height_2, n17_2);
+    out_relief_slope = n17 * 0.5 + n17_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 15_with_slope gives relief, relief_slope
-float wrinkle_tower_15_with_slope(float relief, out float out_relief_slope) {
+// 15 gives relief, relief_slope
+float wrinkle_tower_15(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_16_with_slope(height, slope);
+    float n16;
+    float relief_2 = wrinkle_tower_16(height, n16);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_16_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n16_2;
+    float relief_3 = wrinkle_tower_16(height_2, n16_2);
+    out_relief_slope = n16 * 0.5 + n16_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 14_with_slope gives relief, relief_slope
-float wrinkle_tower_14_with_slope(float relief, out float out_relief_slope) {
+// 14 gives relief, relief_slope
+float wrinkle_tower_14(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_15_with_slope(height, slope);
+    float n15;
+    float relief_2 = wrinkle_tower_15(height, n15);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_15_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n15_2;
+    float relief_3 = wrinkle_tower_15(height_2, n15_2);
+    out_relief_slope = n15 * 0.5 + n15_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 13_with_slope gives relief, relief_slope
-float wrinkle_tower_13_with_slope(float relief, out float out_relief_slope) {
+// 13 gives relief, relief_slope
+float wrinkle_tower_13(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_14_with_slope(height, slope);
+    float n14;
+    float relief_2 = wrinkle_tower_14(height, n14);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_14_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n14_2;
+    float relief_3 = wrinkle_tower_14(height_2, n14_2);
+    out_relief_slope = n14 * 0.5 + n14_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 12_with_slope gives relief, relief_slope
-float wrinkle_tower_12_with_slope(float relief, out float out_relief_slope) {
+// 12 gives relief, relief_slope
+float wrinkle_tower_12(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_13_with_slope(height, slope);
+    float n13;
+    float relief_2 = wrinkle_tower_13(height, n13);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_13_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n13_2;
+    float relief_3 = wrinkle_tower_13(height_2, n13_2);
+    out_relief_slope = n13 * 0.5 + n13_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 11_with_slope gives relief, relief_slope
-float wrinkle_tower_11_with_slope(float relief, out float out_relief_slope) {
+// 11 gives relief, relief_slope
+float wrinkle_tower_11(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_12_with_slope(height, slope);
+    float n12;
+    float relief_2 = wrinkle_tower_12(height, n12);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_12_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n12_2;
+    float relief_3 = wrinkle_tower_12(height_2, n12_2);
+    out_relief_slope = n12 * 0.5 + n12_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 10_with_slope gives relief, relief_slope
-float wrinkle_tower_10_with_slope(float relief, out float out_relief_slope) {
+// 10 gives relief, relief_slope
+float wrinkle_tower_10(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_11_with_slope(height, slope);
+    float n11;
+    float relief_2 = wrinkle_tower_11(height, n11);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_11_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n11_2;
+    float relief_3 = wrinkle_tower_11(height_2, n11_2);
+    out_relief_slope = n11 * 0.5 + n11_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 9_with_slope gives relief, relief_slope
-float wrinkle_tower_9_with_slope(float relief, out float out_relief_slope) {
+// 9 gives relief, relief_slope
+float wrinkle_tower_9(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_10_with_slope(height, slope);
+    float n10;
+    float relief_2 = wrinkle_tower_10(height, n10);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_10_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n10_2;
+    float relief_3 = wrinkle_tower_10(height_2, n10_2);
+    out_relief_slope = n10 * 0.5 + n10_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 8_with_slope gives relief, relief_slope
-float wrinkle_tower_8_with_slope(float relief, out float out_relief_slope) {
+// 8 gives relief, relief_slope
+float wrinkle_tower_8(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_9_with_slope(height, slope);
+    float n9;
+    float relief_2 = wrinkle_tower_9(height, n9);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_9_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n9_2;
+    float relief_3 = wrinkle_tower_9(height_2, n9_2);
+    out_relief_slope = n9 * 0.5 + n9_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 7_with_slope gives relief, relief_slope
-float wrinkle_tower_7_with_slope(float relief, out float out_relief_slope) {
+// 7 gives relief, relief_slope
+float wrinkle_tower_7(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_8_with_slope(height, slope);
+    float n8;
+    float relief_2 = wrinkle_tower_8(height, n8);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_8_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n8_2;
+    float relief_3 = wrinkle_tower_8(height_2, n8_2);
+    out_relief_slope = n8 * 0.5 + n8_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 6_with_slope gives relief, relief_slope
-float wrinkle_tower_6_with_slope(float relief, out float out_relief_slope) {
+// 6 gives relief, relief_slope
+float wrinkle_tower_6(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_7_with_slope(height, slope);
+    float n7;
+    float relief_2 = wrinkle_tower_7(height, n7);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_7_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n7_2;
+    float relief_3 = wrinkle_tower_7(height_2, n7_2);
+    out_relief_slope = n7 * 0.5 + n7_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 5_with_slope gives relief, relief_slope
-float wrinkle_tower_5_with_slope(float relief, out float out_relief_slope) {
+// 5 gives relief, relief_slope
+float wrinkle_tower_5(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_6_with_slope(height, slope);
+    float n6;
+    float relief_2 = wrinkle_tower_6(height, n6);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_6_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n6_2;
+    float relief_3 = wrinkle_tower_6(height_2, n6_2);
+    out_relief_slope = n6 * 0.5 + n6_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 4_with_slope gives relief, relief_slope
-float wrinkle_tower_4_with_slope(float relief, out float out_relief_slope) {
+// 4 gives relief, relief_slope
+float wrinkle_tower_4(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_5_with_slope(height, slope);
+    float n5;
+    float relief_2 = wrinkle_tower_5(height, n5);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_5_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n5_2;
+    float relief_3 = wrinkle_tower_5(height_2, n5_2);
+    out_relief_slope = n5 * 0.5 + n5_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 3_with_slope gives relief, relief_slope
-float wrinkle_tower_3_with_slope(float relief, out float out_relief_slope) {
+// 3 gives relief, relief_slope
+float wrinkle_tower_3(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_4_with_slope(height, slope);
+    float n4;
+    float relief_2 = wrinkle_tower_4(height, n4);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_4_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n4_2;
+    float relief_3 = wrinkle_tower_4(height_2, n4_2);
+    out_relief_slope = n4 * 0.5 + n4_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 2_with_slope gives relief, relief_slope
-float wrinkle_tower_2_with_slope(float relief, out float out_relief_slope) {
+// 2 gives relief, relief_slope
+float wrinkle_tower_2(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_3_with_slope(height, slope);
+    float n3;
+    float relief_2 = wrinkle_tower_3(height, n3);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_3_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n3_2;
+    float relief_3 = wrinkle_tower_3(height_2, n3_2);
+    out_relief_slope = n3 * 0.5 + n3_2 * 0.75;
     return relief_2 + relief_3;
 }
 
-// 1_with_slope gives relief, relief_slope
-float wrinkle_tower_1_with_slope(float relief, out float out_relief_slope) {
+// 1 gives relief, relief_slope
+float wrinkle_tower_1(float relief, out float out_relief_slope) {
     float height = relief * 0.5;
-    float slope;
-    float relief_2 = wrinkle_tower_2_with_slope(height, slope);
+    float n2;
+    float relief_2 = wrinkle_tower_2(height, n2);
     float height_2 = relief * 0.75;
-    float slope_2;
-    float relief_3 = wrinkle_tower_2_with_slope(height_2, slope_2);
-    out_relief_slope = slope * 0.5 + slope_2 * 0.75;
+    float n2_2;
+    float relief_3 = wrinkle_tower_2(height_2, n2_2);
+    out_relief_slope = n2 * 0.5 + n2_2 * 0.75;
     return relief_2 + relief_3;
 }
 
@@ -378,82 +378,78 @@ WrinkleMaterial_tower wrinkle_tower(WrinkleSurface_tower s) {
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    uint waves_hash = wrinkle_tower_hash(0u);  // waves: Waves
-    float waves_difference = float(wrinkle_tower_hash(waves_hash) >> 8u) * 5.9604645e-08 - 0.5;
-    float waves_product = 120.0 * waves_difference * 0.017453292;
-    vec2 waves_vector = vec2(cos(waves_product), sin(waves_product));
-    uint waves_hash_2 = wrinkle_tower_hash(1u);
-    float waves_product_2 = float(wrinkle_tower_hash(waves_hash_2) >> 8u) * 5.9604645e-08;
-    float waves_fraction = fract(dot(s.uv0 * 4.0, waves_vector) + waves_product_2);
+    uint waves = wrinkle_tower_hash(0u);  // waves: Waves
+    float waves_product = 120.0 * (float(wrinkle_tower_hash(waves) >> 8u) / 16777216.0 - 0.5);
+    float waves_product_2 = waves_product * 0.017453292;
+    vec2 waves_vector = vec2(cos(waves_product_2), sin(waves_product_2));
+    uint waves_2 = wrinkle_tower_hash(1u);
+    float waves_quotient = float(wrinkle_tower_hash(waves_2) >> 8u) / 16777216.0;
+    float waves_fraction = fract(dot(s.uv0 * 4.0, waves_vector) + waves_quotient);
     float waves_product_3 = waves_fraction * 6.2831855;
     vec2 waves_product_4 = duv0_dx * 4.0;
     vec2 waves_product_5 = duv0_dy * 4.0;
-    float waves_greatest = max(length(waves_product_4), length(waves_product_5));
-    float waves_difference_2 = 1.0 - smoothstep(0.25, 0.75, waves_greatest);
-    float waves_product_6 = sin(waves_product_3) * waves_difference_2;
-    float waves_difference_3 = float(wrinkle_tower_hash(1u + waves_hash) >> 8u) * 5.9604645e-08 -
-            0.5;
-    float waves_product_7 = 120.0 * waves_difference_3 * 0.017453292;
-    vec2 waves_vector_2 = vec2(cos(waves_product_7), sin(waves_product_7));
-    float waves_product_8 = float(wrinkle_tower_hash(1u + waves_hash_2) >> 8u) * 5.9604645e-08;
-    float waves_sum = dot(s.uv0 * 5.2, waves_vector_2) + waves_product_8;
-    float waves_product_9 = fract(waves_sum) * 6.2831855;
-    vec2 waves_product_10 = duv0_dx * 5.2;
-    vec2 waves_product_11 = duv0_dy * 5.2;
-    float waves_greatest_2 = max(length(waves_product_10), length(waves_product_11));
-    float waves_product_12 = 0.8 * (1.0 - smoothstep(0.25, 0.75, waves_greatest_2));
-    float waves_sum_2 = waves_product_6 + sin(waves_product_9) * waves_product_12;
-    float waves_difference_4 = float(wrinkle_tower_hash(2u + waves_hash) >> 8u) * 5.9604645e-08 -
-            0.5;
-    float waves_product_13 = 120.0 * waves_difference_4 * 0.017453292;
-    vec2 waves_vector_3 = vec2(cos(waves_product_13), sin(waves_product_13));
-    float waves_product_14 = float(wrinkle_tower_hash(2u + waves_hash_2) >> 8u) * 5.9604645e-08;
-    float waves_sum_3 = dot(s.uv0 * 6.76, waves_vector_3) + waves_product_14;
-    float waves_product_15 = fract(waves_sum_3) * 6.2831855;
-    vec2 waves_product_16 = duv0_dx * 6.76;
-    vec2 waves_product_17 = duv0_dy * 6.76;
-    float waves_greatest_3 = max(length(waves_product_16), length(waves_product_17));
-    float waves_product_18 = 0.64 * (1.0 - smoothstep(0.25, 0.75, waves_greatest_3));
-    float waves_sum_4 = waves_sum_2 + sin(waves_product_15) * waves_product_18;
-    float waves_difference_5 = float(wrinkle_tower_hash(3u + waves_hash) >> 8u) * 5.9604645e-08 -
-            0.5;
-    float waves_product_19 = 120.0 * waves_difference_5 * 0.017453292;
-    vec2 waves_vector_4 = vec2(cos(waves_product_19), sin(waves_product_19));
-    float waves_product_20 = float(wrinkle_tower_hash(3u + waves_hash_2) >> 8u) * 5.9604645e-08;
-    float waves_sum_5 = dot(s.uv0 * 8.788, waves_vector_4) + waves_product_20;
-    float waves_product_21 = fract(waves_sum_5) * 6.2831855;
-    vec2 waves_product_22 = duv0_dx * 8.788;
-    vec2 waves_product_23 = duv0_dy * 8.788;
-    float waves_greatest_4 = max(length(waves_product_22), length(waves_product_23));
-    float waves_product_24 = 0.512 * (1.0 - smoothstep(0.25, 0.75, waves_greatest_4));
-    float waves_value = (waves_sum_4 + sin(waves_product_21) * waves_product_24) / 2.952;
+    float waves_width = max(length(waves_product_4), length(waves_product_5));
+    float waves_fade = 1.0 - smoothstep(0.25, 0.75, waves_width);
+    float waves_difference = float(wrinkle_tower_hash(1u + waves) >> 8u) / 16777216.0 - 0.5;
+    float waves_product_6 = 120.0 * waves_difference * 0.017453292;
+    vec2 waves_vector_2 = vec2(cos(waves_product_6), sin(waves_product_6));
+    float waves_quotient_2 = float(wrinkle_tower_hash(1u + waves_2) >> 8u) / 16777216.0;
+    float waves_sum = dot(s.uv0 * 5.2, waves_vector_2) + waves_quotient_2;
+    float waves_product_7 = fract(waves_sum) * 6.2831855;
+    vec2 waves_product_8 = duv0_dx * 5.2;
+    vec2 waves_product_9 = duv0_dy * 5.2;
+    float waves_width_2 = max(length(waves_product_8), length(waves_product_9));
+    float waves_product_10 = 0.8 * (1.0 - smoothstep(0.25, 0.75, waves_width_2));
+    float waves_sum_2 = sin(waves_product_3) * waves_fade + sin(waves_product_7) * waves_product_10;
+    float waves_difference_2 = float(wrinkle_tower_hash(2u + waves) >> 8u) / 16777216.0 - 0.5;
+    float waves_product_11 = 120.0 * waves_difference_2 * 0.017453292;
+    vec2 waves_vector_3 = vec2(cos(waves_product_11), sin(waves_product_11));
+    float waves_quotient_3 = float(wrinkle_tower_hash(2u + waves_2) >> 8u) / 16777216.0;
+    float waves_sum_3 = dot(s.uv0 * 6.76, waves_vector_3) + waves_quotient_3;
+    float waves_product_12 = fract(waves_sum_3) * 6.2831855;
+    vec2 waves_product_13 = duv0_dx * 6.76;
+    vec2 waves_product_14 = duv0_dy * 6.76;
+    float waves_width_3 = max(length(waves_product_13), length(waves_product_14));
+    float waves_product_15 = 0.64 * (1.0 - smoothstep(0.25, 0.75, waves_width_3));
+    float waves_sum_4 = waves_sum_2 + sin(waves_product_12) * waves_product_15;
+    float waves_difference_3 = float(wrinkle_tower_hash(3u + waves) >> 8u) / 16777216.0 - 0.5;
+    float waves_product_16 = 120.0 * waves_difference_3 * 0.017453292;
+    vec2 waves_vector_4 = vec2(cos(waves_product_16), sin(waves_product_16));
+    float waves_quotient_4 = float(wrinkle_tower_hash(3u + waves_2) >> 8u) / 16777216.0;
+    float waves_sum_5 = dot(s.uv0 * 8.788, waves_vector_4) + waves_quotient_4;
+    float waves_product_17 = fract(waves_sum_5) * 6.2831855;
+    vec2 waves_product_18 = duv0_dx * 8.788;
+    vec2 waves_product_19 = duv0_dy * 8.788;
+    float waves_width_4 = max(length(waves_product_18), length(waves_product_19));
+    float waves_product_20 = 0.512 * (1.0 - smoothstep(0.25, 0.75, waves_width_4));
+    float waves_value = (waves_sum_4 + sin(waves_product_17) * waves_product_20) / 2.952;
     float waves_height = waves_value * 0.01;
-    vec2 waves_vector_5 = vec2(dot(waves_product_4, waves_vector), dot(waves_product_5,
-            waves_vector));
-    vec2 waves_product_25 = waves_vector_5 * 6.2831855 * cos(waves_product_3) * waves_difference_2;
-    vec2 waves_vector_6 = vec2(dot(waves_product_10, waves_vector_2), dot(waves_product_11,
-            waves_vector_2));
-    vec2 waves_product_26 = waves_vector_6 * 6.2831855 * cos(waves_product_9) * waves_product_12;
-    vec2 waves_vector_7 = vec2(dot(waves_product_16, waves_vector_3), dot(waves_product_17,
-            waves_vector_3));
-    vec2 waves_product_27 = waves_vector_7 * 6.2831855 * cos(waves_product_15) * waves_product_18;
+    vec2 waves_vector_5 = vec2(dot(waves_product_4, waves_vector),
+            dot(waves_product_5, waves_vector));
+    vec2 waves_product_21 = waves_vector_5 * 6.2831855 * cos(waves_product_3) * waves_fade;
+    vec2 waves_vector_6 = vec2(dot(waves_product_8, waves_vector_2),
+            dot(waves_product_9, waves_vector_2));
+    vec2 waves_product_22 = waves_vector_6 * 6.2831855 * cos(waves_product_7) * waves_product_10;
+    vec2 waves_vector_7 = vec2(dot(waves_product_13, waves_vector_3),
+            dot(waves_product_14, waves_vector_3));
+    vec2 waves_product_23 = waves_vector_7 * 6.2831855 * cos(waves_product_12) * waves_product_15;
+    vec2 waves_vector_8 = vec2(dot(waves_product_18, waves_vector_4),
+            dot(waves_product_19, waves_vector_4));
+    vec2 waves_product_24 = waves_vector_8 * 6.2831855 * cos(waves_product_17) * waves_product_20;
+    vec2 waves_slope = (waves_product_21 + waves_product_22 + waves_product_23 +
+            waves_product_24) / 2.952;
+    vec2 waves_slope_2 = waves_slope * 0.01;
     float low_height = waves_height * 0.5;  // low: Scale height
     // left: 1
-    float left_slope;
-    float left_relief = wrinkle_tower_1_with_slope(low_height, left_slope);
+    float left_1;
+    float left_relief = wrinkle_tower_1(low_height, left_1);
     float high_height = waves_height * 0.75;  // high: Scale height
     // right: 1
-    float right_slope;
-    float right_relief = wrinkle_tower_1_with_slope(high_height, right_slope);
-    vec2 vector = vec2(dot(waves_product_22, waves_vector_4), dot(waves_product_23,
-            waves_vector_4));
-    // waves: Waves (continued)
-    vec2 waves_product_28 = vector * 6.2831855 * cos(waves_product_21) * waves_product_24;
-    vec2 waves_sum_6 = waves_product_25 + waves_product_26 + waves_product_27 + waves_product_28;
-    vec2 waves_product_29 = waves_sum_6 / 2.952 * 0.01;
-    vec2 right_product = right_slope * (waves_product_29 * 0.75);  // right: 1 (continued)
-    vec2 both_sum = left_slope * (waves_product_29 * 0.5) + right_product;  // both: Add heights
-    vec2 product = both_sum * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    float right_1;
+    float right_relief = wrinkle_tower_1(high_height, right_1);
+    // both: Add heights
+    vec2 both_slope = left_1 * (waves_slope_2 * 0.5) + right_1 * (waves_slope_2 * 0.75);
+    vec2 product = both_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
     vec3 gradient = cross(normal, dpdx * product.y - dpdy * product.x);
     WrinkleMaterial_tower m;
     m.height = left_relief + right_relief;  // both: Add heights (continued)

@@ -96,6 +96,7 @@ double dot(const Number& a, const Number& b) {
 Calculator::Calculator() {
     face.size = sizeof face;
     face.host = this;
+    face.name = [](const wr_builder*, wr_value, const char*) {};
     face.literal = [](const wr_builder* b, uint32_t type, const double* lanes) {
         return self(b).add({{*lanes}, 1, type});
     };

@@ -8,8 +8,8 @@ namespace wrinkle::sdk {
 namespace detail {
 // The PCG permutation (M. O'Neill 2014).
 inline Uint permuted(Uint seed) {
-    const Uint state = seed * 747796405u + 2891336453u;
-    const Uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    const Uint state = named("state", seed * 747796405u + 2891336453u);
+    const Uint word = named("word", ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u);
     return (word >> 22u) ^ word;
 }
 }  // namespace detail
@@ -27,10 +27,19 @@ inline Uint hash(Int x, Int y) {
 inline Uint hash(Int x, Int y, Int z) {
     return hash(Uint(x) + hash(Uint(y) + hash(Uint(z))));
 }
+// The same for whole numbers that are stored as floats, as by floor().
+inline Uint hash(vec3 cell) {
+    const auto of_cell = function("hash3(cell)", [](vec3 p) {
+        const Uint z = named("z", hash(Int(p.z())));
+        const Uint yz = named("yz", hash(Uint(Int(p.y())) + z));
+        return hash(Uint(Int(p.x())) + yz);
+    });
+    return of_cell(cell);
+}
 
 // A number in [0, 1) of the upper 24 bits.
 inline Float unit_float(Uint bits) {
-    return Float(bits >> 8u) * (1.0 / 16777216.0);
+    return Float(bits >> 8u) / 16777216.0;
 }
 
 }  // namespace wrinkle::sdk

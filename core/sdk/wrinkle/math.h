@@ -199,7 +199,7 @@ template <VectorType V>
 V normalize(V v) {
     return select(dot(v, v) > 0, V(emit(WR_OP_normalize, {v.id})), V(Float(0)));
 }
-// Names the temporary of a value in the generated source: "slope".
+// Names a value in the generated source: "slope". In a function() it is then a separate statement.
 template <class T>
 T named(const char* name, T value) {
     if (builder) builder->name(builder, value.id, name);

@@ -22,8 +22,8 @@ WrinkleMaterial_skinned_tube wrinkle_skinned_tube(WrinkleSurface_skinned_tube s)
     vec3 uv0_bitangent = cross(normal, dpdx * duv0_dy.y - dpdy * duv0_dx.y);
     float uv0_scale = inversesqrt(max(dot(uv0_bitangent, uv0_bitangent), 1e-36));
     vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
-    vec2 tile_product = duv0_dy * 3.0;
-    vec2 tile_product_2 = duv0_dx * 3.0;
+    vec2 tile_slope_dy = duv0_dy * 3.0;
+    vec2 tile_slope_dx = duv0_dx * 3.0;
     vec3 map_texel = texture(skinned_tube_map_image, tile_uv).xyz - 0.5;  // map: Image
     vec3 map_color = map_texel * 2.0;
     // vertex: Bump from tangent-space normal
@@ -38,15 +38,15 @@ WrinkleMaterial_skinned_tube wrinkle_skinned_tube(WrinkleSurface_skinned_tube s)
     float derived_resolved_sign = duv0_dx.x * duv0_dy.y - duv0_dy.x * duv0_dx.y < 0.0 ? -1.0 : 1.0;
     float derived_resolved_slope_u = map_texel.x * (uv0_scale * derived_resolved_sign);
     vec3 derived_resolved_along_u = cross(uv0_bitangent, normal) * derived_resolved_slope_u;
-    float derived_resolved_product = uv0_scale * (dot(normal, cross(dpdx,
-            dpdy)) < 0.0 ? -1.0 : 1.0);
+    float derived_resolved_product =
+            uv0_scale * (dot(normal, cross(dpdx, dpdy)) < 0.0 ? -1.0 : 1.0);
     vec3 derived_resolved_along_v = uv0_bitangent * (map_texel.y * derived_resolved_product);
     vec3 derived_resolved_sum = derived_resolved_along_u + derived_resolved_along_v;
     // naive: Wrong: unprojected derived basis
-    vec3 naive_difference = dpdx * tile_product.y - dpdy * tile_product_2.y;
+    vec3 naive_difference = dpdx * tile_slope_dy.y - dpdy * tile_slope_dx.y;
     bool naive_test = dot(naive_difference, naive_difference) > 0.0;
     vec3 naive_choice = naive_test ? normalize(naive_difference) : vec3(0.0);
-    vec3 naive_difference_2 = dpdy * tile_product_2.x - dpdx * tile_product.x;
+    vec3 naive_difference_2 = dpdy * tile_slope_dx.x - dpdx * tile_slope_dy.x;
     bool naive_test_2 = dot(naive_difference_2, naive_difference_2) > 0.0;
     vec3 naive_choice_2 = naive_test_2 ? normalize(naive_difference_2) : vec3(0.0);
     vec3 naive_sum = naive_choice * map_color.x + naive_choice_2 * map_color.y;

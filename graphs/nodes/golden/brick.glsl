@@ -17,32 +17,31 @@ WrinkleMaterial_brick wrinkle_brick(WrinkleSurface_brick s) {
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = dFdx(s.uv0) * 6.0;  // relief: Bricks
     vec2 relief_product_2 = dFdy(s.uv0) * 6.0;
-    float relief_greatest = max(length(relief_product), length(relief_product_2));
-    float relief_greatest_2 = max(0.15, relief_greatest);
-    float relief_least = min(1.0, 0.21 / relief_greatest_2);
+    float relief_width = max(length(relief_product), length(relief_product_2));
+    float relief_greatest = max(0.15, relief_width);
+    float relief_least = min(1.0, 0.21 / relief_greatest);
     vec2 relief_product_3 = s.uv0 * 6.0;
     float relief_floored = floor(relief_product_3.y);
     float relief_difference = fract(relief_product_3.x / 2.5 - relief_floored * 0.5) - 0.5;
     float relief_product_4 = (0.5 - abs(relief_difference)) * 2.5;
     float relief_difference_2 = relief_product_3.y - relief_floored - 0.5;
     float relief_difference_3 = 0.5 - abs(relief_difference_2);
-    float relief_difference_4 = 0.5 * (relief_greatest_2 + 0.21) - min(relief_product_4,
-            relief_difference_3);
-    float relief_quotient = relief_difference_4 / relief_greatest_2;
+    float relief_difference_4 = 0.5 * (relief_greatest + 0.21) -
+            min(relief_product_4, relief_difference_3);
+    float relief_quotient = relief_difference_4 / relief_greatest;
     vec2 relief_product_5 = vec2(relief_product.y, relief_product_2.y) * sign(relief_difference_2);
     vec2 relief_quotient_2 = vec2(relief_product.x, relief_product_2.x) / 2.5;
     vec2 relief_product_6 = -(relief_quotient_2 * sign(relief_difference)) * 2.5;
     vec2 relief_choice = relief_difference_3 < relief_product_4 ? -relief_product_5 :
             relief_product_6;
     vec2 relief_negated = -relief_choice;
-    vec2 relief_choice_2 = relief_quotient < 0.0 ? vec2(0.0) : relief_negated / relief_greatest_2;
+    vec2 relief_choice_2 = relief_quotient < 0.0 ? vec2(0.0) : relief_negated / relief_greatest;
     vec2 relief_choice_3 = relief_least < max(relief_quotient, 0.0) ? vec2(0.0) : relief_choice_2;
-    float relief_difference_5 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_difference_6 = 1.0 - clamp(relief_quotient, 0.0, relief_least);
-    float relief_value = mix(0.72364, relief_difference_6, relief_difference_5);
+    float relief_fade = 1.0 - smoothstep(0.25, 0.75, relief_width);
+    float relief_value = mix(0.72364, 1.0 - clamp(relief_quotient, 0.0, relief_least), relief_fade);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    vec2 normal_product_2 = -relief_choice_3 * relief_difference_5 * normal_product;
+    vec2 normal_product_2 = -relief_choice_3 * relief_fade * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_brick m;
     m.normal = normalize(normal * s.facing - normal_gradient);

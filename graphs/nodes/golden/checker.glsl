@@ -35,12 +35,12 @@ WrinkleMaterial_checker wrinkle_checker(WrinkleSurface_checker s) {
     vec2 relief_product_9 = vec2(relief_quotient.x, relief_quotient_2.x) * 0.5;
     vec2 relief_quotient_3 = (abs(relief_difference) - abs(relief_difference_2)) / relief_greatest;
     float relief_product_10 = 0.5 * relief_quotient_3.x;
-    vec2 relief_product_11 = vec2(relief_quotient.y, relief_quotient_2.y) * relief_product_10;
+    vec2 relief_slope = relief_product_9 * relief_quotient_3.y +
+            vec2(relief_quotient.y, relief_quotient_2.y) * relief_product_10;
     float relief_value = 0.5 + relief_product_10 * relief_quotient_3.y;
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    vec2 normal_product_2 = (relief_product_9 * relief_quotient_3.y + relief_product_11) *
-            normal_product;
+    vec2 normal_product_2 = relief_slope * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_checker m;
     m.normal = normalize(normal * s.facing - normal_gradient);

@@ -24,22 +24,20 @@ WrinkleMaterial_domes wrinkle_domes(WrinkleSurface_domes s) {
     vec2 relief_product_2 = dFdx(s.uv0) * 6.0;
     float relief_dot_product = dot(relief_product_2, relief_difference);
     vec2 relief_product_3 = dFdy(s.uv0) * 6.0;
+    vec2 relief_vector = vec2(relief_dot_product, dot(relief_product_3, relief_difference));
     float relief_dot_product_2 = dot(relief_difference, relief_product_2);
-    float relief_root = sqrt(max(relief_difference_2, 0.0));
-    float relief_greatest = max(length(relief_product_2), length(relief_product_3));
-    float relief_difference_3 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_value = mix(0.20845777, (relief_root - 0.6) / 0.4, relief_difference_3);
-    // normal: Resolve
-    vec2 normal_vector = vec2(relief_dot_product, dot(relief_product_3, relief_difference));
-    vec2 normal_vector_2 = vec2(relief_dot_product_2, dot(relief_difference, relief_product_3));
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
-    // relief: Domes (continued)
-    vec2 relief_quotient_2 = (normal_vector + normal_vector_2) / 0.1225;
+    vec2 relief_vector_2 = vec2(relief_dot_product_2, dot(relief_difference, relief_product_3));
+    vec2 relief_quotient_2 = (relief_vector + relief_vector_2) / 0.1225;
     vec2 relief_product_4 = (1.0 < relief_quotient ? vec2(0.0) : relief_quotient_2) * 0.64;
     vec2 relief_choice = relief_difference_2 < 0.0 ? vec2(0.0) : -relief_product_4;
+    float relief_root = sqrt(max(relief_difference_2, 0.0));
     vec2 relief_quotient_3 = relief_choice * (relief_root > 0.0 ? 0.5 / relief_root : 0.0) / 0.4;
-    // normal: Resolve (continued)
-    vec2 normal_product_2 = relief_quotient_3 * relief_difference_3 * normal_product;
+    float relief_width = max(length(relief_product_2), length(relief_product_3));
+    float relief_fade = 1.0 - smoothstep(0.25, 0.75, relief_width);
+    float relief_value = mix(0.20845777, (relief_root - 0.6) / 0.4, relief_fade);
+    // normal: Resolve
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
+    vec2 normal_product_2 = relief_quotient_3 * relief_fade * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_domes m;
     m.normal = normalize(normal * s.facing - normal_gradient);

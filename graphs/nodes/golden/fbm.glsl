@@ -11,81 +11,83 @@ struct WrinkleMaterial_fbm {
 };
 
 uint wrinkle_fbm_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-vec3 wrinkle_fbm_noise_direction(vec3 corner) {
-    uint hash = wrinkle_fbm_hash(uint(int(corner.y)) + wrinkle_fbm_hash(uint(int(corner.z))));
-    uint sum = uint(int(corner.x)) + hash;
-    uint hash_2 = wrinkle_fbm_hash(sum);
-    uint product = ((((hash_2 >> 8u) * 3u) >> 24u) * 4u + (hash_2 & 3u)) * 2u;
-    float number = float((2237013u >> product) & 3u);
-    float number_2 = float((5573130u >> product) & 3u);
-    return vec3(number, float((677154u >> product) & 3u), number_2) - 1.0;
+uint wrinkle_fbm_hash3(vec3 cell) {
+    uint z = wrinkle_fbm_hash(uint(int(cell.z)));
+    uint yz = wrinkle_fbm_hash(uint(int(cell.y)) + z);
+    return wrinkle_fbm_hash(uint(int(cell.x)) + yz);
 }
 
-vec4 wrinkle_fbm_simplex_corner(vec3 corner, vec3 from) {
-    float greatest = max(0.5 - dot(from, from), 0.0);
-    float product = greatest * greatest * greatest;
-    vec3 direction = wrinkle_fbm_noise_direction(corner);
-    float dot_product = dot(direction, from);
-    vec3 product_2 = product * (greatest * direction - 8.0 * dot_product * from);
-    return vec4(product_2, product * greatest * dot_product);
+vec4 wrinkle_fbm_gradient_corner(vec3 corner, vec3 way) {
+    uint bits = wrinkle_fbm_hash3(corner);
+    float a = 1.0 - 2.0 * float(bits & 1u);
+    uint axis = (bits >> 8u) * 3u >> 24u;
+    float first = axis == 0u ? a : 0.0;
+    float x = a - first;
+    float b = 1.0 - float(bits & 2u);
+    float last = axis == 2u ? b : 0.0;
+    float y = first + last;
+    float z = b - last;
+    return vec4(x, y, z, dot(vec3(x, y, z), way));
+}
+
+vec4 wrinkle_fbm_simplex_corner(vec3 corner, vec3 way) {
+    float near = max(0.5 - dot(way, way), 0.0);
+    float cube = near * near * near;
+    vec4 linear = wrinkle_fbm_gradient_corner(corner, way);
+    return vec4(cube * (near * linear.xyz - 8.0 * linear.w * way), cube * near * linear.w);
 }
 
 vec4 wrinkle_fbm_simplex_noise(vec3 p) {
-    vec3 sum = p + (p.x + p.y + p.z) * 0.33333334;
-    vec3 floored = floor(sum);
-    vec3 difference = sum - floored;
-    float product = (difference.x + difference.y + difference.z) * 0.16666667;
-    vec3 difference_2 = difference - product;
-    float number = float(difference.x >= difference.y);
-    float number_2 = float(difference.x >= difference.z);
-    float number_3 = float(difference.y >= difference.z);
-    vec3 vector = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
-    vec3 clamped = clamp(vector - 1.0, 0.0, 1.0);
-    vec3 sum_2 = difference_2 - clamped + 0.16666667;
-    vec4 corner = wrinkle_fbm_simplex_corner(floored + clamped, sum_2);
-    vec4 sum_3 = wrinkle_fbm_simplex_corner(floored, difference_2) + corner;
-    vec3 clamped_2 = clamp(vector, 0.0, 1.0);
-    vec3 sum_4 = difference_2 - clamped_2 + 0.33333334;
-    vec4 corner_2 = wrinkle_fbm_simplex_corner(floored + 1.0, difference_2 - 0.5);
-    return (sum_3 + wrinkle_fbm_simplex_corner(floored + clamped_2, sum_4) + corner_2) * 76.0;
+    vec3 skewed = p + (p.x + p.y + p.z) / 3.0;
+    vec3 cell = floor(skewed);
+    vec3 f = skewed - cell;
+    vec3 way = f - (f.x + f.y + f.z) / 6.0;
+    float number = float(f.x >= f.y);
+    float number_2 = float(f.x >= f.z);
+    float number_3 = float(f.y >= f.z);
+    vec3 rank = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
+    vec3 one = clamp(rank - 1.0, 0.0, 1.0);
+    vec4 corner = wrinkle_fbm_simplex_corner(cell + one, way - one + 0.16666667);
+    vec3 two = clamp(rank, 0.0, 1.0);
+    vec4 corner_2 = wrinkle_fbm_simplex_corner(cell + two, way - two + 0.33333334);
+    vec4 sum = wrinkle_fbm_simplex_corner(cell, way) + corner + corner_2;
+    return (sum + wrinkle_fbm_simplex_corner(cell + 1.0, way - 0.5)) * 76.0;
 }
 
-vec4 wrinkle_fbm_fbm_with_slope(vec3 point, float width, int octaves, float lacunarity,
+vec4 wrinkle_fbm_fbm(vec3 point, float width, float scale, int octaves, float lacunarity,
         float gain) {
-    float frequency = 1.0;
+    float frequency = scale;
     float weight = 1.0;
     float total = 0.0;
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec4 noise = wrinkle_fbm_simplex_noise(point * frequency + vec3(19.19, 7.43,
-                31.71) * float(i));
-        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec4 noise = wrinkle_fbm_simplex_noise(p);
+        float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
-        sum += noise.w * difference * weight;
-        sum_slope += noise.xyz * frequency * difference * weight;
+        sum += noise.w * fade * weight;
+        sum_slope += noise.xyz * frequency * fade * weight;
         frequency *= lacunarity;
         weight *= gain;
     }
-    vec4 vector = vec4(sum_slope, sum);
-    return vector / total;
+    return vec4(sum_slope, sum) / total;
 }
 
 WrinkleMaterial_fbm wrinkle_fbm(WrinkleSurface_fbm s) {
     vec3 normal = normalize(s.normal);
-    float relief_extent = length(dFdx(s.position_relative));  // relief: Fractal noise
-    float relief_product = max(relief_extent, length(dFdy(s.position_relative))) * 3.0;
-    vec4 relief_slope = wrinkle_fbm_fbm_with_slope(s.position * 3.0, relief_product, 6, 2.0, 0.5);
-    vec3 relief_gradient = relief_slope.xyz * 3.0 * 0.06;
-    // normal: Resolve
-    vec3 normal_difference = normal * (s.facing + dot(normal, relief_gradient)) - relief_gradient;
+    // relief: Fractal noise
+    float relief_width = max(length(dFdx(s.position_relative)), length(dFdy(s.position_relative)));
+    vec4 relief = wrinkle_fbm_fbm(s.position, relief_width, 3.0, 6, 2.0, 0.5);
+    vec3 relief_slope = relief.xyz * 0.06;
     WrinkleMaterial_fbm m;
-    m.normal = normalize(normal_difference);
-    m.height = relief_slope.w * 0.06;  // relief: Fractal noise (continued)
+    // normal: Resolve
+    m.normal = normalize(normal * (s.facing + dot(normal, relief_slope)) - relief_slope);
+    m.height = relief.w * 0.06;  // relief: Fractal noise (continued)
     return m;
 }

@@ -17,9 +17,9 @@ WrinkleMaterial_hexagons wrinkle_hexagons(WrinkleSurface_hexagons s) {
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = dFdx(s.uv0) * 5.0;  // relief: Hexagons
     vec2 relief_product_2 = dFdy(s.uv0) * 5.0;
-    float relief_greatest = max(length(relief_product), length(relief_product_2));
-    float relief_greatest_2 = max(0.15, relief_greatest);
-    float relief_least = min(1.0, 0.19 / relief_greatest_2);
+    float relief_width = max(length(relief_product), length(relief_product_2));
+    float relief_greatest = max(0.15, relief_width);
+    float relief_least = min(1.0, 0.19 / relief_greatest);
     vec2 relief_product_3 = s.uv0 * 5.0;
     vec2 relief_quotient = relief_product_3 / vec2(1.0, 1.7320508);
     vec2 relief_floored = floor(relief_quotient + 0.5);
@@ -33,26 +33,24 @@ WrinkleMaterial_hexagons wrinkle_hexagons(WrinkleSurface_hexagons s) {
     vec2 relief_magnitude = abs(relief_choice);
     float relief_dot_product_2 = dot(relief_magnitude, vec2(0.5, 0.8660254));
     float relief_difference_3 = 0.5 - max(relief_magnitude.x, relief_dot_product_2);
-    float relief_quotient_2 = (0.5 * (relief_greatest_2 + 0.19) - relief_difference_3) /
-            relief_greatest_2;
+    float relief_quotient_2 = (0.5 * (relief_greatest + 0.19) - relief_difference_3) /
+            relief_greatest;
     bool relief_test_2 = relief_magnitude.x < relief_dot_product_2;
     vec2 relief_sign = sign(relief_choice);
     vec2 relief_product_4 = relief_product * relief_sign;
     float relief_dot_product_3 = dot(relief_product_4, vec2(0.5, 0.8660254));
     vec2 relief_product_5 = relief_product_2 * relief_sign;
-    float relief_difference_4 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_difference_5 = 1.0 - clamp(relief_quotient_2, 0.0, relief_least);
-    float relief_value = mix(0.6561, relief_difference_5, relief_difference_4);
-    // normal: Resolve
-    vec2 normal_vector = vec2(relief_dot_product_3, dot(relief_product_5, vec2(0.5, 0.8660254)));
-    vec2 normal_vector_2 = vec2(relief_product_4.x, relief_product_5.x);
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    // relief: Hexagons (continued)
-    vec2 relief_quotient_3 = (relief_test_2 ? normal_vector : normal_vector_2) / relief_greatest_2;
+    vec2 relief_vector_2 = vec2(relief_dot_product_3, dot(relief_product_5, vec2(0.5, 0.8660254)));
+    vec2 relief_vector_3 = vec2(relief_product_4.x, relief_product_5.x);
+    vec2 relief_quotient_3 = (relief_test_2 ? relief_vector_2 : relief_vector_3) / relief_greatest;
     vec2 relief_choice_2 = relief_quotient_2 < 0.0 ? vec2(0.0) : relief_quotient_3;
     vec2 relief_choice_3 = relief_least < max(relief_quotient_2, 0.0) ? vec2(0.0) : relief_choice_2;
-    // normal: Resolve (continued)
-    vec2 normal_product_2 = -relief_choice_3 * relief_difference_4 * normal_product;
+    float relief_fade = 1.0 - smoothstep(0.25, 0.75, relief_width);
+    float relief_value = mix(0.6561, 1.0 - clamp(relief_quotient_2, 0.0, relief_least),
+            relief_fade);
+    // normal: Resolve
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    vec2 normal_product_2 = -relief_choice_3 * relief_fade * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_hexagons m;
     m.normal = normalize(normal * s.facing - normal_gradient);

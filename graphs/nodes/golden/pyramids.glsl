@@ -25,19 +25,17 @@ WrinkleMaterial_pyramids wrinkle_pyramids(WrinkleSurface_pyramids s) {
     vec2 relief_product_3 = relief_product_2 * relief_sign;
     vec2 relief_product_4 = dFdy(s.uv0) * 6.0;
     vec2 relief_product_5 = relief_product_4 * relief_sign;
-    float relief_greatest = max(length(relief_product_2), length(relief_product_4));
-    float relief_difference_3 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_value = mix(0.083333336, clamp(relief_difference_2, 0.0, 1.0),
-            relief_difference_3);
-    vec2 normal_vector = vec2(relief_product_3.y, relief_product_5.y);  // normal: Resolve
-    vec2 normal_vector_2 = vec2(relief_product_3.x, relief_product_5.x);
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
-    // relief: Pyramids (continued)
-    vec2 relief_negated = -((relief_test ? normal_vector : normal_vector_2) * 2.0 / 0.5);
+    vec2 relief_vector = vec2(relief_product_3.y, relief_product_5.y);
+    vec2 relief_vector_2 = vec2(relief_product_3.x, relief_product_5.x);
+    vec2 relief_negated = -((relief_test ? relief_vector : relief_vector_2) * 2.0 / 0.5);
     vec2 relief_choice = relief_difference_2 < 0.0 ? vec2(0.0) : relief_negated;
     vec2 relief_choice_2 = 1.0 < max(relief_difference_2, 0.0) ? vec2(0.0) : relief_choice;
-    // normal: Resolve (continued)
-    vec2 normal_product_2 = relief_choice_2 * relief_difference_3 * normal_product;
+    float relief_width = max(length(relief_product_2), length(relief_product_4));
+    float relief_fade = 1.0 - smoothstep(0.25, 0.75, relief_width);
+    float relief_value = mix(0.083333336, clamp(relief_difference_2, 0.0, 1.0), relief_fade);
+    // normal: Resolve
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
+    vec2 normal_product_2 = relief_choice_2 * relief_fade * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_pyramids m;
     m.normal = normalize(normal * s.facing - normal_gradient);

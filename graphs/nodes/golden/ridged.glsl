@@ -11,66 +11,62 @@ struct WrinkleMaterial_ridged {
 };
 
 uint wrinkle_ridged_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-vec3 wrinkle_ridged_noise_direction(vec3 corner) {
-    uint sum = uint(int(corner.y)) + wrinkle_ridged_hash(uint(int(corner.z)));
-    uint sum_2 = uint(int(corner.x)) + wrinkle_ridged_hash(sum);
-    uint hash = wrinkle_ridged_hash(sum_2);
-    uint product = ((((hash >> 8u) * 3u) >> 24u) * 4u + (hash & 3u)) * 2u;
-    float number = float((2237013u >> product) & 3u);
-    float number_2 = float((5573130u >> product) & 3u);
-    return vec3(number, float((677154u >> product) & 3u), number_2) - 1.0;
+uint wrinkle_ridged_hash3(vec3 cell) {
+    uint z = wrinkle_ridged_hash(uint(int(cell.z)));
+    uint yz = wrinkle_ridged_hash(uint(int(cell.y)) + z);
+    return wrinkle_ridged_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_ridged_gradient_corner(vec3 corner, vec3 way) {
-    vec3 direction = wrinkle_ridged_noise_direction(corner);
-    return vec4(direction, dot(direction, way));
+    uint bits = wrinkle_ridged_hash3(corner);
+    float a = 1.0 - 2.0 * float(bits & 1u);
+    uint axis = (bits >> 8u) * 3u >> 24u;
+    float first = axis == 0u ? a : 0.0;
+    float x = a - first;
+    float b = 1.0 - float(bits & 2u);
+    float last = axis == 2u ? b : 0.0;
+    float y = first + last;
+    float z = b - last;
+    return vec4(x, y, z, dot(vec3(x, y, z), way));
+}
+
+vec4 wrinkle_ridged_gradient_edge(vec3 corner, vec3 way, float t, float t_slope) {
+    vec4 a = wrinkle_ridged_gradient_corner(corner, way);
+    vec4 b = wrinkle_ridged_gradient_corner(vec3(corner.x + 1.0, corner.yz),
+            vec3(way.x - 1.0, way.yz));
+    vec4 mixed = mix(a, b, t);
+    return vec4(mixed.x + t_slope * (b.w - a.w), mixed.yzw);
 }
 
 vec4 wrinkle_ridged_gradient_noise(vec3 p) {
-    vec3 floored = floor(p);
-    vec3 difference = p - floored;
-    vec4 corner = wrinkle_ridged_gradient_corner(floored, difference);
-    vec3 sum = floored + 1.0;
-    vec3 difference_2 = difference - 1.0;
-    vec3 vector = vec3(difference_2.x, difference.yz);
-    vec4 corner_2 = wrinkle_ridged_gradient_corner(vec3(sum.x, floored.yz), vector);
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec4 mixed = mix(corner, corner_2, product.x);
-    vec3 vector_2 = vec3(difference.x, difference_2.y, difference.z);
-    vec4 corner_3 = wrinkle_ridged_gradient_corner(vec3(floored.x, sum.y, floored.z), vector_2);
-    vec3 vector_3 = vec3(difference_2.xy, difference.z);
-    vec4 corner_4 = wrinkle_ridged_gradient_corner(vec3(sum.xy, floored.z), vector_3);
-    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
-    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
-    vec3 vector_4 = vec3(difference.xy, difference_2.z);
-    vec4 corner_5 = wrinkle_ridged_gradient_corner(vec3(floored.xy, sum.z), vector_4);
-    vec3 vector_5 = vec3(difference_2.x, difference.y, difference_2.z);
-    vec4 corner_6 = wrinkle_ridged_gradient_corner(vec3(sum.x, floored.y, sum.z), vector_5);
-    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
-    vec3 vector_6 = vec3(difference.x, difference_2.yz);
-    vec4 corner_7 = wrinkle_ridged_gradient_corner(vec3(floored.x, sum.yz), vector_6);
-    vec4 corner_8 = wrinkle_ridged_gradient_corner(sum, difference_2);
-    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
-    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
-    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
-    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
-    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
-    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
-    vec3 vector_7 = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
-    vec3 sum_3 = mixed_7.xyz + product_2 * vector_7;
-    return vec4(sum_3, mixed_7.w);
+    vec3 cell = floor(p);
+    vec3 f = p - cell;
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 t_slope = 30.0 * f * f * back * back;
+    vec4 a = wrinkle_ridged_gradient_edge(cell, f, t.x, t_slope.x);
+    vec4 b = wrinkle_ridged_gradient_edge(vec3(cell.x, cell.y + 1.0, cell.z),
+            vec3(f.x, f.y - 1.0, f.z), t.x, t_slope.x);
+    vec4 ab = mix(a, b, t.y);
+    vec4 low = vec4(ab.x, ab.y + t_slope.y * (b.w - a.w), ab.zw);
+    vec4 c = wrinkle_ridged_gradient_edge(vec3(cell.xy, cell.z + 1.0), vec3(f.xy, f.z - 1.0), t.x,
+            t_slope.x);
+    vec4 d = wrinkle_ridged_gradient_edge(vec3(cell.x, cell.yz + 1.0), vec3(f.x, f.yz - 1.0), t.x,
+            t_slope.x);
+    vec4 cd = mix(c, d, t.y);
+    vec4 high = vec4(cd.x, cd.y + t_slope.y * (d.w - c.w), cd.zw);
+    vec4 joined = mix(low, high, t.z);
+    return vec4(joined.xy, joined.z + t_slope.z * (cd.w - ab.w), joined.w);
 }
 
-vec4 wrinkle_ridged_ridges_with_slope(vec3 point, float width, int octaves, float lacunarity,
+vec4 wrinkle_ridged_ridges(vec3 point, float width, float scale, int octaves, float lacunarity,
         float gain) {
-    float frequency = 1.0;
+    float frequency = scale;
     float weight = 1.0;
     float previous = 1.0;
     float total = 0.0;
@@ -78,18 +74,17 @@ vec4 wrinkle_ridged_ridges_with_slope(vec3 point, float width, int octaves, floa
     vec3 previous_slope = vec3(0.0);
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec4 noise = wrinkle_ridged_gradient_noise(point * frequency + vec3(19.19, 7.43,
-                31.71) * float(i));
+        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec4 noise = wrinkle_ridged_gradient_noise(p);
         float difference = 1.0 - abs(noise.w);
-        float difference_2 = 1.0 - smoothstep(0.25, 0.75, width * frequency);
-        float mixed = mix(0.633, difference * difference, difference_2);
+        float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
+        float mixed = mix(0.633, difference * difference, fade);
         float product = previous * 2.0;
         float clamped = clamp(product, 0.0, 1.0);
         float product_2 = mixed * clamped;
-        vec3 product_3 = noise.xyz * frequency * sign(noise.w);
-        vec3 product_4 = (-product_3 * difference - product_3 * difference) * difference_2;
+        vec3 product_3 = -(noise.xyz * frequency * sign(noise.w)) * difference * 2.0 * fade;
         vec3 choice = product < 0.0 ? vec3(0.0) : previous_slope * 2.0;
-        vec3 sum_2 = product_4 * clamped + (1.0 < max(product, 0.0) ? vec3(0.0) : choice) * mixed;
+        vec3 sum_2 = product_3 * clamped + (1.0 < max(product, 0.0) ? vec3(0.0) : choice) * mixed;
         frequency *= lacunarity;
         previous = product_2;
         total += weight;
@@ -98,21 +93,18 @@ vec4 wrinkle_ridged_ridges_with_slope(vec3 point, float width, int octaves, floa
         sum_slope += sum_2 * weight;
         weight *= gain;
     }
-    vec4 vector = vec4(sum_slope, sum);
-    return vector / total;
+    return vec4(sum_slope, sum) / total;
 }
 
 WrinkleMaterial_ridged wrinkle_ridged(WrinkleSurface_ridged s) {
     vec3 normal = normalize(s.normal);
-    float relief_extent = length(dFdx(s.position_relative));  // relief: Ridged noise
-    float relief_product = max(relief_extent, length(dFdy(s.position_relative))) * 2.0;
-    vec4 relief_slope = wrinkle_ridged_ridges_with_slope(s.position * 2.0, relief_product, 6, 2.0,
-            0.5);
-    vec3 relief_gradient = relief_slope.xyz * 2.0 * 0.12;
-    // normal: Resolve
-    vec3 normal_difference = normal * (s.facing + dot(normal, relief_gradient)) - relief_gradient;
+    // relief: Ridged noise
+    float relief_width = max(length(dFdx(s.position_relative)), length(dFdy(s.position_relative)));
+    vec4 relief = wrinkle_ridged_ridges(s.position, relief_width, 2.0, 6, 2.0, 0.5);
+    vec3 relief_slope = relief.xyz * 0.12;
     WrinkleMaterial_ridged m;
-    m.normal = normalize(normal_difference);
-    m.height = relief_slope.w * 0.12;  // relief: Ridged noise (continued)
+    // normal: Resolve
+    m.normal = normalize(normal * (s.facing + dot(normal, relief_slope)) - relief_slope);
+    m.height = relief.w * 0.12;  // relief: Ridged noise (continued)
     return m;
 }

@@ -11,63 +11,68 @@ struct WrinkleMaterial_scratches {
 };
 
 uint wrinkle_scratches_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-vec3 wrinkle_scratches_scratch_with_slope(vec2 p, int index, float density, vec2 size,
-        vec2 angles) {
-    float number = float(index);
-    float floored = floor((number + 0.5) * 0.11111111);
-    vec2 sum = p + vec2(0.37, 0.61) * floored;
-    float sum_2 = number - 9.0 * floored + 0.5;
-    vec2 floored_2 = floor(vec2(sum_2, sum_2 * 0.33333334));
-    vec2 sum_3 = floor(sum) + (floored_2 - 3.0 * floor((floored_2 + 0.5) * 0.33333334) - 1.0);
-    uint sum_4 = uint(int(sum_3.y)) + wrinkle_scratches_hash(uint(int(floored)));
-    uint sum_5 = uint(int(sum_3.x)) + wrinkle_scratches_hash(sum_4);
-    uint hash = wrinkle_scratches_hash(sum_5);
-    uint hash_2 = wrinkle_scratches_hash(hash ^ 2654435769u);
-    bool test = float(wrinkle_scratches_hash(hash_2) >> 8u) * 5.9604645e-08 < density;
-    uint hash_3 = wrinkle_scratches_hash(hash);
-    float product = (float(wrinkle_scratches_hash(hash_3) >> 8u) * 5.9604645e-08 - 0.5) * angles.y;
-    float sum_6 = angles.x + product;
-    float sine = sin(sum_6);
-    float cosine = cos(sum_6);
-    vec2 vector = vec2(sine, -cosine);
-    vec2 difference = sum - sum_3 - vec2(float(hash >> 8u), float(hash_3 >> 8u)) * 5.9604645e-08;
-    float dot_product = dot(difference, vector);
-    vec2 negated = -(vector * sign(dot_product) / size.y);
-    float difference_2 = 1.0 - abs(dot_product) / size.y;
-    float clamped = clamp(difference_2, 0.0, 1.0);
-    float product_2 = size.x * (0.25 + 0.25 * (float(hash_2 >> 8u) * 5.9604645e-08));
-    bool test_2 = product_2 != 0.0;
-    vec2 vector_2 = vec2(cosine, sine);
-    float choice = test_2 ? dot(difference, vector_2) / product_2 : 0.0;
-    float difference_3 = 1.0 - choice * choice;
-    float greatest = max(difference_3, 0.0);
-    vec2 product_3 = (test_2 ? vector_2 / product_2 : vec2(0.0)) * choice;
-    float ramp = smoothstep(0.0, 1.0, difference_2);
-    vec2 product_4 = (difference_3 < 0.0 ? vec2(0.0) : -(product_3 + product_3)) * ramp;
-    vec2 sum_7 = negated * (clamped * (1.0 - clamped) * 6.0) * greatest + product_4;
-    vec3 vector_3 = vec3(sum_7, ramp * greatest);
-    return test ? vector_3 : vec3(0.0);
+uint wrinkle_scratches_hash3(vec3 cell) {
+    uint z = wrinkle_scratches_hash(uint(int(cell.z)));
+    uint yz = wrinkle_scratches_hash(uint(int(cell.y)) + z);
+    return wrinkle_scratches_hash(uint(int(cell.x)) + yz);
 }
 
-vec3 wrinkle_scratches_scratches_with_slope(vec2 p, float width, int layers, float density,
+vec3 wrinkle_scratches_random3(uint bits) {
+    uint second = wrinkle_scratches_hash(bits);
+    uint third = wrinkle_scratches_hash(second);
+    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / 16777216.0;
+}
+
+vec3 wrinkle_scratches_scratch(vec2 p, int index, float density, vec2 size, vec2 angles) {
+    float middle = float(index) + 0.5;
+    float layer = floor(middle / 9.0);
+    vec2 moved = p + vec2(0.37, 0.61) * layer;
+    vec2 offset = floor(mod(middle / vec2(1.0, 3.0), 3.0)) - 1.0;
+    vec2 cell = floor(moved) + offset;
+    uint bits = wrinkle_scratches_hash3(vec3(cell, layer));
+    uint more = wrinkle_scratches_hash(bits ^ 2654435769u);
+    bool drawn = float(wrinkle_scratches_hash(more) >> 8u) / 16777216.0 < density;
+    vec3 random = wrinkle_scratches_random3(bits);
+    float angle = angles.x + (random.z - 0.5) * angles.y;
+    float sine = sin(angle);
+    float cosine = cos(angle);
+    vec2 across = vec2(sine, -cosine);
+    vec2 way = moved - cell - random.xy;
+    float side = dot(way, across) / size.y;
+    float inside = 1.0 - abs(side);
+    float t = clamp(inside, 0.0, 1.0);
+    vec2 along = vec2(cosine, sine);
+    float half_length = size.x * (0.25 + 0.25 * (float(more >> 8u) / 16777216.0));
+    float end = dot(way, along) / half_length;
+    float rest = 1.0 - end * end;
+    float taper = max(rest, 0.0);
+    vec2 product = -(across / size.y * sign(side)) * (t * (1.0 - t) * 6.0) * taper;
+    vec2 taper_slope = rest < 0.0 ? vec2(0.0) : -(along / half_length * end * 2.0);
+    float profile = smoothstep(0.0, 1.0, inside);
+    vec3 vector = vec3(product + taper_slope * profile, profile * taper);
+    return drawn ? vector : vec3(0.0);
+}
+
+vec3 wrinkle_scratches_scratches(vec2 uv, float width, float scale, int layers, float density,
         vec2 size, vec2 angles) {
-    int product = layers * 9;
+    vec2 p = uv * scale;
+    int count = layers * 9;
     float deepest = 0.0;
     int found = 0;
-    for (int i = 0; i < min(product, 36); ++i) {
-        vec3 slope = wrinkle_scratches_scratch_with_slope(p, i, density, size, angles);
-        found = deepest < slope.z ? i : found;
-        deepest = max(deepest, slope.z);
+    for (int i = 0; i < min(count, 36); ++i) {
+        vec3 stroke = wrinkle_scratches_scratch(p, i, density, size, angles);
+        found = deepest < stroke.z ? i : found;
+        deepest = max(deepest, stroke.z);
     }
-    vec3 slope_2 = wrinkle_scratches_scratch_with_slope(p, found, density, size, angles);
-    float difference = 1.0 - smoothstep(0.25, 0.75, width / (4.0 * size.y));
-    float clamped = clamp(size.x * size.y * density * (0.5 * float(layers)), 0.0, 1.0);
-    return vec3(slope_2.xy * difference, mix(clamped, slope_2.z, difference));
+    vec3 stroke_2 = wrinkle_scratches_scratch(p, found, density, size, angles);
+    float fade = 1.0 - smoothstep(0.25, 0.75, width / (4.0 * size.y) * abs(scale));
+    float mean = clamp(size.x * size.y * density * (0.5 * float(layers)), 0.0, 1.0);
+    return vec3(stroke_2.xy * scale * fade, mix(mean, stroke_2.z, fade));
 }
 
 WrinkleMaterial_scratches wrinkle_scratches(WrinkleSurface_scratches s) {
@@ -77,15 +82,14 @@ WrinkleMaterial_scratches wrinkle_scratches(WrinkleSurface_scratches s) {
     vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    vec2 relief_product = s.uv0 * 5.0;  // relief: Scratches
-    float relief_product_2 = max(length(duv0_dx), length(duv0_dy)) * 5.0;
-    vec3 relief_slope = wrinkle_scratches_scratches_with_slope(relief_product, relief_product_2, 3,
-            0.7, vec2(1.4, 0.04), vec2(0.0, 6.2831855));
-    float relief_value = -relief_slope.z;
+    float relief_width = max(length(duv0_dx), length(duv0_dy));  // relief: Scratches
+    vec3 relief = wrinkle_scratches_scratches(s.uv0, relief_width, 5.0, 3, 0.7, vec2(1.4, 0.04),
+            vec2(0.0, 6.2831855));
+    vec2 relief_slope = -vec2(dot(relief.xy, duv0_dx), dot(relief.xy, duv0_dy));
+    float relief_value = -relief.z;
     // normal: Resolve
-    vec2 normal_vector = vec2(dot(relief_slope.xy, duv0_dx), dot(relief_slope.xy, duv0_dy));
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.006;
-    vec2 normal_product_2 = -(normal_vector * 5.0) * normal_product;
+    vec2 normal_product_2 = relief_slope * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_scratches m;
     m.normal = normalize(normal * s.facing - normal_gradient);

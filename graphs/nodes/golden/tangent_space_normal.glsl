@@ -12,105 +12,92 @@ struct WrinkleMaterial_tangent_space_normal {
 };
 
 uint wrinkle_tangent_space_normal_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-vec3 wrinkle_tangent_space_normal_noise_direction(vec3 corner) {
-    uint sum = uint(int(corner.y)) + wrinkle_tangent_space_normal_hash(uint(int(corner.z)));
-    uint sum_2 = uint(int(corner.x)) + wrinkle_tangent_space_normal_hash(sum);
-    uint hash = wrinkle_tangent_space_normal_hash(sum_2);
-    uint product = ((((hash >> 8u) * 3u) >> 24u) * 4u + (hash & 3u)) * 2u;
-    float number = float((2237013u >> product) & 3u);
-    float number_2 = float((5573130u >> product) & 3u);
-    return vec3(number, float((677154u >> product) & 3u), number_2) - 1.0;
+uint wrinkle_tangent_space_normal_hash3(vec3 cell) {
+    uint z = wrinkle_tangent_space_normal_hash(uint(int(cell.z)));
+    uint yz = wrinkle_tangent_space_normal_hash(uint(int(cell.y)) + z);
+    return wrinkle_tangent_space_normal_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_tangent_space_normal_gradient_corner(vec3 corner, vec3 way) {
-    vec3 direction = wrinkle_tangent_space_normal_noise_direction(corner);
-    return vec4(direction, dot(direction, way));
+    uint bits = wrinkle_tangent_space_normal_hash3(corner);
+    float a = 1.0 - 2.0 * float(bits & 1u);
+    uint axis = (bits >> 8u) * 3u >> 24u;
+    float first = axis == 0u ? a : 0.0;
+    float x = a - first;
+    float b = 1.0 - float(bits & 2u);
+    float last = axis == 2u ? b : 0.0;
+    float y = first + last;
+    float z = b - last;
+    return vec4(x, y, z, dot(vec3(x, y, z), way));
+}
+
+vec4 wrinkle_tangent_space_normal_gradient_edge(vec3 corner, vec3 way, float t, float t_slope) {
+    vec4 a = wrinkle_tangent_space_normal_gradient_corner(corner, way);
+    vec4 b = wrinkle_tangent_space_normal_gradient_corner(vec3(corner.x + 1.0, corner.yz),
+            vec3(way.x - 1.0, way.yz));
+    vec4 mixed = mix(a, b, t);
+    return vec4(mixed.x + t_slope * (b.w - a.w), mixed.yzw);
 }
 
 vec4 wrinkle_tangent_space_normal_gradient_noise(vec3 p) {
-    vec3 floored = floor(p);
-    vec3 difference = p - floored;
-    vec4 corner = wrinkle_tangent_space_normal_gradient_corner(floored, difference);
-    vec3 sum = floored + 1.0;
-    vec3 vector = vec3(sum.x, floored.yz);
-    vec3 difference_2 = difference - 1.0;
-    vec3 vector_2 = vec3(difference_2.x, difference.yz);
-    vec4 corner_2 = wrinkle_tangent_space_normal_gradient_corner(vector, vector_2);
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec4 mixed = mix(corner, corner_2, product.x);
-    vec3 vector_3 = vec3(floored.x, sum.y, floored.z);
-    vec3 vector_4 = vec3(difference.x, difference_2.y, difference.z);
-    vec4 corner_3 = wrinkle_tangent_space_normal_gradient_corner(vector_3, vector_4);
-    vec3 vector_5 = vec3(sum.xy, floored.z);
-    vec3 vector_6 = vec3(difference_2.xy, difference.z);
-    vec4 corner_4 = wrinkle_tangent_space_normal_gradient_corner(vector_5, vector_6);
-    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
-    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
-    vec3 vector_7 = vec3(floored.xy, sum.z);
-    vec3 vector_8 = vec3(difference.xy, difference_2.z);
-    vec4 corner_5 = wrinkle_tangent_space_normal_gradient_corner(vector_7, vector_8);
-    vec3 vector_9 = vec3(sum.x, floored.y, sum.z);
-    vec3 vector_10 = vec3(difference_2.x, difference.y, difference_2.z);
-    vec4 corner_6 = wrinkle_tangent_space_normal_gradient_corner(vector_9, vector_10);
-    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
-    vec3 vector_11 = vec3(floored.x, sum.yz);
-    vec3 vector_12 = vec3(difference.x, difference_2.yz);
-    vec4 corner_7 = wrinkle_tangent_space_normal_gradient_corner(vector_11, vector_12);
-    vec4 corner_8 = wrinkle_tangent_space_normal_gradient_corner(sum, difference_2);
-    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
-    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
-    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
-    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
-    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
-    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
-    vec3 vector_13 = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
-    vec3 sum_3 = mixed_7.xyz + product_2 * vector_13;
-    return vec4(sum_3, mixed_7.w);
+    vec3 cell = floor(p);
+    vec3 f = p - cell;
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 t_slope = 30.0 * f * f * back * back;
+    vec4 a = wrinkle_tangent_space_normal_gradient_edge(cell, f, t.x, t_slope.x);
+    vec4 b = wrinkle_tangent_space_normal_gradient_edge(vec3(cell.x, cell.y + 1.0, cell.z),
+            vec3(f.x, f.y - 1.0, f.z), t.x, t_slope.x);
+    vec4 ab = mix(a, b, t.y);
+    vec4 low = vec4(ab.x, ab.y + t_slope.y * (b.w - a.w), ab.zw);
+    vec4 c = wrinkle_tangent_space_normal_gradient_edge(vec3(cell.xy, cell.z + 1.0),
+            vec3(f.xy, f.z - 1.0), t.x, t_slope.x);
+    vec4 d = wrinkle_tangent_space_normal_gradient_edge(vec3(cell.x, cell.yz + 1.0),
+            vec3(f.x, f.yz - 1.0), t.x, t_slope.x);
+    vec4 cd = mix(c, d, t.y);
+    vec4 high = vec4(cd.x, cd.y + t_slope.y * (d.w - c.w), cd.zw);
+    vec4 joined = mix(low, high, t.z);
+    return vec4(joined.xy, joined.z + t_slope.z * (cd.w - ab.w), joined.w);
 }
 
-vec4 wrinkle_tangent_space_normal_billows_with_slope(vec3 point, float width, int octaves,
+vec4 wrinkle_tangent_space_normal_billows(vec3 point, float width, float scale, int octaves,
         float lacunarity, float gain) {
-    float frequency = 1.0;
+    float frequency = scale;
     float weight = 1.0;
     float total = 0.0;
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 sum_2 = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
-        vec4 noise = wrinkle_tangent_space_normal_gradient_noise(sum_2);
-        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec4 noise = wrinkle_tangent_space_normal_gradient_noise(p);
+        float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
-        sum += mix(0.22, abs(noise.w), difference) * weight;
-        sum_slope += noise.xyz * frequency * sign(noise.w) * difference * weight;
+        sum += mix(0.22, abs(noise.w), fade) * weight;
+        sum_slope += noise.xyz * frequency * sign(noise.w) * fade * weight;
         frequency *= lacunarity;
         weight *= gain;
     }
-    vec4 vector = vec4(sum_slope, sum);
-    return vector / total;
+    return vec4(sum_slope, sum) / total;
 }
 
-vec3 wrinkle_tangent_space_normal_thread_with_slope(vec2 p, float side, float width) {
+vec3 wrinkle_tangent_space_normal_thread(vec2 p, float side, float width) {
     float floored = floor(p.x);
     float quotient = (2.0 * (p.x - floored) - 1.0) / width;
     float difference = 1.0 - quotient * quotient;
-    float product = 2.0 / width * quotient;
-    float choice = difference < 0.0 ? 0.0 : -(product + product);
-    float product_2 = mod(p.y - 0.5 + floored, 2.0) * 3.1415927;
+    float choice = difference < 0.0 ? 0.0 : -(2.0 / width * quotient * 2.0);
+    float product = mod(p.y - 0.5 + floored, 2.0) * 3.1415927;
     float greatest = max(difference, 0.0);
-    vec3 vector = vec3(choice, -(3.1415927 * sin(product_2)) * side * 0.325, greatest);
-    float sum = 0.675 + 0.325 * (side * cos(product_2));
+    vec3 vector = vec3(choice, -(3.1415927 * sin(product)) * side * 0.325, greatest);
+    float sum = 0.675 + 0.325 * (side * cos(product));
     return vector * vec3(sum, greatest, sum);
 }
 
-WrinkleMaterial_tangent_space_normal
-        wrinkle_tangent_space_normal(WrinkleSurface_tangent_space_normal s) {
+WrinkleMaterial_tangent_space_normal wrinkle_tangent_space_normal(WrinkleSurface_tangent_space_normal s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 normal = s.normal * inverse_normal_length;
     vec3 dpdx = dFdx(s.position_relative);
@@ -118,50 +105,42 @@ WrinkleMaterial_tangent_space_normal
     vec2 duv0_dx = dFdx(s.uv0);
     vec2 duv0_dy = dFdy(s.uv0);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    vec3 dents_product = s.position * 3.0;  // dents: Dents
-    float dents_product_2 = max(length(dpdx), length(dpdy)) * 3.0;
-    vec4 dents_slope = wrinkle_tangent_space_normal_billows_with_slope(dents_product,
-            dents_product_2, 2, 2.0, 0.5);
-    float dents_quotient = (dents_slope.w - 0.15) / 0.85;
+    float dents_width = max(length(dpdx), length(dpdy));  // dents: Dents
+    vec4 dents = wrinkle_tangent_space_normal_billows(s.position, dents_width, 3.0, 2, 2.0, 0.5);
+    float dents_quotient = (dents.w - 0.15) / 0.85;
     float dents_clamped = clamp(dents_quotient, 0.0, 1.0);
     bool dents_test = dents_clamped > 0.0;
-    float dents_dot_product = dot(dents_slope.xyz, dpdx - normal * dot(normal, dpdx));
-    float dents_dot_product_2 = dot(dents_slope.xyz, dpdy - normal * dot(normal, dpdy));
-    vec2 dents_quotient_2 = vec2(dents_dot_product, dents_dot_product_2) * 3.0 / 0.85;
+    float dents_dot_product = dot(dents.xyz, dpdx - normal * dot(normal, dpdx));
+    float dents_dot_product_2 = dot(dents.xyz, dpdy - normal * dot(normal, dpdy));
+    vec2 dents_quotient_2 = vec2(dents_dot_product, dents_dot_product_2) / 0.85;
     vec2 dents_choice = dents_quotient < 0.0 ? vec2(0.0) : dents_quotient_2;
     vec2 dents_choice_2 = 1.0 < max(dents_quotient, 0.0) ? vec2(0.0) : dents_choice;
     float dents_choice_3 = dents_test ? 1.5 * pow(dents_clamped, 1.5) / dents_clamped : 0.0;
-    vec2 dents_negated = -(dents_test ? dents_choice_2 * dents_choice_3 : vec2(0.0));
+    vec2 dents_slope = -(dents_test ? dents_choice_2 * dents_choice_3 : vec2(0.0));
+    vec2 cloth_product = s.uv0 * 12.0;  // cloth: Weave
+    vec3 cloth = wrinkle_tangent_space_normal_thread(cloth_product, 1.0, 0.9);
+    vec3 cloth_2 = wrinkle_tangent_space_normal_thread(cloth_product.yx, -1.0, 0.9);
+    vec2 cloth_product_2 = duv0_dx * 12.0;
+    float cloth_dot_product = dot(cloth_2.xy, cloth_product_2.yx);
+    vec2 cloth_product_3 = duv0_dy * 12.0;
+    vec2 cloth_vector = vec2(cloth_dot_product, dot(cloth_2.xy, cloth_product_3.yx));
+    vec2 cloth_product_4 = vec2(dot(cloth.xy, duv0_dx), dot(cloth.xy, duv0_dy)) * 12.0;
+    vec2 cloth_choice = cloth.z < cloth_2.z ? cloth_vector : cloth_product_4;
+    float cloth_width = max(length(cloth_product_2), length(cloth_product_3));
+    vec2 cloth_slope = cloth_choice * (1.0 - smoothstep(0.25, 0.75, cloth_width)) * 0.02;
+    vec2 sum_slope = dents_slope * 0.15 + cloth_slope;  // sum: Add heights
+    vec3 resolved_product = normal * s.facing;  // resolved: Resolve
+    vec2 resolved_product_2 = sum_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec3 resolved_gradient = cross(normal, dpdx * resolved_product_2.y -
+            dpdy * resolved_product_2.x);
+    vec3 resolved_normal = normalize(resolved_product - resolved_gradient);
     // map: Normal in tangent space
     float map_slope_v = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
     vec3 map_along_v = cross(s.normal, s.tangent.xyz) * map_slope_v;
-    vec3 map_along_u = s.tangent.xyz * inverse_normal_length;
-    vec3 map_cross_product = cross(map_along_u, map_along_v);
-    vec3 resolved_product = normal * s.facing;  // resolved: Resolve
-    vec2 cloth_product = s.uv0 * 12.0;  // cloth: Weave
-    vec3 cloth_slope = wrinkle_tangent_space_normal_thread_with_slope(cloth_product, 1.0, 0.9);
-    vec3 cloth_slope_2 = wrinkle_tangent_space_normal_thread_with_slope(cloth_product.yx, -1.0,
-            0.9);
-    bool cloth_test = cloth_slope.z < cloth_slope_2.z;
-    vec2 cloth_product_2 = duv0_dx * 12.0;
-    float cloth_dot_product = dot(cloth_slope_2.xy, cloth_product_2.yx);
-    vec2 cloth_product_3 = duv0_dy * 12.0;
-    vec2 cloth_vector = vec2(cloth_dot_product, dot(cloth_slope_2.xy, cloth_product_3.yx));
-    float cloth_greatest = max(length(cloth_product_2), length(cloth_product_3));
-    // resolved: Resolve (continued)
-    vec2 resolved_vector = vec2(dot(cloth_slope.xy, duv0_dx), dot(cloth_slope.xy, duv0_dy));
-    // cloth: Weave (continued)
-    vec2 cloth_choice = cloth_test ? cloth_vector : resolved_vector * 12.0;
-    vec2 cloth_product_4 = cloth_choice * (1.0 - smoothstep(0.25, 0.75, cloth_greatest)) * 0.02;
-    vec2 sum_sum = dents_negated * 0.15 + cloth_product_4;  // sum: Add heights
-    // resolved: Resolve (continued)
-    vec2 resolved_product_2 = sum_sum * (sign(screen_area) / max(abs(screen_area), 1e-36));
-    vec3 resolved_gradient = cross(normal,
-            dpdx * resolved_product_2.y - dpdy * resolved_product_2.x);
-    vec3 resolved_normal = normalize(resolved_product - resolved_gradient);
-    // map: Normal in tangent space (continued)
     float map_dot_product = dot(cross(map_along_v, resolved_product), resolved_normal);
+    vec3 map_along_u = s.tangent.xyz * inverse_normal_length;
     float map_dot_product_2 = dot(cross(resolved_product, map_along_u), resolved_normal);
+    vec3 map_cross_product = cross(map_along_u, map_along_v);
     float map_dot_product_3 = dot(map_cross_product, resolved_normal);
     float map_sign = dot(map_cross_product, resolved_product) < 0.0 ? -1.0 : 1.0;
     vec3 map_product = vec3(map_dot_product, map_dot_product_2, map_dot_product_3) * map_sign;

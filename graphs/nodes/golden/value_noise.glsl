@@ -11,62 +11,58 @@ struct WrinkleMaterial_value_noise {
 };
 
 uint wrinkle_value_noise_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-float wrinkle_value_noise_value_corner(vec3 corner) {
-    uint sum = uint(int(corner.y)) + wrinkle_value_noise_hash(uint(int(corner.z)));
-    uint sum_2 = uint(int(corner.x)) + wrinkle_value_noise_hash(sum);
-    return float(wrinkle_value_noise_hash(sum_2) >> 8u) * 5.9604645e-08 * 2.0 - 1.0;
+uint wrinkle_value_noise_hash3(vec3 cell) {
+    uint z = wrinkle_value_noise_hash(uint(int(cell.z)));
+    uint yz = wrinkle_value_noise_hash(uint(int(cell.y)) + z);
+    return wrinkle_value_noise_hash(uint(int(cell.x)) + yz);
+}
+
+vec2 wrinkle_value_noise_value_edge(vec3 corner, float t, float t_slope) {
+    float number = float(wrinkle_value_noise_hash3(vec3(corner.x + 1.0, corner.yz)) >> 8u);
+    float product = number / 16777216.0 * 2.0;
+    float b = product - 1.0;
+    float a = float(wrinkle_value_noise_hash3(corner) >> 8u) / 16777216.0 * 2.0 - 1.0;
+    return vec2(t_slope * (b - a), mix(a, b, t));
 }
 
 vec4 wrinkle_value_noise_value_noise(vec3 p) {
-    vec3 floored = floor(p);
-    vec3 difference = p - floored;
-    vec3 difference_2 = difference - 1.0;
-    vec3 product = 30.0 * difference * difference * difference_2 * difference_2;
-    vec3 sum = floored + 1.0;
-    float corner = wrinkle_value_noise_value_corner(vec3(sum.x, floored.yz));
-    float corner_2 = wrinkle_value_noise_value_corner(floored);
-    float corner_3 = wrinkle_value_noise_value_corner(vec3(sum.xy, floored.z));
-    float corner_4 = wrinkle_value_noise_value_corner(vec3(floored.x, sum.y, floored.z));
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product_2 = difference * difference * difference * sum_2;
-    float mixed = mix(corner - corner_2, corner_3 - corner_4, product_2.y);
-    float corner_5 = wrinkle_value_noise_value_corner(vec3(sum.x, floored.y, sum.z));
-    float corner_6 = wrinkle_value_noise_value_corner(vec3(floored.xy, sum.z));
-    float corner_7 = wrinkle_value_noise_value_corner(sum);
-    float corner_8 = wrinkle_value_noise_value_corner(vec3(floored.x, sum.yz));
-    float mixed_2 = mix(corner_5 - corner_6, corner_7 - corner_8, product_2.y);
-    float mixed_3 = mix(corner_4, corner_3, product_2.x);
-    float mixed_4 = mix(corner_2, corner, product_2.x);
-    float mixed_5 = mix(corner_8, corner_7, product_2.x);
-    float mixed_6 = mix(corner_6, corner_5, product_2.x);
-    float mixed_7 = mix(mixed_3 - mixed_4, mixed_5 - mixed_6, product_2.z);
-    float mixed_8 = mix(mixed_6, mixed_5, product_2.y);
-    float mixed_9 = mix(mixed_4, mixed_3, product_2.y);
-    vec3 product_3 = product * vec3(mix(mixed, mixed_2, product_2.z), mixed_7, mixed_8 - mixed_9);
-    return vec4(product_3, mix(mixed_9, mixed_8, product_2.z));
+    vec3 cell = floor(p);
+    vec3 f = p - cell;
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 t_slope = 30.0 * f * f * back * back;
+    vec2 a = wrinkle_value_noise_value_edge(cell, t.x, t_slope.x);
+    vec2 b = wrinkle_value_noise_value_edge(vec3(cell.x, cell.y + 1.0, cell.z), t.x, t_slope.x);
+    vec2 mixed = mix(a, b, t.y);
+    vec3 low = vec3(mixed.x, t_slope.y * (b.y - a.y), mixed.y);
+    vec2 c = wrinkle_value_noise_value_edge(vec3(cell.xy, cell.z + 1.0), t.x, t_slope.x);
+    vec2 d = wrinkle_value_noise_value_edge(vec3(cell.x, cell.yz + 1.0), t.x, t_slope.x);
+    vec2 mixed_2 = mix(c, d, t.y);
+    vec3 high = vec3(mixed_2.x, t_slope.y * (d.y - c.y), mixed_2.y);
+    vec3 mixed_3 = mix(low, high, t.z);
+    return vec4(mixed_3.xy, t_slope.z * (mixed_2.y - mixed.y), mixed_3.z);
 }
 
-vec4 wrinkle_value_noise_filtered_noise_with_slope(vec3 p, float width) {
-    return wrinkle_value_noise_value_noise(p) * (1.0 - smoothstep(0.25, 0.75, width));
+vec4 wrinkle_value_noise_filtered_noise(vec3 point, float width, float scale) {
+    vec4 noise = wrinkle_value_noise_value_noise(point * scale);
+    float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(scale));
+    return vec4(noise.xyz * scale, noise.w) * fade;
 }
 
 WrinkleMaterial_value_noise wrinkle_value_noise(WrinkleSurface_value_noise s) {
     vec3 normal = normalize(s.normal);
-    vec3 relief_product = s.position * 10.0;  // relief: Value noise
-    float relief_extent = length(dFdx(s.position_relative));
-    float relief_product_2 = max(relief_extent, length(dFdy(s.position_relative))) * 10.0;
-    vec4 relief_slope = wrinkle_value_noise_filtered_noise_with_slope(relief_product,
-            relief_product_2);
-    vec3 relief_gradient = relief_slope.xyz * 10.0 * 0.015;
-    // normal: Resolve
-    vec3 normal_difference = normal * (s.facing + dot(normal, relief_gradient)) - relief_gradient;
+    // relief: Value noise
+    float relief_width = max(length(dFdx(s.position_relative)), length(dFdy(s.position_relative)));
+    vec4 relief_noise = wrinkle_value_noise_filtered_noise(s.position, relief_width, 10.0);
+    vec3 relief_slope = relief_noise.xyz * 0.015;
     WrinkleMaterial_value_noise m;
-    m.normal = normalize(normal_difference);
-    m.height = relief_slope.w * 0.015;  // relief: Value noise (continued)
+    // normal: Resolve
+    m.normal = normalize(normal * (s.facing + dot(normal, relief_slope)) - relief_slope);
+    m.height = relief_noise.w * 0.015;  // relief: Value noise (continued)
     return m;
 }

@@ -11,9 +11,9 @@ struct WrinkleMaterial_waves {
 };
 
 uint wrinkle_waves_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
 WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {
@@ -24,107 +24,101 @@ WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = duv0_dx * 3.0;  // relief: Waves
-    uint relief_hash = wrinkle_waves_hash(0u);
-    float relief_difference = float(wrinkle_waves_hash(relief_hash) >> 8u) * 5.9604645e-08 - 0.5;
-    float relief_product_2 = 150.0 * relief_difference * 0.017453292;
-    vec2 relief_vector = vec2(cos(relief_product_2), sin(relief_product_2));
+    uint relief = wrinkle_waves_hash(0u);
+    float relief_product_2 = 150.0 * (float(wrinkle_waves_hash(relief) >> 8u) / 16777216.0 - 0.5);
+    float relief_product_3 = relief_product_2 * 0.017453292;
+    vec2 relief_vector = vec2(cos(relief_product_3), sin(relief_product_3));
     float relief_dot_product = dot(relief_product, relief_vector);
-    vec2 relief_product_3 = duv0_dy * 3.0;
-    vec2 relief_product_4 = vec2(relief_dot_product, dot(relief_product_3,
-            relief_vector)) * 6.2831855;
-    uint relief_hash_2 = wrinkle_waves_hash(1u);
-    float relief_product_5 = float(wrinkle_waves_hash(relief_hash_2) >> 8u) * 5.9604645e-08;
-    float relief_fraction = fract(dot(s.uv0 * 3.0, relief_vector) + relief_product_5);
+    vec2 relief_product_4 = duv0_dy * 3.0;
+    vec2 relief_product_5 = vec2(relief_dot_product, dot(relief_product_4, relief_vector)) *
+            6.2831855;
+    uint relief_2 = wrinkle_waves_hash(1u);
+    float relief_quotient = float(wrinkle_waves_hash(relief_2) >> 8u) / 16777216.0;
+    float relief_fraction = fract(dot(s.uv0 * 3.0, relief_vector) + relief_quotient);
     float relief_product_6 = relief_fraction * 6.2831855;
-    float relief_greatest = max(length(relief_product), length(relief_product_3));
-    float relief_difference_2 = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    vec2 relief_product_7 = relief_product_4 * cos(relief_product_6) * relief_difference_2;
-    vec2 relief_product_8 = duv0_dx * 3.9;
-    float relief_difference_3 = float(wrinkle_waves_hash(1u + relief_hash) >> 8u) * 5.9604645e-08 -
-            0.5;
-    float relief_product_9 = 150.0 * relief_difference_3 * 0.017453292;
-    vec2 relief_vector_2 = vec2(cos(relief_product_9), sin(relief_product_9));
-    float relief_dot_product_2 = dot(relief_product_8, relief_vector_2);
-    vec2 relief_product_10 = duv0_dy * 3.9;
-    vec2 relief_product_11 = vec2(relief_dot_product_2, dot(relief_product_10,
-            relief_vector_2)) * 6.2831855;
-    float relief_product_12 = float(wrinkle_waves_hash(1u + relief_hash_2) >> 8u) * 5.9604645e-08;
-    float relief_sum = dot(s.uv0 * 3.9, relief_vector_2) + relief_product_12;
-    float relief_product_13 = fract(relief_sum) * 6.2831855;
-    float relief_greatest_2 = max(length(relief_product_8), length(relief_product_10));
-    float relief_product_14 = 0.8 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_2));
-    vec2 relief_sum_2 = relief_product_7 + relief_product_11 * cos(relief_product_13) *
-            relief_product_14;
-    vec2 relief_product_15 = duv0_dx * 5.07;
-    float relief_difference_4 = float(wrinkle_waves_hash(2u + relief_hash) >> 8u) * 5.9604645e-08 -
-            0.5;
-    float relief_product_16 = 150.0 * relief_difference_4 * 0.017453292;
-    vec2 relief_vector_3 = vec2(cos(relief_product_16), sin(relief_product_16));
-    float relief_dot_product_3 = dot(relief_product_15, relief_vector_3);
-    vec2 relief_product_17 = duv0_dy * 5.07;
-    vec2 relief_product_18 = vec2(relief_dot_product_3, dot(relief_product_17,
-            relief_vector_3)) * 6.2831855;
-    float relief_product_19 = float(wrinkle_waves_hash(2u + relief_hash_2) >> 8u) * 5.9604645e-08;
-    float relief_sum_3 = dot(s.uv0 * 5.07, relief_vector_3) + relief_product_19;
-    float relief_product_20 = fract(relief_sum_3) * 6.2831855;
-    float relief_greatest_3 = max(length(relief_product_15), length(relief_product_17));
-    float relief_product_21 = 0.64 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_3));
-    vec2 relief_sum_4 = relief_sum_2 + relief_product_18 * cos(relief_product_20) *
-            relief_product_21;
-    vec2 relief_product_22 = duv0_dx * 6.591;
-    float relief_difference_5 = float(wrinkle_waves_hash(3u + relief_hash) >> 8u) * 5.9604645e-08 -
-            0.5;
-    float relief_product_23 = 150.0 * relief_difference_5 * 0.017453292;
-    vec2 relief_vector_4 = vec2(cos(relief_product_23), sin(relief_product_23));
-    float relief_dot_product_4 = dot(relief_product_22, relief_vector_4);
-    vec2 relief_product_24 = duv0_dy * 6.591;
-    vec2 relief_product_25 = vec2(relief_dot_product_4, dot(relief_product_24,
-            relief_vector_4)) * 6.2831855;
-    float relief_product_26 = float(wrinkle_waves_hash(3u + relief_hash_2) >> 8u) * 5.9604645e-08;
-    float relief_sum_5 = dot(s.uv0 * 6.591, relief_vector_4) + relief_product_26;
-    float relief_product_27 = fract(relief_sum_5) * 6.2831855;
-    float relief_greatest_4 = max(length(relief_product_22), length(relief_product_24));
-    float relief_product_28 = 0.512 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_4));
-    vec2 relief_sum_6 = relief_sum_4 + relief_product_25 * cos(relief_product_27) *
-            relief_product_28;
-    vec2 relief_product_29 = duv0_dx * 8.5683;
-    float relief_difference_6 = float(wrinkle_waves_hash(4u + relief_hash) >> 8u) * 5.9604645e-08 -
-            0.5;
-    float relief_product_30 = 150.0 * relief_difference_6 * 0.017453292;
-    vec2 relief_vector_5 = vec2(cos(relief_product_30), sin(relief_product_30));
-    float relief_dot_product_5 = dot(relief_product_29, relief_vector_5);
-    vec2 relief_product_31 = duv0_dy * 8.5683;
-    vec2 relief_product_32 = vec2(relief_dot_product_5, dot(relief_product_31,
-            relief_vector_5)) * 6.2831855;
-    float relief_product_33 = float(wrinkle_waves_hash(4u + relief_hash_2) >> 8u) * 5.9604645e-08;
-    float relief_sum_7 = dot(s.uv0 * 8.5683, relief_vector_5) + relief_product_33;
-    float relief_product_34 = fract(relief_sum_7) * 6.2831855;
-    float relief_greatest_5 = max(length(relief_product_29), length(relief_product_31));
-    float relief_product_35 = 0.4096 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_5));
-    vec2 relief_sum_8 = relief_sum_6 + relief_product_32 * cos(relief_product_34) *
-            relief_product_35;
-    vec2 relief_product_36 = duv0_dx * 11.13879;
-    float relief_difference_7 = float(wrinkle_waves_hash(5u + relief_hash) >> 8u) * 5.9604645e-08 -
-            0.5;
-    float relief_product_37 = 150.0 * relief_difference_7 * 0.017453292;
-    vec2 relief_vector_6 = vec2(cos(relief_product_37), sin(relief_product_37));
-    float relief_dot_product_6 = dot(relief_product_36, relief_vector_6);
-    vec2 relief_product_38 = duv0_dy * 11.13879;
-    vec2 relief_product_39 = vec2(relief_dot_product_6, dot(relief_product_38,
-            relief_vector_6)) * 6.2831855;
-    float relief_product_40 = float(wrinkle_waves_hash(5u + relief_hash_2) >> 8u) * 5.9604645e-08;
-    float relief_sum_9 = dot(s.uv0 * 11.13879, relief_vector_6) + relief_product_40;
-    float relief_product_41 = fract(relief_sum_9) * 6.2831855;
-    float relief_greatest_6 = max(length(relief_product_36), length(relief_product_38));
-    float relief_product_42 = 0.32768 * (1.0 - smoothstep(0.25, 0.75, relief_greatest_6));
-    vec2 relief_sum_10 = relief_sum_8 + relief_product_39 * cos(relief_product_41) *
-            relief_product_42;
-    float relief_product_43 = sin(relief_product_6) * relief_difference_2;
-    float relief_sum_11 = relief_product_43 + sin(relief_product_13) * relief_product_14;
-    float relief_sum_12 = relief_sum_11 + sin(relief_product_20) * relief_product_21;
-    float relief_sum_13 = relief_sum_12 + sin(relief_product_27) * relief_product_28;
-    float relief_sum_14 = relief_sum_13 + sin(relief_product_34) * relief_product_35;
-    float relief_value = (relief_sum_14 + sin(relief_product_41) * relief_product_42) / 3.68928;
+    float relief_width = max(length(relief_product), length(relief_product_4));
+    float relief_fade = 1.0 - smoothstep(0.25, 0.75, relief_width);
+    vec2 relief_product_7 = duv0_dx * 3.9;
+    float relief_difference = float(wrinkle_waves_hash(1u + relief) >> 8u) / 16777216.0 - 0.5;
+    float relief_product_8 = 150.0 * relief_difference * 0.017453292;
+    vec2 relief_vector_2 = vec2(cos(relief_product_8), sin(relief_product_8));
+    float relief_dot_product_2 = dot(relief_product_7, relief_vector_2);
+    vec2 relief_product_9 = duv0_dy * 3.9;
+    vec2 relief_product_10 = vec2(relief_dot_product_2, dot(relief_product_9, relief_vector_2)) *
+            6.2831855;
+    float relief_quotient_2 = float(wrinkle_waves_hash(1u + relief_2) >> 8u) / 16777216.0;
+    float relief_sum = dot(s.uv0 * 3.9, relief_vector_2) + relief_quotient_2;
+    float relief_product_11 = fract(relief_sum) * 6.2831855;
+    float relief_width_2 = max(length(relief_product_7), length(relief_product_9));
+    float relief_product_12 = 0.8 * (1.0 - smoothstep(0.25, 0.75, relief_width_2));
+    vec2 relief_product_13 = relief_product_10 * cos(relief_product_11) * relief_product_12;
+    vec2 relief_sum_2 = relief_product_5 * cos(relief_product_6) * relief_fade + relief_product_13;
+    vec2 relief_product_14 = duv0_dx * 5.07;
+    float relief_difference_2 = float(wrinkle_waves_hash(2u + relief) >> 8u) / 16777216.0 - 0.5;
+    float relief_product_15 = 150.0 * relief_difference_2 * 0.017453292;
+    vec2 relief_vector_3 = vec2(cos(relief_product_15), sin(relief_product_15));
+    float relief_dot_product_3 = dot(relief_product_14, relief_vector_3);
+    vec2 relief_product_16 = duv0_dy * 5.07;
+    vec2 relief_product_17 = vec2(relief_dot_product_3, dot(relief_product_16, relief_vector_3)) *
+            6.2831855;
+    float relief_quotient_3 = float(wrinkle_waves_hash(2u + relief_2) >> 8u) / 16777216.0;
+    float relief_sum_3 = dot(s.uv0 * 5.07, relief_vector_3) + relief_quotient_3;
+    float relief_product_18 = fract(relief_sum_3) * 6.2831855;
+    float relief_width_3 = max(length(relief_product_14), length(relief_product_16));
+    float relief_product_19 = 0.64 * (1.0 - smoothstep(0.25, 0.75, relief_width_3));
+    vec2 relief_sum_4 = relief_sum_2 +
+            relief_product_17 * cos(relief_product_18) * relief_product_19;
+    vec2 relief_product_20 = duv0_dx * 6.591;
+    float relief_difference_3 = float(wrinkle_waves_hash(3u + relief) >> 8u) / 16777216.0 - 0.5;
+    float relief_product_21 = 150.0 * relief_difference_3 * 0.017453292;
+    vec2 relief_vector_4 = vec2(cos(relief_product_21), sin(relief_product_21));
+    float relief_dot_product_4 = dot(relief_product_20, relief_vector_4);
+    vec2 relief_product_22 = duv0_dy * 6.591;
+    vec2 relief_product_23 = vec2(relief_dot_product_4, dot(relief_product_22, relief_vector_4)) *
+            6.2831855;
+    float relief_quotient_4 = float(wrinkle_waves_hash(3u + relief_2) >> 8u) / 16777216.0;
+    float relief_sum_5 = dot(s.uv0 * 6.591, relief_vector_4) + relief_quotient_4;
+    float relief_product_24 = fract(relief_sum_5) * 6.2831855;
+    float relief_width_4 = max(length(relief_product_20), length(relief_product_22));
+    float relief_product_25 = 0.512 * (1.0 - smoothstep(0.25, 0.75, relief_width_4));
+    vec2 relief_sum_6 = relief_sum_4 +
+            relief_product_23 * cos(relief_product_24) * relief_product_25;
+    vec2 relief_product_26 = duv0_dx * 8.5683;
+    float relief_difference_4 = float(wrinkle_waves_hash(4u + relief) >> 8u) / 16777216.0 - 0.5;
+    float relief_product_27 = 150.0 * relief_difference_4 * 0.017453292;
+    vec2 relief_vector_5 = vec2(cos(relief_product_27), sin(relief_product_27));
+    float relief_dot_product_5 = dot(relief_product_26, relief_vector_5);
+    vec2 relief_product_28 = duv0_dy * 8.5683;
+    vec2 relief_product_29 = vec2(relief_dot_product_5, dot(relief_product_28, relief_vector_5)) *
+            6.2831855;
+    float relief_quotient_5 = float(wrinkle_waves_hash(4u + relief_2) >> 8u) / 16777216.0;
+    float relief_sum_7 = dot(s.uv0 * 8.5683, relief_vector_5) + relief_quotient_5;
+    float relief_product_30 = fract(relief_sum_7) * 6.2831855;
+    float relief_width_5 = max(length(relief_product_26), length(relief_product_28));
+    float relief_product_31 = 0.4096 * (1.0 - smoothstep(0.25, 0.75, relief_width_5));
+    vec2 relief_sum_8 = relief_sum_6 +
+            relief_product_29 * cos(relief_product_30) * relief_product_31;
+    vec2 relief_product_32 = duv0_dx * 11.13879;
+    float relief_difference_5 = float(wrinkle_waves_hash(5u + relief) >> 8u) / 16777216.0 - 0.5;
+    float relief_product_33 = 150.0 * relief_difference_5 * 0.017453292;
+    vec2 relief_vector_6 = vec2(cos(relief_product_33), sin(relief_product_33));
+    float relief_dot_product_6 = dot(relief_product_32, relief_vector_6);
+    vec2 relief_product_34 = duv0_dy * 11.13879;
+    vec2 relief_product_35 = vec2(relief_dot_product_6, dot(relief_product_34, relief_vector_6)) *
+            6.2831855;
+    float relief_quotient_6 = float(wrinkle_waves_hash(5u + relief_2) >> 8u) / 16777216.0;
+    float relief_sum_9 = dot(s.uv0 * 11.13879, relief_vector_6) + relief_quotient_6;
+    float relief_product_36 = fract(relief_sum_9) * 6.2831855;
+    float relief_width_6 = max(length(relief_product_32), length(relief_product_34));
+    float relief_product_37 = 0.32768 * (1.0 - smoothstep(0.25, 0.75, relief_width_6));
+    vec2 relief_sum_10 = relief_sum_8 +
+            relief_product_35 * cos(relief_product_36) * relief_product_37;
+    float relief_sum_11 = sin(relief_product_6) * relief_fade +
+            sin(relief_product_11) * relief_product_12;
+    float relief_sum_12 = relief_sum_11 + sin(relief_product_18) * relief_product_19;
+    float relief_sum_13 = relief_sum_12 + sin(relief_product_24) * relief_product_25;
+    float relief_sum_14 = relief_sum_13 + sin(relief_product_30) * relief_product_31;
+    float relief_value = (relief_sum_14 + sin(relief_product_36) * relief_product_37) / 3.68928;
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
     vec2 normal_product_2 = relief_sum_10 / 3.68928 * normal_product;

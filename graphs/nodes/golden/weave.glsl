@@ -10,16 +10,15 @@ struct WrinkleMaterial_weave {
     float height;  // outwards, in length units
 };
 
-vec3 wrinkle_weave_thread_with_slope(vec2 p, float side, float width) {
+vec3 wrinkle_weave_thread(vec2 p, float side, float width) {
     float floored = floor(p.x);
     float quotient = (2.0 * (p.x - floored) - 1.0) / width;
     float difference = 1.0 - quotient * quotient;
-    float product = 2.0 / width * quotient;
-    float choice = difference < 0.0 ? 0.0 : -(product + product);
-    float product_2 = mod(p.y - 0.5 + floored, 2.0) * 3.1415927;
+    float choice = difference < 0.0 ? 0.0 : -(2.0 / width * quotient * 2.0);
+    float product = mod(p.y - 0.5 + floored, 2.0) * 3.1415927;
     float greatest = max(difference, 0.0);
-    vec3 vector = vec3(choice, -(3.1415927 * sin(product_2)) * side * 0.325, greatest);
-    float sum = 0.675 + 0.325 * (side * cos(product_2));
+    vec3 vector = vec3(choice, -(3.1415927 * sin(product)) * side * 0.325, greatest);
+    float sum = 0.675 + 0.325 * (side * cos(product));
     return vector * vec3(sum, greatest, sum);
 }
 
@@ -31,22 +30,20 @@ WrinkleMaterial_weave wrinkle_weave(WrinkleSurface_weave s) {
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_product = s.uv0 * 8.0;  // relief: Weave
-    vec3 relief_slope = wrinkle_weave_thread_with_slope(relief_product, 1.0, 0.9);
-    vec3 relief_slope_2 = wrinkle_weave_thread_with_slope(relief_product.yx, -1.0, 0.9);
-    bool relief_test = relief_slope.z < relief_slope_2.z;
+    vec3 relief = wrinkle_weave_thread(relief_product, 1.0, 0.9);
+    vec3 relief_2 = wrinkle_weave_thread(relief_product.yx, -1.0, 0.9);
     vec2 relief_product_2 = duv0_dx * 8.0;
-    float relief_dot_product = dot(relief_slope_2.xy, relief_product_2.yx);
+    float relief_dot_product = dot(relief_2.xy, relief_product_2.yx);
     vec2 relief_product_3 = duv0_dy * 8.0;
-    vec2 relief_vector = vec2(relief_dot_product, dot(relief_slope_2.xy, relief_product_3.yx));
-    float relief_greatest = max(length(relief_product_2), length(relief_product_3));
-    float relief_difference = 1.0 - smoothstep(0.25, 0.75, relief_greatest);
-    float relief_value = mix(0.60579, max(relief_slope.z, relief_slope_2.z), relief_difference);
+    vec2 relief_vector = vec2(relief_dot_product, dot(relief_2.xy, relief_product_3.yx));
+    vec2 relief_product_4 = vec2(dot(relief.xy, duv0_dx), dot(relief.xy, duv0_dy)) * 8.0;
+    float relief_width = max(length(relief_product_2), length(relief_product_3));
+    float relief_fade = 1.0 - smoothstep(0.25, 0.75, relief_width);
+    vec2 relief_slope = (relief.z < relief_2.z ? relief_vector : relief_product_4) * relief_fade;
+    float relief_value = mix(0.60579, max(relief.z, relief_2.z), relief_fade);
     // normal: Resolve
-    vec2 normal_vector = vec2(dot(relief_slope.xy, duv0_dx), dot(relief_slope.xy, duv0_dy));
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
-    // relief: Weave (continued)
-    vec2 relief_product_4 = (relief_test ? relief_vector : normal_vector * 8.0) * relief_difference;
-    vec2 normal_product_2 = relief_product_4 * normal_product;  // normal: Resolve (continued)
+    vec2 normal_product_2 = relief_slope * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_weave m;
     m.normal = normalize(normal * s.facing - normal_gradient);

@@ -11,64 +11,68 @@ struct WrinkleMaterial_worley_noise {
 };
 
 uint wrinkle_worley_noise_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = ((sum >> ((sum >> 28u) + 4u)) ^ sum) * 277803737u;
-    return (product >> 22u) ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
+}
+
+uint wrinkle_worley_noise_hash3(vec3 cell) {
+    uint z = wrinkle_worley_noise_hash(uint(int(cell.z)));
+    uint yz = wrinkle_worley_noise_hash(uint(int(cell.y)) + z);
+    return wrinkle_worley_noise_hash(uint(int(cell.x)) + yz);
+}
+
+vec3 wrinkle_worley_noise_random3(uint bits) {
+    uint second = wrinkle_worley_noise_hash(bits);
+    uint third = wrinkle_worley_noise_hash(second);
+    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / 16777216.0;
 }
 
 vec3 wrinkle_worley_noise_feature_point(vec3 cell, float jitter) {
-    uint sum = uint(int(cell.y)) + wrinkle_worley_noise_hash(uint(int(cell.z)));
-    uint sum_2 = uint(int(cell.x)) + wrinkle_worley_noise_hash(sum);
-    uint hash = wrinkle_worley_noise_hash(sum_2);
-    uint hash_2 = wrinkle_worley_noise_hash(hash);
-    float number = float(wrinkle_worley_noise_hash(hash_2) >> 8u);
-    vec3 difference = vec3(float(hash >> 8u), float(hash_2 >> 8u), number) * 5.9604645e-08 - 0.5;
-    return difference * jitter;
+    uint bits = wrinkle_worley_noise_hash3(cell);
+    return (wrinkle_worley_noise_random3(bits) - 0.5) * jitter;
 }
 
-vec4 wrinkle_worley_noise_worley_with_slope(vec3 p, float width, float jitter) {
-    vec3 floored = floor(p);
-    vec3 difference = p - floored - 0.5;
+vec4 wrinkle_worley_noise_worley(vec3 point, float width, float scale, float jitter) {
+    vec3 p = point * scale;
+    vec3 cell = floor(p);
+    vec3 from = p - cell - 0.5;
     float first = 9.0;
     float second = 9.0;
     vec3 nearest = vec3(0.0);
     vec3 next = vec3(0.0);
     for (int i = 0; i < 27; ++i) {
-        float sum = float(i) + 0.5;
-        vec3 floored_2 = floor(vec3(sum, sum * vec2(0.33333334, 0.11111111)));
-        vec3 difference_2 = floored_2 - 3.0 * floor((floored_2 + 0.5) * 0.33333334) - 1.0;
-        vec3 sum_2 = difference_2 + wrinkle_worley_noise_feature_point(floored + difference_2,
-                jitter);
-        vec3 difference_3 = sum_2 - difference;
-        float dot_product = dot(difference_3, difference_3);
-        bool test = dot_product < first;
-        next = test ? nearest : (dot_product < second ? difference_2 : next);
-        second = min(second, max(first, dot_product));
-        first = min(first, dot_product);
-        nearest = test ? difference_2 : nearest;
+        vec3 offset = floor(mod((float(i) + 0.5) / vec3(1.0, 3.0, 9.0), 3.0)) - 1.0;
+        vec3 way = offset + wrinkle_worley_noise_feature_point(cell + offset, jitter) - from;
+        float square = dot(way, way);
+        bool test = square < first;
+        next = test ? nearest : square < second ? offset : next;
+        second = min(second, max(first, square));
+        first = min(first, square);
+        nearest = test ? offset : nearest;
     }
-    vec3 sum_3 = next + wrinkle_worley_noise_feature_point(floored + next, jitter);
-    float extent = length(sum_3 - difference);
-    vec3 choice = extent > 0.0 ? (difference - sum_3) / extent : vec3(0.0);
-    vec3 sum_4 = nearest + wrinkle_worley_noise_feature_point(floored + nearest, jitter);
-    float extent_2 = length(sum_4 - difference);
-    vec3 difference_4 = choice - (extent_2 > 0.0 ? (difference - sum_4) / extent_2 : vec3(0.0));
-    float difference_5 = 1.0 - smoothstep(0.25, 0.75, width);
-    float mixed = mix(0.223 - 0.025 * jitter, extent - extent_2, difference_5);
-    return vec4(difference_4 * difference_5, mixed);
+    vec3 sum = next + wrinkle_worley_noise_feature_point(cell + next, jitter);
+    vec3 to_next = sum - from;
+    float extent = length(to_next);
+    float negated = -scale;
+    vec3 sum_2 = nearest + wrinkle_worley_noise_feature_point(cell + nearest, jitter);
+    vec3 to_nearest = sum_2 - from;
+    float extent_2 = length(to_nearest);
+    vec3 choice = extent_2 > 0.0 ? to_nearest * negated / extent_2 : vec3(0.0);
+    vec3 difference = (extent > 0.0 ? to_next * negated / extent : vec3(0.0)) - choice;
+    float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(scale));
+    return vec4(difference * fade, mix(0.223 - 0.025 * jitter, extent - extent_2, fade));
 }
 
 WrinkleMaterial_worley_noise wrinkle_worley_noise(WrinkleSurface_worley_noise s) {
     vec3 normal = normalize(s.normal);
-    float relief_extent = length(dFdx(s.position_relative));  // relief: Worley noise
-    float relief_product = max(relief_extent, length(dFdy(s.position_relative))) * 5.0;
-    vec4 relief_slope = wrinkle_worley_noise_worley_with_slope(s.position * 5.0, relief_product,
-            1.0);
-    vec3 relief_gradient = relief_slope.xyz * 5.0 * 0.05;
-    // normal: Resolve
-    vec3 normal_difference = normal * (s.facing + dot(normal, relief_gradient)) - relief_gradient;
+    // relief: Worley noise
+    float relief_width = max(length(dFdx(s.position_relative)), length(dFdy(s.position_relative)));
+    vec4 relief = wrinkle_worley_noise_worley(s.position, relief_width, 5.0, 1.0);
+    vec3 relief_slope = relief.xyz * 0.05;
     WrinkleMaterial_worley_noise m;
-    m.normal = normalize(normal_difference);
-    m.height = relief_slope.w * 0.05;  // relief: Worley noise (continued)
+    // normal: Resolve
+    m.normal = normalize(normal * (s.facing + dot(normal, relief_slope)) - relief_slope);
+    m.height = relief.w * 0.05;  // relief: Worley noise (continued)
     return m;
 }

@@ -15,11 +15,12 @@ WrinkleMaterial_corrugated wrinkle_corrugated(WrinkleSurface_corrugated s) {
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    vec2 normal_vector = vec2(dFdx(s.uv0).x, dFdy(s.uv0).x);  // normal: Resolve
+    vec2 iron_vector = vec2(dFdx(s.uv0).x, dFdy(s.uv0).x);  // iron: Corrugated
+    float iron_product = s.uv0.x * 16.0 * 6.2831855;
+    vec2 iron_wave_slope = -(iron_vector * 16.0 * 6.2831855 * sin(iron_product));
+    // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    float iron_product = s.uv0.x * 16.0 * 6.2831855;  // iron: Corrugated
-    vec2 iron_negated = -(normal_vector * 16.0 * 6.2831855 * sin(iron_product));
-    vec2 normal_product_2 = iron_negated * normal_product;  // normal: Resolve (continued)
+    vec2 normal_product_2 = iron_wave_slope * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_corrugated m;
     m.normal = normalize(normal * s.facing - normal_gradient);

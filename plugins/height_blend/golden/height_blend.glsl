@@ -12,108 +12,96 @@ struct WrinkleMaterial_height_blend {
 };
 
 uint wrinkle_height_blend_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    return product >> 22u ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-vec3 wrinkle_height_blend_noise_direction(vec3 corner) {
-    uint sum = uint(int(corner.y)) + wrinkle_height_blend_hash(uint(int(corner.z)));
-    uint sum_2 = uint(int(corner.x)) + wrinkle_height_blend_hash(sum);
-    uint hash = wrinkle_height_blend_hash(sum_2);
-    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
-    float number = float(2237013u >> product & 3u);
-    float number_2 = float(5573130u >> product & 3u);
-    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+uint wrinkle_height_blend_hash3(vec3 cell) {
+    uint z = wrinkle_height_blend_hash(uint(int(cell.z)));
+    uint yz = wrinkle_height_blend_hash(uint(int(cell.y)) + z);
+    return wrinkle_height_blend_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_height_blend_gradient_corner(vec3 corner, vec3 way) {
-    vec3 direction = wrinkle_height_blend_noise_direction(corner);
-    return vec4(direction, dot(direction, way));
+    uint bits = wrinkle_height_blend_hash3(corner);
+    float a = 1.0 - 2.0 * float(bits & 1u);
+    uint axis = (bits >> 8u) * 3u >> 24u;
+    float first = axis == 0u ? a : 0.0;
+    float x = a - first;
+    float b = 1.0 - float(bits & 2u);
+    float last = axis == 2u ? b : 0.0;
+    float y = first + last;
+    float z = b - last;
+    return vec4(x, y, z, dot(vec3(x, y, z), way));
+}
+
+vec4 wrinkle_height_blend_gradient_edge(vec3 corner, vec3 way, float t, float t_slope) {
+    vec4 a = wrinkle_height_blend_gradient_corner(corner, way);
+    vec4 b = wrinkle_height_blend_gradient_corner(vec3(corner.x + 1.0, corner.yz),
+            vec3(way.x - 1.0, way.yz));
+    vec4 mixed = mix(a, b, t);
+    return vec4(mixed.x + t_slope * (b.w - a.w), mixed.yzw);
 }
 
 vec4 wrinkle_height_blend_gradient_noise(vec3 p) {
-    vec3 floored = floor(p);
-    vec3 difference = p - floored;
-    vec4 corner = wrinkle_height_blend_gradient_corner(floored, difference);
-    vec3 sum = floored + 1.0;
-    vec3 vector = vec3(sum.x, floored.yz);
-    vec3 difference_2 = difference - 1.0;
-    vec3 vector_2 = vec3(difference_2.x, difference.yz);
-    vec4 corner_2 = wrinkle_height_blend_gradient_corner(vector, vector_2);
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec4 mixed = mix(corner, corner_2, product.x);
-    vec3 vector_3 = vec3(floored.x, sum.y, floored.z);
-    vec3 vector_4 = vec3(difference.x, difference_2.y, difference.z);
-    vec4 corner_3 = wrinkle_height_blend_gradient_corner(vector_3, vector_4);
-    vec3 vector_5 = vec3(difference_2.xy, difference.z);
-    vec4 corner_4 = wrinkle_height_blend_gradient_corner(vec3(sum.xy, floored.z), vector_5);
-    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
-    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
-    vec3 vector_6 = vec3(floored.xy, sum.z);
-    vec3 vector_7 = vec3(difference.xy, difference_2.z);
-    vec4 corner_5 = wrinkle_height_blend_gradient_corner(vector_6, vector_7);
-    vec3 vector_8 = vec3(difference_2.x, difference.y, difference_2.z);
-    vec4 corner_6 = wrinkle_height_blend_gradient_corner(vec3(sum.x, floored.y, sum.z), vector_8);
-    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
-    vec3 vector_9 = vec3(difference.x, difference_2.yz);
-    vec4 corner_7 = wrinkle_height_blend_gradient_corner(vec3(floored.x, sum.yz), vector_9);
-    vec4 corner_8 = wrinkle_height_blend_gradient_corner(sum, difference_2);
-    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
-    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
-    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
-    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
-    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
-    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
-    vec3 vector_10 = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
-    vec3 sum_3 = mixed_7.xyz + product_2 * vector_10;
-    return vec4(sum_3, mixed_7.w);
+    vec3 cell = floor(p);
+    vec3 f = p - cell;
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 t_slope = 30.0 * f * f * back * back;
+    vec4 a = wrinkle_height_blend_gradient_edge(cell, f, t.x, t_slope.x);
+    vec4 b = wrinkle_height_blend_gradient_edge(vec3(cell.x, cell.y + 1.0, cell.z),
+            vec3(f.x, f.y - 1.0, f.z), t.x, t_slope.x);
+    vec4 ab = mix(a, b, t.y);
+    vec4 low = vec4(ab.x, ab.y + t_slope.y * (b.w - a.w), ab.zw);
+    vec4 c = wrinkle_height_blend_gradient_edge(vec3(cell.xy, cell.z + 1.0), vec3(f.xy, f.z - 1.0),
+            t.x, t_slope.x);
+    vec4 d = wrinkle_height_blend_gradient_edge(vec3(cell.x, cell.yz + 1.0), vec3(f.x, f.yz - 1.0),
+            t.x, t_slope.x);
+    vec4 cd = mix(c, d, t.y);
+    vec4 high = vec4(cd.x, cd.y + t_slope.y * (d.w - c.w), cd.zw);
+    vec4 joined = mix(low, high, t.z);
+    return vec4(joined.xy, joined.z + t_slope.z * (cd.w - ab.w), joined.w);
 }
 
-vec4 wrinkle_height_blend_fbm_with_slope(vec3 point, float width, int octaves, float lacunarity,
+vec4 wrinkle_height_blend_fbm(vec3 point, float width, float scale, int octaves, float lacunarity,
         float gain) {
-    float frequency = 1.0;
+    float frequency = scale;
     float weight = 1.0;
     float total = 0.0;
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 sum_2 = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
-        vec4 noise = wrinkle_height_blend_gradient_noise(sum_2);
-        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec4 noise = wrinkle_height_blend_gradient_noise(p);
+        float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
-        sum += noise.w * difference * weight;
-        sum_slope += noise.xyz * frequency * difference * weight;
+        sum += noise.w * fade * weight;
+        sum_slope += noise.xyz * frequency * fade * weight;
         frequency *= lacunarity;
         weight *= gain;
     }
-    vec4 vector = vec4(sum_slope, sum);
-    return vector / total;
+    return vec4(sum_slope, sum) / total;
 }
 
 WrinkleMaterial_height_blend wrinkle_height_blend(WrinkleSurface_height_blend s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
+    float position_width = max(length(dpdx), length(dpdy));
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    float dunes_greatest = max(length(dpdx), length(dpdy));  // dunes: Fractal noise
-    float dunes_product = dunes_greatest * 2.5;
-    vec4 dunes_slope = wrinkle_height_blend_fbm_with_slope(s.position * 2.5, dunes_product, 3, 2.0,
-            0.5);
-    float dunes_height = dunes_slope.w * 0.03;
-    float grain_product = dunes_greatest * 60.0;  // grain: Gradient noise
-    vec4 grain_slope = wrinkle_height_blend_fbm_with_slope(s.position * 60.0, grain_product, 1, 2.0,
-            0.5);
-    float grain_height = grain_slope.w * 0.0015;
-    // sand: Add heights
-    vec3 sand_sum = dunes_slope.xyz * 2.5 * 0.03 + grain_slope.xyz * 60.0 * 0.0015;
-    float sand_height = dunes_height + grain_height;
+    // dunes: Fractal noise
+    vec4 dunes = wrinkle_height_blend_fbm(s.position, position_width, 2.5, 3, 2.0, 0.5);
+    float dunes_height = dunes.w * 0.03;
+    // grain: Gradient noise
+    vec4 grain = wrinkle_height_blend_fbm(s.position, position_width, 60.0, 1, 2.0, 0.5);
+    float grain_height = grain.w * 0.0015;
+    float sand_height = dunes_height + grain_height;  // sand: Add heights
     vec2 stones_product = dFdx(s.uv0) * 7.0;  // stones: Hexagons
     vec2 stones_product_2 = dFdy(s.uv0) * 7.0;
-    float stones_greatest = max(length(stones_product), length(stones_product_2));
-    float stones_greatest_2 = max(0.25, stones_greatest);
+    float stones_width = max(length(stones_product), length(stones_product_2));
+    float stones_greatest = max(0.25, stones_width);
     vec2 stones_product_3 = s.uv0 * 7.0;
     vec2 stones_quotient = stones_product_3 / vec2(1.0, 1.7320508);
     vec2 stones_floored = floor(stones_quotient + 0.5);
@@ -127,29 +115,27 @@ WrinkleMaterial_height_blend wrinkle_height_blend(WrinkleSurface_height_blend s)
     vec2 stones_magnitude = abs(stones_choice);
     float stones_dot_product_2 = dot(stones_magnitude, vec2(0.5, 0.8660254));
     float stones_difference_3 = 0.5 - max(stones_magnitude.x, stones_dot_product_2);
-    float stones_quotient_2 = (0.5 * (stones_greatest_2 + 0.31) - stones_difference_3) /
-            stones_greatest_2;
-    float stones_least = min(1.0, 0.31 / stones_greatest_2);
-    float stones_difference_4 = 1.0 - clamp(stones_quotient_2, 0.0, stones_least);
-    float stones_difference_5 = 1.0 - smoothstep(0.25, 0.75, stones_greatest);
-    float stones_value = mix(0.4761, stones_difference_4, stones_difference_5);
+    float stones_quotient_2 = (0.5 * (stones_greatest + 0.31) - stones_difference_3) /
+            stones_greatest;
+    float stones_least = min(1.0, 0.31 / stones_greatest);
+    float stones_fade = 1.0 - smoothstep(0.25, 0.75, stones_width);
+    float stones_value = mix(0.4761, 1.0 - clamp(stones_quotient_2, 0.0, stones_least),
+            stones_fade);
     float stones_height = stones_value * 0.05;
+    bool stones_test_2 = stones_magnitude.x < stones_dot_product_2;
     vec2 stones_sign = sign(stones_choice);
     vec2 stones_product_4 = stones_product * stones_sign;
     float stones_dot_product_3 = dot(stones_product_4, vec2(0.5, 0.8660254));
     vec2 stones_product_5 = stones_product_2 * stones_sign;
+    vec2 stones_vector_2 = vec2(stones_dot_product_3, dot(stones_product_5, vec2(0.5, 0.8660254)));
+    vec2 stones_vector_3 = vec2(stones_product_4.x, stones_product_5.x);
+    vec2 stones_quotient_3 = (stones_test_2 ? stones_vector_2 : stones_vector_3) / stones_greatest;
+    vec2 stones_choice_2 = stones_quotient_2 < 0.0 ? vec2(0.0) : stones_quotient_3;
+    vec2 stones_choice_3 = stones_least < max(stones_quotient_2, 0.0) ? vec2(0.0) : stones_choice_2;
     // both: Height blend
     float both_weight = clamp(0.5 + (sand_height + 0.025 - stones_height) / 0.008, 0.0, 1.0);
-    vec3 both_gradient = sand_sum * both_weight;
-    vec2 both_vector = vec2(stones_dot_product_3, dot(stones_product_5, vec2(0.5, 0.8660254)));
-    vec2 both_vector_2 = vec2(stones_product_4.x, stones_product_5.x);
-    // stones: Hexagons (continued)
-    vec2 stones_choice_2 = stones_magnitude.x < stones_dot_product_2 ? both_vector : both_vector_2;
-    vec2 stones_choice_3 = stones_quotient_2 < 0.0 ? vec2(0.0) : stones_choice_2 /
-            stones_greatest_2;
-    vec2 stones_choice_4 = stones_least < max(stones_quotient_2, 0.0) ? vec2(0.0) : stones_choice_3;
-    // both: Height blend (continued)
-    vec2 both_product = -stones_choice_4 * stones_difference_5 * 0.05 * (1.0 - both_weight);
+    vec3 both_gradient = (dunes.xyz * 0.03 + grain.xyz * 0.0015) * both_weight;
+    vec2 both_product = -stones_choice_3 * stones_fade * 0.05 * (1.0 - both_weight);
     vec3 normal_product = normal * (s.facing + dot(normal, both_gradient));  // normal: Resolve
     vec2 normal_product_2 = both_product * (sign(screen_area) / max(abs(screen_area), 1e-36));
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);

@@ -15,11 +15,12 @@ WrinkleMaterial_ripples wrinkle_ripples(WrinkleSurface_ripples s) {
     float rings_extent = length(rings_vector);
     vec3 rings_choice = rings_extent > 0.0 ? rings_vector / rings_extent : vec3(0.0);
     float rings_product = 31.415926 * rings_extent;
-    vec3 rings_gradient = -(rings_choice * 31.415926 * sin(rings_product)) * 0.01;
+    vec3 rings_product_2 = rings_choice * 31.415926 * sin(rings_product);
     // normal: Resolve
-    vec3 normal_difference = normal * (s.facing + dot(normal, rings_gradient)) - rings_gradient;
+    vec3 normal_product = normal * (s.facing + dot(normal, -rings_product_2 * 0.01));
+    vec3 normal_sum = normal_product + rings_product_2 * 0.01;
     WrinkleMaterial_ripples m;
-    m.normal = normalize(normal_difference);
+    m.normal = normalize(normal_sum);
     m.height = 0.01 * cos(rings_product);  // rings: Ripples (continued)
     return m;
 }

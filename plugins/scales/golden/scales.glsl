@@ -11,9 +11,9 @@ struct WrinkleMaterial_scales {
 };
 
 uint wrinkle_scales_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    return product >> 22u ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
 WrinkleMaterial_scales wrinkle_scales(WrinkleSurface_scales s) {
@@ -23,32 +23,34 @@ WrinkleMaterial_scales wrinkle_scales(WrinkleSurface_scales s) {
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 skin_product = s.uv0 * 8.0;  // skin: Scales
     float skin_row = floor(2.0 * skin_product.y);
-    vec2 skin_product_2 = dFdx(s.uv0) * 8.0;
-    vec2 skin_product_3 = dFdy(s.uv0) * 8.0;
-    vec2 skin_quotient = vec2(skin_product_2.y, skin_product_3.y) * 0.4 / 0.75;
+    vec2 skin_way_slope_dx = dFdx(s.uv0) * 8.0;
+    vec2 skin_way_slope_dy = dFdy(s.uv0) * 8.0;
+    vec2 skin_quotient = vec2(skin_way_slope_dx.y, skin_way_slope_dy.y) * 0.4 / 0.75;
     float state_2 = 0.0;
     vec2 state_3 = vec2(0.0);
     for (int i = 0; i < min(8, 8); ++i) {
         float skin_difference = skin_row + float(i >> 1) - 1.0;  // skin: Scales (continued)
-        float skin_product_4 = 0.5 * mod(skin_difference, 2.0);
-        float skin_sum = floor(skin_product.x - skin_product_4) + float(i & 1);
-        uint skin_sum_2 = uint(int(skin_sum)) + wrinkle_scales_hash(uint(int(skin_difference)));
-        uint skin_bits = wrinkle_scales_hash(skin_sum_2) >> 8u;
-        float skin_difference_2 = 1.0 - 0.3 * (float(skin_bits) * 5.9604645e-08);
-        vec2 skin_way = skin_product - vec2(skin_sum + skin_product_4, 0.5 * skin_difference);
+        float skin_product_2 = 0.5 * mod(skin_difference, 2.0);
+        float skin_sum = floor(skin_product.x - skin_product_2) + float(i & 1);
+        uint skin = wrinkle_scales_hash(uint(int(skin_sum)) +
+                wrinkle_scales_hash(uint(int(skin_difference))));
+        uint skin_bits = skin >> 8u;
+        float skin_difference_2 = 1.0 - 0.3 * (float(skin_bits) / 16777216.0);
+        vec2 skin_way = skin_product - vec2(skin_sum + skin_product_2, 0.5 * skin_difference);
         float skin_difference_3 = 1.5 - 1.5 * dot(skin_way, skin_way) / 0.5625;
-        float skin_product_5 = skin_difference_2 * clamp(skin_difference_3, 0.0, 1.0);
+        float skin_product_3 = skin_difference_2 * clamp(skin_difference_3, 0.0, 1.0);
         float skin_difference_4 = 0.5 - 0.4 * skin_way.y / 0.75;
-        float skin_product_6 = skin_product_5 * skin_difference_4;
-        vec2 skin_vector = vec2(dot(skin_product_2, skin_way), dot(skin_product_3, skin_way));
-        vec2 skin_vector_2 = vec2(dot(skin_way, skin_product_2), dot(skin_way, skin_product_3));
+        float skin_product_4 = skin_product_3 * skin_difference_4;
+        vec2 skin_vector = vec2(dot(skin_way_slope_dx, skin_way), dot(skin_way_slope_dy, skin_way));
+        vec2 skin_vector_2 = vec2(dot(skin_way, skin_way_slope_dx),
+                dot(skin_way, skin_way_slope_dy));
         vec2 skin_negated = -((skin_vector + skin_vector_2) * 1.5 / 0.5625);
         vec2 skin_choice = skin_difference_3 < 0.0 ? vec2(0.0) : skin_negated;
-        vec2 skin_choice_2 = 1.0 < max(skin_difference_3, 0.0) ? vec2(0.0) : skin_choice;
-        vec2 skin_product_7 = skin_choice_2 * skin_difference_2 * skin_difference_4;
-        state_3 = state_2 < skin_product_6 ? skin_product_7 - skin_quotient * skin_product_5 :
+        vec2 skin_rim_slope = 1.0 < max(skin_difference_3, 0.0) ? vec2(0.0) : skin_choice;
+        vec2 skin_product_5 = skin_rim_slope * skin_difference_2 * skin_difference_4;
+        state_3 = state_2 < skin_product_4 ? skin_product_5 - skin_quotient * skin_product_3 :
                 state_3;
-        state_2 = max(state_2, skin_product_6);
+        state_2 = max(state_2, skin_product_4);
     }
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;

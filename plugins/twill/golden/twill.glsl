@@ -11,82 +11,77 @@ struct WrinkleMaterial_twill {
 };
 
 uint wrinkle_twill_hash(uint x) {
-    uint sum = x * 747796405u + 2891336453u;
-    uint product = (sum >> (sum >> 28u) + 4u ^ sum) * 277803737u;
-    return product >> 22u ^ product;
+    uint state = x * 747796405u + 2891336453u;
+    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
+    return word >> 22u ^ word;
 }
 
-vec3 wrinkle_twill_noise_direction(vec3 corner) {
-    uint sum = uint(int(corner.y)) + wrinkle_twill_hash(uint(int(corner.z)));
-    uint sum_2 = uint(int(corner.x)) + wrinkle_twill_hash(sum);
-    uint hash = wrinkle_twill_hash(sum_2);
-    uint product = (((hash >> 8u) * 3u >> 24u) * 4u + (hash & 3u)) * 2u;
-    float number = float(2237013u >> product & 3u);
-    float number_2 = float(5573130u >> product & 3u);
-    return vec3(number, float(677154u >> product & 3u), number_2) - 1.0;
+uint wrinkle_twill_hash3(vec3 cell) {
+    uint z = wrinkle_twill_hash(uint(int(cell.z)));
+    uint yz = wrinkle_twill_hash(uint(int(cell.y)) + z);
+    return wrinkle_twill_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_twill_gradient_corner(vec3 corner, vec3 way) {
-    vec3 direction = wrinkle_twill_noise_direction(corner);
-    return vec4(direction, dot(direction, way));
+    uint bits = wrinkle_twill_hash3(corner);
+    float a = 1.0 - 2.0 * float(bits & 1u);
+    uint axis = (bits >> 8u) * 3u >> 24u;
+    float first = axis == 0u ? a : 0.0;
+    float x = a - first;
+    float b = 1.0 - float(bits & 2u);
+    float last = axis == 2u ? b : 0.0;
+    float y = first + last;
+    float z = b - last;
+    return vec4(x, y, z, dot(vec3(x, y, z), way));
+}
+
+vec4 wrinkle_twill_gradient_edge(vec3 corner, vec3 way, float t, float t_slope) {
+    vec4 a = wrinkle_twill_gradient_corner(corner, way);
+    vec4 b = wrinkle_twill_gradient_corner(vec3(corner.x + 1.0, corner.yz),
+            vec3(way.x - 1.0, way.yz));
+    vec4 mixed = mix(a, b, t);
+    return vec4(mixed.x + t_slope * (b.w - a.w), mixed.yzw);
 }
 
 vec4 wrinkle_twill_gradient_noise(vec3 p) {
-    vec3 floored = floor(p);
-    vec3 difference = p - floored;
-    vec4 corner = wrinkle_twill_gradient_corner(floored, difference);
-    vec3 sum = floored + 1.0;
-    vec3 difference_2 = difference - 1.0;
-    vec3 vector = vec3(difference_2.x, difference.yz);
-    vec4 corner_2 = wrinkle_twill_gradient_corner(vec3(sum.x, floored.yz), vector);
-    vec3 sum_2 = difference * (difference * 6.0 - 15.0) + 10.0;
-    vec3 product = difference * difference * difference * sum_2;
-    vec4 mixed = mix(corner, corner_2, product.x);
-    vec3 vector_2 = vec3(difference.x, difference_2.y, difference.z);
-    vec4 corner_3 = wrinkle_twill_gradient_corner(vec3(floored.x, sum.y, floored.z), vector_2);
-    vec3 vector_3 = vec3(difference_2.xy, difference.z);
-    vec4 corner_4 = wrinkle_twill_gradient_corner(vec3(sum.xy, floored.z), vector_3);
-    vec4 mixed_2 = mix(corner_3, corner_4, product.x);
-    vec4 mixed_3 = mix(mixed, mixed_2, product.y);
-    vec3 vector_4 = vec3(difference.xy, difference_2.z);
-    vec4 corner_5 = wrinkle_twill_gradient_corner(vec3(floored.xy, sum.z), vector_4);
-    vec3 vector_5 = vec3(difference_2.x, difference.y, difference_2.z);
-    vec4 corner_6 = wrinkle_twill_gradient_corner(vec3(sum.x, floored.y, sum.z), vector_5);
-    vec4 mixed_4 = mix(corner_5, corner_6, product.x);
-    vec3 vector_6 = vec3(difference.x, difference_2.yz);
-    vec4 corner_7 = wrinkle_twill_gradient_corner(vec3(floored.x, sum.yz), vector_6);
-    vec4 corner_8 = wrinkle_twill_gradient_corner(sum, difference_2);
-    vec4 mixed_5 = mix(corner_7, corner_8, product.x);
-    vec4 mixed_6 = mix(mixed_4, mixed_5, product.y);
-    vec4 mixed_7 = mix(mixed_3, mixed_6, product.z);
-    vec3 product_2 = 30.0 * difference * difference * difference_2 * difference_2;
-    float mixed_8 = mix(corner_2.w - corner.w, corner_4.w - corner_3.w, product.y);
-    float mixed_9 = mix(corner_6.w - corner_5.w, corner_8.w - corner_7.w, product.y);
-    float mixed_10 = mix(mixed_2.w - mixed.w, mixed_5.w - mixed_4.w, product.z);
-    vec3 vector_7 = vec3(mix(mixed_8, mixed_9, product.z), mixed_10, mixed_6.w - mixed_3.w);
-    vec3 sum_3 = mixed_7.xyz + product_2 * vector_7;
-    return vec4(sum_3, mixed_7.w);
+    vec3 cell = floor(p);
+    vec3 f = p - cell;
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 t_slope = 30.0 * f * f * back * back;
+    vec4 a = wrinkle_twill_gradient_edge(cell, f, t.x, t_slope.x);
+    vec4 b = wrinkle_twill_gradient_edge(vec3(cell.x, cell.y + 1.0, cell.z),
+            vec3(f.x, f.y - 1.0, f.z), t.x, t_slope.x);
+    vec4 ab = mix(a, b, t.y);
+    vec4 low = vec4(ab.x, ab.y + t_slope.y * (b.w - a.w), ab.zw);
+    vec4 c = wrinkle_twill_gradient_edge(vec3(cell.xy, cell.z + 1.0), vec3(f.xy, f.z - 1.0), t.x,
+            t_slope.x);
+    vec4 d = wrinkle_twill_gradient_edge(vec3(cell.x, cell.yz + 1.0), vec3(f.x, f.yz - 1.0), t.x,
+            t_slope.x);
+    vec4 cd = mix(c, d, t.y);
+    vec4 high = vec4(cd.x, cd.y + t_slope.y * (d.w - c.w), cd.zw);
+    vec4 joined = mix(low, high, t.z);
+    return vec4(joined.xy, joined.z + t_slope.z * (cd.w - ab.w), joined.w);
 }
 
-vec4 wrinkle_twill_fbm_with_slope(vec3 point, float width, int octaves, float lacunarity,
+vec4 wrinkle_twill_fbm(vec3 point, float width, float scale, int octaves, float lacunarity,
         float gain) {
-    float frequency = 1.0;
+    float frequency = scale;
     float weight = 1.0;
     float total = 0.0;
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec4 noise = wrinkle_twill_gradient_noise(point * frequency + vec3(19.19, 7.43,
-                31.71) * float(i));
-        float difference = 1.0 - smoothstep(0.25, 0.75, width * frequency);
+        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec4 noise = wrinkle_twill_gradient_noise(p);
+        float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
-        sum += noise.w * difference * weight;
-        sum_slope += noise.xyz * frequency * difference * weight;
+        sum += noise.w * fade * weight;
+        sum_slope += noise.xyz * frequency * fade * weight;
         frequency *= lacunarity;
         weight *= gain;
     }
-    vec4 vector = vec4(sum_slope, sum);
-    return vector / total;
+    return vec4(sum_slope, sum) / total;
 }
 
 WrinkleMaterial_twill wrinkle_twill(WrinkleSurface_twill s) {
@@ -97,6 +92,19 @@ WrinkleMaterial_twill wrinkle_twill(WrinkleSurface_twill s) {
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     float along_result = s.uv0.y * 0.2;  // along: Multiply
+    vec3 place_vector = vec3(s.uv0.x, along_result, 0.0);  // place: Combine vec3
+    vec2 split_slope = vec2(duv0_dx.y, duv0_dy.y);  // split: Separate vec2
+    vec2 split_slope_2 = vec2(duv0_dx.x, duv0_dy.x);
+    float fibres_extent = length(vec3(duv0_dx.x, duv0_dx.y * 0.2, 0.0));  // fibres: Fractal noise
+    float fibres_width = max(fibres_extent, length(vec3(duv0_dy.x, duv0_dy.y * 0.2, 0.0)));
+    vec4 fibres = wrinkle_twill_fbm(place_vector, fibres_width, 220.0, 2, 2.0, 0.5);
+    float fibres_height = fibres.w * 8e-04;
+    float fibres_extent_2 = length(vec3(duv0_dx.y, duv0_dx.x * 0.2, 0.0));
+    vec4 fibres_2 = wrinkle_twill_fbm(vec3(s.uv0.y, s.uv0.x * 0.2, 0.0),
+            max(fibres_extent_2, length(vec3(duv0_dy.y, duv0_dy.x * 0.2, 0.0))), 220.0, 2, 2.0,
+            0.5);
+    vec2 fibres_product = (fibres_2.x * split_slope + fibres_2.y * (split_slope_2 * 0.2)) * 8e-04;
+    vec2 fibres_slope = (fibres.x * split_slope_2 + fibres.y * (split_slope * 0.2)) * 8e-04;
     vec2 cloth_product = s.uv0 * 32.0;  // cloth: Twill
     float cloth_floored = floor(cloth_product.x);
     float cloth_quotient = (2.0 * (cloth_product.x - cloth_floored) - 1.0) / 0.9;
@@ -104,57 +112,36 @@ WrinkleMaterial_twill wrinkle_twill(WrinkleSurface_twill s) {
     float cloth_greatest = max(cloth_difference, 0.0);
     float cloth_product_2 = (cloth_product.y - cloth_floored) * 1.5707964;
     float cloth_sum = 0.65 + 0.35 * cos(cloth_product_2);
+    float cloth_sum_2 = 0.012 * (cloth_greatest * cloth_sum) + fibres_height;
     float cloth_floored_2 = floor(cloth_product.y);
     float cloth_quotient_2 = (2.0 * (cloth_product.y - cloth_floored_2) - 1.0) / 0.9;
     float cloth_difference_2 = 1.0 - cloth_quotient_2 * cloth_quotient_2;
     float cloth_greatest_2 = max(cloth_difference_2, 0.0);
     float cloth_product_3 = (cloth_product.x - cloth_floored_2 + 1.0) * 1.5707964;
-    float cloth_sum_2 = 0.65 + 0.35 * cos(cloth_product_3);
+    float cloth_sum_3 = 0.65 + 0.35 * cos(cloth_product_3);
+    float cloth_sum_4 = 0.012 * (cloth_greatest_2 * cloth_sum_3) + fibres_2.w * 8e-04;
     vec2 cloth_product_4 = duv0_dx * 32.0;
     vec2 cloth_product_5 = duv0_dy * 32.0;
-    vec2 cloth_vector = vec2(cloth_product_4.x, cloth_product_5.x);
-    vec2 cloth_product_6 = -(cloth_vector * 1.5707964 * sin(cloth_product_3)) * 0.35;
-    vec2 cloth_product_7 = cloth_vector * 2.0 / 0.9 * cloth_quotient;
-    vec2 cloth_negated = -(cloth_product_7 + cloth_product_7);
-    vec2 cloth_product_8 = (cloth_difference < 0.0 ? vec2(0.0) : cloth_negated) * cloth_sum;
-    float cloth_ramp = smoothstep(0.25, 0.75, max(length(cloth_product_4),
-            length(cloth_product_5)));
-    vec3 fibres_vector = vec3(vec2(s.uv0.x, along_result) * 220.0, 0.0);  // fibres: Fractal noise
-    float fibres_extent = length(vec3(duv0_dx.x, duv0_dx.y * 0.2, 0.0));
-    float fibres_greatest = max(fibres_extent, length(vec3(duv0_dy.x, duv0_dy.y * 0.2, 0.0)));
-    vec4 fibres_slope = wrinkle_twill_fbm_with_slope(fibres_vector, fibres_greatest * 220.0, 2, 2.0,
-            0.5);
-    float fibres_height = fibres_slope.w * 8e-04;
-    vec3 fibres_vector_2 = vec3(vec2(s.uv0.y, s.uv0.x * 0.2) * 220.0, 0.0);
-    float fibres_extent_2 = length(vec3(duv0_dx.y, duv0_dx.x * 0.2, 0.0));
-    float fibres_greatest_2 = max(fibres_extent_2, length(vec3(duv0_dy.y, duv0_dy.x * 0.2, 0.0)));
-    vec4 fibres_slope_2 = wrinkle_twill_fbm_with_slope(fibres_vector_2, fibres_greatest_2 * 220.0,
-            2, 2.0, 0.5);
-    vec2 fibres_vector_3 = vec2(cloth_product_4.y, cloth_product_5.y);
-    vec2 fibres_vector_4 = vec2(duv0_dx.x, duv0_dy.x);
-    vec2 fibres_product = fibres_slope_2.y * (fibres_vector_4 * 0.2 * 220.0);
-    // cloth: Twill (continued)
-    float cloth_sum_3 = 0.012 * (cloth_greatest * cloth_sum) + fibres_height;
-    float cloth_sum_4 = 0.012 * (cloth_greatest_2 * cloth_sum_2) + fibres_slope_2.w * 8e-04;
-    vec2 cloth_product_9 = fibres_vector_3 * 2.0 / 0.9 * cloth_quotient_2;
-    vec2 cloth_negated_2 = -(cloth_product_9 + cloth_product_9);
-    vec2 cloth_product_10 = (cloth_difference_2 < 0.0 ? vec2(0.0) : cloth_negated_2) * cloth_sum_2;
-    vec2 cloth_product_11 = (cloth_product_10 + cloth_product_6 * cloth_greatest_2) * 0.012;
-    vec2 cloth_product_12 = -(fibres_vector_3 * 1.5707964 * sin(cloth_product_2)) * 0.35;
-    vec2 cloth_product_13 = (cloth_product_8 + cloth_product_12 * cloth_greatest) * 0.012;
-    vec2 normal_vector = vec2(duv0_dx.y, duv0_dy.y);  // normal: Resolve
+    vec2 cloth_vector = vec2(cloth_product_4.y, cloth_product_5.y);
+    vec2 cloth_negated = -(cloth_vector * 2.0 / 0.9 * cloth_quotient_2 * 2.0);
+    vec2 cloth_product_6 = (cloth_difference_2 < 0.0 ? vec2(0.0) : cloth_negated) * cloth_sum_3;
+    vec2 cloth_vector_2 = vec2(cloth_product_4.x, cloth_product_5.x);
+    vec2 cloth_product_7 = -(cloth_vector_2 * 1.5707964 * sin(cloth_product_3)) * 0.35;
+    vec2 cloth_product_8 = (cloth_product_6 + cloth_product_7 * cloth_greatest_2) * 0.012;
+    vec2 cloth_sum_5 = cloth_product_8 + fibres_product;
+    vec2 cloth_negated_2 = -(cloth_vector_2 * 2.0 / 0.9 * cloth_quotient * 2.0);
+    vec2 cloth_product_9 = (cloth_difference < 0.0 ? vec2(0.0) : cloth_negated_2) * cloth_sum;
+    vec2 cloth_product_10 = -(cloth_vector * 1.5707964 * sin(cloth_product_2)) * 0.35;
+    vec2 cloth_product_11 = (cloth_product_9 + cloth_product_10 * cloth_greatest) * 0.012;
+    vec2 cloth_choice = cloth_sum_2 < cloth_sum_4 ? cloth_sum_5 : cloth_product_11 + fibres_slope;
+    float cloth_ramp = smoothstep(0.25, 0.75,
+            max(length(cloth_product_4), length(cloth_product_5)));
+    // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * (1.0 - cloth_ramp);
-    // fibres: Fractal noise (continued)
-    vec2 fibres_product_2 = (fibres_slope_2.x * (normal_vector * 220.0) + fibres_product) * 8e-04;
-    vec2 fibres_product_3 = fibres_slope.y * (normal_vector * 0.2 * 220.0);
-    vec2 fibres_product_4 = (fibres_slope.x * (fibres_vector_4 * 220.0) + fibres_product_3) * 8e-04;
-    vec2 cloth_sum_5 = cloth_product_11 + fibres_product_2;  // cloth: Twill (continued)
-    vec2 cloth_choice = cloth_sum_3 < cloth_sum_4 ? cloth_sum_5 : cloth_product_13 +
-            fibres_product_4;
-    vec2 normal_product_2 = cloth_choice * normal_product;  // normal: Resolve (continued)
+    vec2 normal_product_2 = cloth_choice * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_twill m;
     m.normal = normalize(normal * s.facing - normal_gradient);
-    m.height = mix(max(cloth_sum_3, cloth_sum_4), 0.0066, cloth_ramp);  // cloth: Twill (continued)
+    m.height = mix(max(cloth_sum_2, cloth_sum_4), 0.0066, cloth_ramp);  // cloth: Twill (continued)
     return m;
 }

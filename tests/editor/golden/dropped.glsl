@@ -15,8 +15,8 @@ WrinkleMaterial_graph wrinkle_graph(WrinkleSurface_graph s) {
     // rivets_normal: Tangent normal map
     vec3 rivets_normal_texel = texture(graph_rivets_normal_image, s.uv0).xyz - 0.5;
     float rivets_normal_greatest = max(abs(rivets_normal_texel.x), abs(rivets_normal_texel.y));
-    float rivets_normal_greatest_2 = max(abs(rivets_normal_texel.z),
-            rivets_normal_greatest * 0.0078125);
+    float rivets_normal_greatest_2 =
+            max(abs(rivets_normal_texel.z), rivets_normal_greatest * 0.0078125);
     float rivets_normal_depth = max(rivets_normal_greatest_2, 5e-07);
     // weave_normal: Tangent normal map
     vec3 weave_normal_texel = texture(graph_weave_normal_image, s.uv0).xyz - 0.5;
