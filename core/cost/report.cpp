@@ -61,6 +61,7 @@ CostReport cost_report(const Shader& shader, const SpirvCount& count) {
     const Reflection& r = shader.reflection;
     CostReport report;
     report.total = count.total;
+    report.once = count.once;
     report.texture_units = r.samplers.size();
     const auto units = units_by_node(r);
     for (uint32_t line = 0; line < count.lines.size(); ++line) {
@@ -103,6 +104,8 @@ std::string to_text(const CostReport& report) {
                        cells(report.total, report.texture_units) + "in all, " +
                        std::to_string(report.texture_units) + " of " +
                        std::to_string(guaranteed_texture_units) + " texture units\n";
+    if (!(report.once == report.total))
+        text += cells(report.once, report.texture_units) + "with the body of each loop once\n";
     for (const NodeCost& each : report.nodes)
         text += cells(each.cost, each.texture_units) + printable(each.node) + "\n";
     if (!(report.shared == ShaderCost{})) text += cells(report.shared, 0) + "(the surface point)\n";
@@ -110,8 +113,8 @@ std::string to_text(const CostReport& report) {
 }
 
 std::string to_json(const CostReport& report) {
-    std::string text =
-        "{\"total\": {" + members(report.total, report.texture_units) + "},\n \"nodes\": [";
+    std::string text = "{\"total\": {" + members(report.total, report.texture_units) +
+                       "},\n \"loop_bodies_once\": {" + members(report.once) + "},\n \"nodes\": [";
     const char* separator = "\n  ";
     for (const NodeCost& each : report.nodes) {
         text += separator + ("{\"node\": " + json_quoted(each.node)) + ", " +

@@ -24,6 +24,7 @@ struct NodeCost {
 
 struct CostReport {
     ShaderCost total;
+    ShaderCost once;              // total with loop bodies counted once
     std::vector<NodeCost> nodes;  // with a cost, in decreasing order of alu
     ShaderCost shared;            // surface point and instructions without a line
     size_t texture_units = 0;     // total
@@ -39,12 +40,13 @@ CostReport cost_report(const Shader& shader, const SpirvCount& count);
 std::optional<CostReport> measure_cost(const Module& module, Differentials differentials,
                                        std::string& why);
 
-// Human-readable report: totals, then one line per node.
+// Human-readable report: totals, with loop bodies once if that differs, then one line per node.
 //   ALU div reads derivs units  node
 std::string to_text(const CostReport& report);
 
 // {"total": {"alu", "transcendental", "divisions", "texture_reads", "texture_queries",
 //  "derivatives", "derivative_numbers", "branches", "loops", "texture_units"},
+//  "loop_bodies_once": {as above, no units},
 //  "nodes": [{"node", and as above}], "surface_point": {as above, no units}}, on several lines.
 std::string to_json(const CostReport& report);
 

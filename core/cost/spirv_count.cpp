@@ -1,6 +1,8 @@
 #include "cost/spirv_count.h"
 
 #include <algorithm>
+#include <unordered_map>
+#include <utility>
 
 #include "ir/op_traits.h"
 
@@ -10,6 +12,7 @@ namespace {
 constexpr uint32_t magic = 0x07230203;
 constexpr size_t header_words = 5;
 constexpr uint32_t max_bound = 4'194'303;  // universal limits of the specification
+constexpr uint64_t most_cost = 1'000'000'000;
 
 // Numbers of the SPIR-V specification, section 3.49, and of GLSL.std.450.
 enum : uint32_t {
@@ -19,6 +22,7 @@ enum : uint32_t {
     op_type_float = 22,
     op_type_vector = 23,
     op_type_matrix = 24,
+    op_constant = 43,
     op_function = 54,
     op_function_call = 57,
     op_f_div = 136,
@@ -28,7 +32,9 @@ enum : uint32_t {
     op_dot = 148,
     op_any = 154,
     op_all = 155,
+    op_s_less_than = 177,
     op_loop_merge = 246,
+    op_label = 248,
     op_branch_conditional = 250,
     op_switch = 251,
     op_no_line = 317,
@@ -101,13 +107,16 @@ public:
         if (op == op_line) line_ = at(operands, 1);
         if (op == op_no_line) line_ = 0;
         inside_ = inside_ || op == op_function;
+        if (op == op_constant) constants_[at(operands, 1)] = at(operands, 2);
         if (op == op_function_call) {
             why = "a call is left";
             return false;
         }
         if (!inside_) return true;
+        if (op == op_label) end_loops(at(operands, 0));
         const ShaderCost cost = cost_of(op, operands);
         if (!(cost == ShaderCost{})) add(cost);
+        find_iterations(op, operands);
         if (any_holds(block_ends, op)) line_ = 0;
         return true;
     }
@@ -142,11 +151,50 @@ private:
     }
 
     void add(const ShaderCost& cost) {
-        count.total += cost;
-        if (count.lines.size() <= line_) count.lines.resize(line_ + size_t{1});
-        count.lines[line_] += cost;
+        count.once += cost;
+        std::vector<ShaderCost>& lines = loops_.empty() ? count.lines : loops_.back().lines;
+        if (lines.size() <= line_) lines.resize(line_ + size_t{1});
+        lines[line_] += cost;
     }
 
+    // Begins loops and finds their numbers of iterations: n if the first conditional branch of a
+    // loop is on i < n and n is a constant, otherwise 1.
+    void find_iterations(uint32_t op, std::span<const uint32_t> operands) {
+        const auto known = [](const auto& table, uint32_t id) {
+            const auto found = table.find(id);
+            return found == table.end() ? 0 : found->second;
+        };
+        if (op == op_s_less_than) limits_[at(operands, 1)] = known(constants_, at(operands, 3));
+        if (op == op_loop_merge) loops_.push_back({at(operands, 0), 0, {}});
+        if (op != op_branch_conditional || loops_.empty() || loops_.back().iterations > 0) return;
+        loops_.back().iterations = std::max(1U, known(limits_, at(operands, 0)));
+    }
+
+    // Ends the loop with this label of its merge block, and those in it.
+    void end_loops(uint32_t label) {
+        const auto ends = [&](const Loop& loop) { return loop.merge == label; };
+        const auto first = std::ranges::find_if(loops_, ends);
+        for (auto count = loops_.end() - first; count > 0; --count)
+            end_loop();
+    }
+    void end_loop() {
+        const Loop loop = std::move(loops_.back());
+        loops_.pop_back();
+        std::vector<ShaderCost>& lines = loops_.empty() ? count.lines : loops_.back().lines;
+        lines.resize(std::max(lines.size(), loop.lines.size()));
+        for (size_t i = 0; i < loop.lines.size(); ++i)
+            lines[i] += loop.lines[i].times(std::max(1U, loop.iterations));
+    }
+
+public:
+    void finish() {
+        while (!loops_.empty())
+            end_loop();
+        for (const ShaderCost& line : count.lines)
+            count.total += line;
+    }
+
+private:
     uint32_t product(uint32_t op, std::span<const uint32_t> operands) const {
         const Shape left = shape(at(operands, 2)), right = shape(at(operands, 3));
         if (op == op_vector_times_matrix) return product_cost(1, right.rows, right.columns);
@@ -190,8 +238,16 @@ private:
         }
     }
 
-    std::vector<Shape> type_shape_;  // by type id
-    std::vector<uint32_t> type_;     // type id by value id
+    struct Loop {
+        uint32_t merge;       // label of the block after it
+        uint32_t iterations;  // 0 until it is known
+        std::vector<ShaderCost> lines;
+    };
+    std::vector<Loop> loops_;                           // open ones
+    std::unordered_map<uint32_t, uint32_t> constants_;  // first word by id
+    std::unordered_map<uint32_t, uint32_t> limits_;     // n by id of the comparison i < n
+    std::vector<Shape> type_shape_;                     // by type id
+    std::vector<uint32_t> type_;                        // type id by value id
     uint32_t line_ = 0;
     bool inside_ = false;
 };
@@ -211,6 +267,16 @@ ShaderCost& ShaderCost::operator+=(const ShaderCost& other) {
     return *this;
 }
 
+ShaderCost ShaderCost::times(uint32_t iterations) const {
+    ShaderCost all = *this;
+    for (uint32_t ShaderCost::*number :
+         {&ShaderCost::alu, &ShaderCost::transcendental, &ShaderCost::divisions, &ShaderCost::reads,
+          &ShaderCost::queries, &ShaderCost::derivatives, &ShaderCost::derivative_lanes})
+        all.*number = static_cast<uint32_t>(
+            std::min<uint64_t>(uint64_t{this->*number} * iterations, most_cost));
+    return all;
+}
+
 std::optional<SpirvCount> count_spirv(std::span<const uint32_t> words, std::string& why) {
     why = "it is no SPIR-V";
     if (words.size() < header_words || words[0] != magic || words[3] > max_bound) return {};
@@ -222,6 +288,7 @@ std::optional<SpirvCount> count_spirv(std::span<const uint32_t> words, std::stri
         i += length;
     }
     why.clear();
+    counter.finish();
     return std::move(counter.count);
 }
 

@@ -1,5 +1,6 @@
 // Counts the cost of a SPIR-V module by the rules of docs/cost.md: every instruction of every
-// function once, also in loops. Precondition: optimised by `spirv-opt -O`, no call remains.
+// function; in a loop `i < n` of a constant n, n times. Precondition: optimised by `spirv-opt -O`,
+// no call remains.
 //
 // Written by hand, because no linked library counts operations: SPIRV-Tools would only replace the
 // loop over the words, and is in a module that is loaded on demand.
@@ -14,7 +15,7 @@
 //   reads          samples, fetches, gathers and reads of images
 //   queries        image queries (size, levels, ...)
 //   derivatives    screen derivative instructions; derivative_lanes: components of their results
-//   branches       conditional branches and switches; loops: loops
+//   branches       conditional branches and switches; loops: loops. Each once, also in a loop
 //
 // Loads, stores, extraction, construction and constants are free.
 #pragma once
@@ -32,11 +33,13 @@ struct ShaderCost {
     uint32_t derivatives = 0, derivative_lanes = 0, branches = 0, loops = 0;
 
     ShaderCost& operator+=(const ShaderCost& other);
+    ShaderCost times(uint32_t iterations) const;
     bool operator==(const ShaderCost&) const = default;
 };
 
 struct SpirvCount {
     ShaderCost total;
+    ShaderCost once;                // the total with every instruction of a loop counted once
     std::vector<ShaderCost> lines;  // [i]: source line i, by OpLine; [0]: no line
 };
 

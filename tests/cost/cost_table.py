@@ -76,8 +76,9 @@ def other_counts(wrinkle, case, cost):
     found = []
     for ours, name in NAMES.items():
         total, sum_of_parts = counted["total"][name], sum(part[name] for part in parts)
-        if total != cost[ours]:
-            found.append(f"{case['what']}: --cost counts {total} {name}, here {cost[ours]}")
+        once = counted["loop_bodies_once"][name]
+        if once != cost[ours]:
+            found.append(f"{case['what']}: --cost counts {once} {name}, here {cost[ours]}")
         if total != sum_of_parts:
             found.append(f"{case['what']}: the nodes have {sum_of_parts} of {total} {name}")
     return found

@@ -46,6 +46,7 @@ TEST(CostReport, LinesBelongToTheirNodes) {
 CostReport small_report() {
     CostReport report;
     report.total = {.alu = 64, .transcendental = 1, .divisions = 2, .reads = 3};
+    report.once = report.total;
     report.nodes = {{"strap/tilt", {.alu = 60, .divisions = 2, .reads = 3}, 2},
                     {"weave", {.alu = 3}, 0}};
     report.shared = {.alu = 1};

@@ -17,6 +17,10 @@ OpExecutionMode %main OriginUpperLeft
 %void = OpTypeVoid
 %bool = OpTypeBool
 %float = OpTypeFloat 32
+%int = OpTypeInt 32 1
+%zero = OpConstant %int 0
+%three = OpConstant %int 3
+%eight = OpConstant %int 8
 %vec2 = OpTypeVector %float 2
 %vec3 = OpTypeVector %float 3
 %vec4 = OpTypeVector %float 4
@@ -108,6 +112,36 @@ OpBranch %second
     for (const ShaderCost& line : count.lines)
         sum += line;
     EXPECT_EQ(sum, count.total);
+}
+
+// for (i < 8) { v + v; for (i < 3) { f * f; } }
+TEST(SpirvCount, ALoopCountsItsIterations) {
+    const SpirvCount count = counted(R"(
+OpBranch %outer
+%outer = OpLabel
+OpLoopMerge %outer_end %outer_next None
+OpBranch %outer_test
+%outer_test = OpLabel
+%c = OpSLessThan %bool %zero %eight
+OpBranchConditional %c %inner %outer_end
+%inner = OpLabel
+%a = OpFAdd %vec3 %v %v
+%d = OpSLessThan %bool %zero %three
+OpLoopMerge %inner_end %inner_next None
+OpBranchConditional %d %inner_next %inner_end
+%inner_next = OpLabel
+%b = OpFMul %float %f %f
+OpBranch %inner
+%inner_end = OpLabel
+OpBranch %outer_next
+%outer_next = OpLabel
+OpBranch %outer
+%outer_end = OpLabel
+%e = OpFMul %float %f %f
+)");
+    EXPECT_EQ(count.once.alu, 1U + 3U + 1U + 1U + 1U);
+    EXPECT_EQ(count.total.alu, 8U * (1U + 3U + 1U + 3U) + 1U);
+    EXPECT_EQ(count.total.loops, 2U);
 }
 
 TEST(SpirvCount, RefusesACall) {
