@@ -18,8 +18,9 @@ struct Reader {
     }
     // Returns the texels of level 0 that a pixel covers along its longer side, at least one.
     Float footprint() const {
-        const vec2 size = image.size(), x = changes.x * size, y = changes.y * size;
-        return detach(sqrt(max(max(dot(x, x), dot(y, y)), 1)));
+        const vec2 size = image.size(), x = named("texels_dx", changes.x * size);
+        const vec2 y = named("texels_dy", changes.y * size);
+        return named("footprint", detach(sqrt(max(max(dot(x, x), dot(y, y)), 1))));
     }
 };
 
@@ -27,10 +28,10 @@ struct Reader {
 enum class Unit { uv, texel };
 
 vec2 three_taps(const Reader& read, vec2 uv, Float texels, Unit unit) {
-    const vec2 step = texels / read.image.size();
-    const Float here = read.at(uv);
-    const Float right = read.at(vec2(uv.x() + step.x(), uv.y()));
-    const Float above = read.at(vec2(uv.x(), uv.y() + step.y()));
+    const vec2 step = named("texel_step", texels / read.image.size());
+    const Float here = named("here", read.at(uv));
+    const Float right = named("right", read.at(vec2(uv.x() + step.x(), uv.y())));
+    const Float above = named("above", read.at(vec2(uv.x(), uv.y() + step.y())));
     const vec2 change(right - here, above - here);
     return unit == Unit::uv ? change / step : change * (1 / texels);
 }
@@ -40,12 +41,13 @@ vec2 three_taps(const Reader& read, vec2 uv, Float texels, Unit unit) {
 // across and (-1, 0, 1)/2 along.
 vec2 smooth_slope(Image image, vec2 uv, Unit unit) {
     const auto change = function("smooth_slope(at, texel)", [image](vec2 at, vec2 texel) {
-        const auto tap = [&](int i, int j) {
-            return image.sample_lod(at + vec2(i, j) * texel, 0).x();
+        const auto tap = [&](const char* name, int i, int j) {
+            return named(name, image.sample_lod(at + vec2(i, j) * texel, 0).x());
         };
-        const Float a = tap(1, 1) - tap(-1, -1), b = tap(1, -1) - tap(-1, 1);
-        const Float along_u = a + b + 2 * (tap(1, 0) - tap(-1, 0));
-        const Float along_v = a - b + 2 * (tap(0, 1) - tap(0, -1));
+        const Float a = named("rising", tap("upper_right", 1, 1) - tap("lower_left", -1, -1));
+        const Float b = named("falling", tap("lower_right", 1, -1) - tap("upper_left", -1, 1));
+        const Float along_u = a + b + 2 * (tap("right", 1, 0) - tap("left", -1, 0));
+        const Float along_v = a - b + 2 * (tap("above", 0, 1) - tap("below", 0, -1));
         return vec2(along_u, along_v) * 0.125;
     });
     const vec2 size = image.size(), slope = change(uv, 1 / size);
@@ -69,10 +71,10 @@ vec2 pixel_difference(const Reader& read, vec2 uv) {
 // Slope for the qualities `smooth` and `three_taps`.
 vec2 slope_of(const Reader& read, vec2 uv, HeightQuality quality, Unit unit) {
     const Float texels = read.footprint();
-    const vec2 coarse = three_taps(read, uv, texels, unit);
+    const vec2 coarse = named("coarse", three_taps(read, uv, texels, unit));
     if (quality == HeightQuality::three_taps) return coarse;
-    const Float magnified = saturate((0.5 - log2(texels)) / (0.5 - 0.05));
-    return mix(coarse, smooth_slope(read.image, uv, unit), magnified);
+    const Float magnified = named("magnified", saturate((0.5 - log2(texels)) / (0.5 - 0.05)));
+    return named("slope", mix(coarse, smooth_slope(read.image, uv, unit), magnified));
 }
 
 vec2 height_slope(const Reader& read, vec2 uv, HeightQuality quality) {

@@ -19,8 +19,10 @@ struct Tap {
     // Returns the differentials of the copy's uv, from those of `at`: the copy's uv itself jumps at
     // the border to another hexagon.
     Changes changes(vec2 at) const {
-        const auto turned = [this](vec2 v) { return right * v.x() + up * v.y(); };
-        return {turned(ddx(at)), turned(ddy(at))};
+        const auto turned = [this](const char* name, vec2 v) {
+            return named(name, right * v.x() + up * v.y());
+        };
+        return {turned("copy_dx", ddx(at)), turned("copy_dy", ddy(at))};
     }
     vec4 read(Image image, vec2 at) const {
         const auto [x, y] = changes(at);
@@ -37,26 +39,35 @@ struct HexBlend {
 // barycentric weights and the three corners of the triangle around a point.
 static auto grid_function() {
     return function("hex_grid(at)", [](vec2 at) {
-        const vec2 sheared(at.x() - at.y() * 0.57735026918962576, at.y() * 1.1547005383792515);
-        const vec2 cell = floor(sheared), f = sheared - cell;
-        const Float rest = 1 - f.x() - f.y();
-        const Bool far = rest <= 0;
+        const vec2 sheared = named(
+            "sheared", vec2(at.x() - at.y() * 0.57735026918962576, at.y() * 1.1547005383792515));
+        const vec2 cell = named("cell", floor(sheared)), f = named("f", sheared - cell);
+        const Float rest = named("rest", 1 - f.x() - f.y());
+        const Bool far = named("far", rest <= 0);
         const vec3 weights =
             select(far, vec3(-rest, 1 - f.y(), 1 - f.x()), vec3(rest, f.y(), f.x()));
-        const Float corner = Float(far);
+        const Float corner = named("corner", Float(far));
         return std::tuple{weights, cell + vec2(corner), cell + vec2(corner, 1 - corner),
                           cell + vec2(1 - corner, corner)};
     });
 }
 
-// The function returns, for the hexagon of a corner, the offset of its copy in repeats, and cosine
-// and sine of its rotation.
+// The function returns, for the hexagon of a corner, the uv in its copy, and cosine and sine of the
+// copy's rotation; `size` is the number of grid cells per uv unit.
 static auto copy_function() {
-    return function("hex_copy(corner, rotation)", [](vec2 corner, Float rotation) {
-        const Uint bits = hash(Int(corner.x()), Int(corner.y()));
-        const Uint more = hash(bits), most = hash(more);
-        const Float angle = (2 * unit_float(bits) - 1) * 3.14159265358979 * rotation;
-        return std::tuple{vec2(unit_float(more), unit_float(most)), vec2(cos(angle), sin(angle))};
+    return function("hex_copy(uv, corner, size, rotation)", [](vec2 uv, vec2 corner, Float size,
+                                                               Float rotation) {
+        const Uint bits = named("bits", hash(Int(corner.x()), Int(corner.y())));
+        const Uint more = named("more", hash(bits)), most = named("most", hash(more));
+        const Float turn = named("turn", 2 * unit_float(bits) - 1);
+        const Float angle = named("angle", turn * 3.14159265358979 * rotation);
+        const vec2 right = named("right", vec2(cos(angle), sin(angle)));
+        const vec2 up = named("up", vec2(-right.y(), right.x()));
+        const vec2 centre = named(
+            "centre", vec2(corner.x() + 0.5 * corner.y(), corner.y() * 0.8660254037844386) / size);
+        const vec2 way = named("way", uv - centre);
+        const vec2 moved = named("moved", vec2(unit_float(more), unit_float(most)));
+        return vec4(right * way.x() + up * way.y() + centre + moved, right);
     });
 }
 
@@ -64,12 +75,8 @@ static HexBlend hexagons_at(vec2 uv, Float hexagons, Float rotation) {
     const Float size = hexagons * 3.4641016151377544;
     const auto copy = copy_function();
     const auto tap = [&](vec2 corner) {
-        const auto [moved, turned] = copy(corner, rotation);
-        const vec2 centre =
-            divide(vec2(corner.x() + 0.5 * corner.y(), corner.y() * 0.8660254037844386), size);
-        const vec2 right = turned, up(-turned.y(), turned.x());
-        const vec2 way = uv - centre;
-        return Tap{right * way.x() + up * way.y() + centre + moved, right, up};
+        const vec4 at = named("copy", copy(uv, corner, size, rotation));
+        return Tap{at.xy(), at.zw(), vec2(-at.w(), at.z())};
     };
     const auto [weights, first, second, third] = grid_function()(uv * size);
     return {weights, {tap(first), tap(second), tap(third)}};

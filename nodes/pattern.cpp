@@ -16,9 +16,9 @@ struct Edges {
 
     Float groove() const { return mortar + bevel; }  // its width at half depth
     Float height(Float inside) const {
-        const Float width = max(bevel, footprint);
-        const Float covered = (0.5 * (width + groove()) - inside) / width;
-        return 1 - clamp(covered, 0, min(1, groove() / width));
+        const Float width = named("slope_width", max(bevel, footprint));
+        const Float covered = named("covered", (0.5 * (width + groove()) - inside) / width);
+        return 1 - clamp(covered, 0, named("deepest", min(1, groove() / width)));
     }
 };
 
@@ -37,8 +37,8 @@ static constexpr auto with_edges(const Declaration& declaration, double mortar, 
 
 // The integral of a square wave: a triangle wave of period 2 between 0 and 1.
 static vec2 triangle(vec2 x) {
-    const vec2 turn = x * 0.5;
-    return abs((turn - floor(turn)) * 2 - 1);
+    const vec2 turn = named("turn", x * 0.5);
+    return abs(named("wave", (turn - floor(turn)) * 2 - 1));
 }
 
 static constinit Node pattern_list[] = {
@@ -49,9 +49,10 @@ static constinit Node pattern_list[] = {
                           slider(0.05, 1), limits(0.02, 1)),
            0.01, "1 on the one kind of squares, 0 on the other")
         .body([](vec2 uv, Float scale, Float bevel, Float amplitude) {
-            const vec2 p = uv * scale;
-            const vec2 width = max(spread(p), bevel);
-            const vec2 wave = (triangle(p - width * 0.5) - triangle(p + width * 0.5)) / width;
+            const vec2 p = named("p", uv * scale);
+            const vec2 width = named("width", max(spread(p), bevel));
+            const vec2 wave =
+                named("side", (triangle(p - width * 0.5) - triangle(p + width * 0.5)) / width);
             return relief_of(0.5 + 0.5 * wave.x() * wave.y(), amplitude);
         }),
 
@@ -68,13 +69,15 @@ static constinit Node pattern_list[] = {
         0.008, "1 on a brick, 0 in the mortar")
         .body([](vec2 uv, Float scale, Float aspect, Float offset, Float mortar, Float bevel,
                  Float amplitude) {
-            const vec2 p = uv * scale;
-            const Float row = floor(p.y());
-            const Float x = p.x() / aspect - row * offset;
-            const Float along = 0.5 - abs(fract(x) - 0.5), across = 0.5 - abs(p.y() - row - 0.5);
+            const vec2 p = named("p", uv * scale);
+            const Float row = named("row", floor(p.y()));
+            const Float x = named("x", fract(p.x() / aspect - row * offset) - 0.5);
+            const Float y = named("y", p.y() - row - 0.5);
+            const Float along = named("along", (0.5 - abs(x)) * aspect);
+            const Float across = named("across", 0.5 - abs(y));
             const Edges edges{mortar, bevel, footprint(p)};
             const Float mean = saturate(1 - edges.groove()) * saturate(1 - edges.groove() / aspect);
-            return relief_of(tile(edges, min(along * aspect, across), mean), amplitude);
+            return relief_of(tile(edges, named("inside", min(along, across)), mean), amplitude);
         }),
 
     relief(with_edges(pattern_on_uv("hexagons", "Hexagons",
@@ -85,12 +88,13 @@ static constinit Node pattern_list[] = {
         .body([](vec2 uv, Float scale, Float mortar, Float bevel, Float amplitude) {
             // Centres are on two rectangular grids, 1 by sqrt(3); the nearer centre is the tile's.
             const vec2 grid(1, 1.7320508075688772);
-            const vec2 p = uv * scale;
-            const vec2 even = p - grid * floor(p / grid + 0.5);
-            const vec2 odd = p - grid * (floor(p / grid) + 0.5);
-            const vec2 way = select(dot(even, even) < dot(odd, odd), even, odd);
-            const vec2 side = abs(way);
-            const Float inside = 0.5 - max(side.x(), dot(side, vec2(0.5, 0.8660254037844386)));
+            const vec2 p = named("p", uv * scale);
+            const vec2 even = named("even", p - grid * floor(p / grid + 0.5));
+            const vec2 odd = named("odd", p - grid * (floor(p / grid) + 0.5));
+            const vec2 way = named("way", select(dot(even, even) < dot(odd, odd), even, odd));
+            const vec2 side = named("side", abs(way));
+            const Float edge = named("edge", dot(side, vec2(0.5, 0.8660254037844386)));
+            const Float inside = named("inside", 0.5 - max(side.x(), edge));
             const Edges edges{mortar, bevel, footprint(p)};
             const Float tops = saturate(1 - edges.groove());
             return relief_of(tile(edges, inside, tops * tops), amplitude);
@@ -108,9 +112,9 @@ static constinit Node pattern_list[] = {
                        slider(0.2, 1), limits(0.01, 1)),
         0.02, "1 at the tips, 0 on the border")
         .body([](vec2 uv, Float density, Float base, Float amplitude) {
-            const vec2 p = uv * density;
-            const vec2 side = abs(p - floor(p) - 0.5);
-            const Float value = saturate(1 - 2 * max(side.x(), side.y()) / base);
+            const vec2 p = named("p", uv * density), way = named("way", p - floor(p) - 0.5);
+            const vec2 side = named("side", abs(way));
+            const Float value = saturate(named("rise", 1 - 2 * max(side.x(), side.y()) / base));
             return relief_of(mix(base * base * (1.0 / 3), value, fade(footprint(p))), amplitude);
         }),
 
@@ -127,14 +131,16 @@ static constinit Node pattern_list[] = {
         0.01, "1 at the tops, 0 around the domes")
         .body(
             [](vec2 uv, Float scale, Float base, Float roundness, Float stagger, Float amplitude) {
-                const vec2 p = uv * scale;
-                const Float row = floor(p.y());
-                const vec2 way(fract(p.x() - row * stagger) - 0.5, p.y() - row - 0.5);
+                const vec2 p = named("p", uv * scale);
+                const Float row = named("row", floor(p.y()));
+                const Float x = fract(p.x() - row * stagger) - 0.5;
+                const vec2 way = named("way", vec2(x, p.y() - row - 0.5));
                 const Float radius = 0.5 * base;
                 const Float square = roundness * roundness;
                 const Float rim = sqrt(1 - square);
-                const Float rho = min(dot(way, way) / (radius * radius), 1);
-                const Float value = (sqrt(1 - square * rho) - rim) / (1 - rim);
+                const Float apart = named("apart", dot(way, way) / (radius * radius));
+                const Float cap = named("cap", sqrt(1 - square * min(apart, 1)));
+                const Float value = (cap - rim) / (1 - rim);
                 // The mean over the disc: the integral of the square root, less the rim.
                 const Float disc = (2.0 / 3) * (1 - rim * rim * rim) / square - rim;
                 const Float mean = 3.141592653589793 * radius * radius * disc / (1 - rim);

@@ -29,9 +29,12 @@ void EmitAnalysis::find_names() {
     const std::vector<Named>& named = module_->named;
     for (uint32_t i = 0; i < named.size(); ++i) {
         Id value = strip_detach(named[i].value);
-        // In a function, the name of a component is that of a called function's result.
+        // The name of a component is that of the texel or, in a function, of the called function's
+        // result.
         const Inst& inst = (*module_)[value];
-        if (inst.op == Op::swizzle_ && inst.level > 0 && single_call(inst.arg[0]))
+        const bool part = inst.op == Op::swizzle_ && !named[i].output;
+        if (part &&
+            (is_sample((*module_)[inst.arg[0]].op) || (inst.level > 0 && single_call(inst.arg[0]))))
             value = inst.arg[0];
         uint32_t& name = values_[value].name;
         if (name == 0 || (named[i].output && !named[name - 1].output)) name = i + 1;

@@ -374,10 +374,11 @@ void Module::name_slope(Id value, Id derivative, std::string_view suffix) {
     const Named* known = name_of(value);
     if (!known) return;
     const bool main = known->output || known->name == "value";
-    const std::string stem = main ? "" : known->name + "_";
+    // A vector has the name of its value: "uv_dx".
+    const bool vector = !suffix.empty() && info(type(derivative)).lanes > 1;
+    const std::string stem = vector ? known->name : main ? "slope" : known->name + "_slope";
     if (!name_of(derivative))
-        named.push_back(
-            {derivative, known->node, stem + "slope" + std::string(suffix), false, true});
+        named.push_back({derivative, known->node, stem + std::string(suffix), false, true});
 }
 
 const Named* Module::name_of(Id value) {

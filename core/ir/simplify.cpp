@@ -30,6 +30,12 @@ double min_of(const Module& m, Id id, bool under_root = false) {
             return inst.value;
         case Op::max_:
             return std::max(literal(inst.arg[0]), literal(inst.arg[1]));
+        case Op::swizzle_: {  // a component of max(v, constant)
+            const Inst& vector = m[inst.arg[0]];
+            if (vector.op != Op::max_ || inst.type != Type::float_ || !m.is_constant(vector.arg[1]))
+                return -std::numeric_limits<double>::infinity();
+            return m.lanes_of(vector.arg[1])[static_cast<size_t>(swizzle_component(inst.extra, 0))];
+        }
         case Op::sqrt_:
             return under_root ? 0 : std::sqrt(std::max(min_of(m, inst.arg[0], true), 0.0));
         case Op::dot_:
@@ -104,6 +110,25 @@ Id negated_parts(Module& m, Id vector, Type type) {
     return m.add(Op::construct_, std::span(lanes.data(), count), 0, type);
 }
 
+// Returns v if the test is dot(v, v) > 0 or length(v) > 0; otherwise no_id.
+Id tested_for_length(const Module& m, Id test) {
+    const Inst& inst = m[test];
+    if (inst.op != Op::gt_ || !m.is_literal(inst.arg[1], 0)) return no_id;
+    const Inst& size = m[inst.arg[0]];
+    const bool square = size.op == Op::dot_ && size.arg[0] == size.arg[1];
+    return square || size.op == Op::length_ ? size.arg[0] : no_id;
+}
+
+// Returns p ? a : b for p ? (q ? a : b) : b, if p and q are one test of a vector's length: the
+// derivative of a guarded normalize.
+Id without_inner_test(Module& m, Args a) {
+    const Inst inner = m[a[1]];
+    if (inner.op != Op::select_ || inner.arg[2] != a[2]) return no_id;
+    const Id vector = tested_for_length(m, a[0]);
+    if (vector == no_id || vector != tested_for_length(m, inner.arg[0])) return no_id;
+    return m.add(Op::select_, {a[0], inner.arg[1], a[2]});
+}
+
 Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
     switch (op) {
         case Op::neg_:
@@ -140,7 +165,7 @@ Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
         case Op::select_:
             if (a[1] == a[2]) return a[1];
             if (m[a[0]].op == Op::literal_) return m[a[0]].value != 0 ? a[1] : a[2];
-            return no_id;
+            return without_inner_test(m, a);
         case Op::not_:
             return m[a[0]].op == Op::not_ ? m[a[0]].arg[0] : no_id;
         case Op::and_:
@@ -206,6 +231,12 @@ Id simplify_unit(Module& m, Op op, Args a) {
         default:
             return no_id;
     }
+}
+
+// Tests that always hold, as max(x, 1) > 0.
+Id simplify_greater(Module& m, Args a) {
+    if (m.type(a[0]) != Type::float_ || m[a[1]].op != Op::literal_) return no_id;
+    return min_of(m, a[0]) > m[a[1]].value ? m.literal(Type::bool_, 1) : no_id;
 }
 
 // Small integer powers become products; pow is undefined below 0.
@@ -342,6 +373,8 @@ Id simplified(Module& m, Op op, Args args, uint32_t extra, Type result) {
             return m[args[0]].op == Op::construct_ ? m[args[0]].arg[extra] : no_id;
         case Op::pow_:
             return simplify_power(m, args);
+        case Op::gt_:
+            return simplify_greater(m, args);
         default:
             break;
     }

@@ -32,37 +32,36 @@ WrinkleMaterial_box_crate wrinkle_box_crate(WrinkleSurface_box_crate s) {
     vec2 sides_vector_4 = vec2(dpdx.x, dpdx.z * sides_negated_2);
     vec2 sides_choice_2 = sides_test_3 ? sides_vector_4 : vec2(dpdx.x * sides_sign, dpdx.y);
     vec2 sides_choice_3 = sides_test_2 ? vec2(dpdx.z * sides_negated, dpdx.y) : sides_choice_2;
-    vec2 sides_slope_dx = sides_choice_3 * 2.0;
+    vec2 sides_uv_dx = sides_choice_3 * 2.0;
     vec2 sides_vector_5 = vec2(dpdy.x, dpdy.z * sides_negated_2);
     vec2 sides_choice_4 = sides_test_3 ? sides_vector_5 : vec2(dpdy.x * sides_sign, dpdy.y);
     vec2 sides_choice_5 = sides_test_2 ? vec2(dpdy.z * sides_negated, dpdy.y) : sides_choice_4;
-    vec2 sides_slope_dy = sides_choice_5 * 2.0;
+    vec2 sides_uv_dy = sides_choice_5 * 2.0;
     vec2 sides_vector_6 = vec2(surface_dpdy.z * sides_negated, surface_dpdy.y);
     vec2 sides_vector_7 = vec2(surface_dpdy.x, surface_dpdy.z * sides_negated_2);
     vec2 sides_vector_8 = vec2(surface_dpdy.x * sides_sign, surface_dpdy.y);
     vec2 sides_choice_6 = sides_test_2 ? sides_vector_6 : sides_test_3 ? sides_vector_7 :
             sides_vector_8;
-    vec2 sides_slope_dy_2 = sides_choice_6 * 2.0;
+    vec2 sides_uv_dy_2 = sides_choice_6 * 2.0;
     vec2 sides_vector_9 = vec2(surface_dpdx.z * sides_negated, surface_dpdx.y);
     vec2 sides_vector_10 = vec2(surface_dpdx.x, surface_dpdx.z * sides_negated_2);
     vec2 sides_vector_11 = vec2(surface_dpdx.x * sides_sign, surface_dpdx.y);
     vec2 sides_choice_7 = sides_test_2 ? sides_vector_9 : sides_test_3 ? sides_vector_10 :
             sides_vector_11;
-    vec2 sides_slope_dx_2 = sides_choice_7 * 2.0;
+    vec2 sides_uv_dx_2 = sides_choice_7 * 2.0;
     // g: Tangent normal map
-    vec4 g_texel = textureGrad(box_crate_g_image, sides_uv, sides_slope_dx, sides_slope_dy);
+    vec4 g_texel = textureGrad(box_crate_g_image, sides_uv, sides_uv_dx, sides_uv_dy);
     vec3 g_texel_2 = g_texel.xyz - 0.5;
     float g_least_depth = max(abs(g_texel_2.x), abs(g_texel_2.y)) * 0.0078125;
     // normal: Resolve
     float normal_product = max(max(abs(g_texel_2.z), g_least_depth), 5e-07) * s.facing;
-    vec3 normal_bitangent = cross(normal, dpdx * sides_slope_dy_2.y - dpdy * sides_slope_dx_2.y);
+    vec3 normal_bitangent = cross(normal, dpdx * sides_uv_dy_2.y - dpdy * sides_uv_dx_2.y);
     float normal_scale = inversesqrt(max(dot(normal_bitangent, normal_bitangent), 1e-36));
-    float normal_product_2 = sides_slope_dx_2.x * sides_slope_dy_2.y;
-    float normal_det = normal_product_2 - sides_slope_dy_2.x * sides_slope_dx_2.y;
+    float normal_det = sides_uv_dx_2.x * sides_uv_dy_2.y - sides_uv_dy_2.x * sides_uv_dx_2.y;
     float normal_slope_u = g_texel_2.x * (normal_scale * (normal_det < 0.0 ? -1.0 : 1.0));
     vec3 normal_along_u = cross(normal_bitangent, normal) * normal_slope_u;
-    float normal_product_3 = normal_scale * (dot(normal, cross(dpdx, dpdy)) < 0.0 ? -1.0 : 1.0);
-    vec3 normal_along_v = normal_bitangent * (g_texel_2.y * normal_product_3);
+    float normal_product_2 = normal_scale * (dot(normal, cross(dpdx, dpdy)) < 0.0 ? -1.0 : 1.0);
+    vec3 normal_along_v = normal_bitangent * (g_texel_2.y * normal_product_2);
     WrinkleMaterial_box_crate m;
     m.normal = normalize(normal * normal_product + (normal_along_u + normal_along_v));
     return m;

@@ -11,17 +11,18 @@ struct WrinkleMaterial_cylinder_tower {
 uniform sampler2D cylinder_tower_g_image;  // textures/bricks_height.png (linear, repeat)
 
 vec2 wrinkle_cylinder_tower_smooth_slope(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(cylinder_tower_g_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(cylinder_tower_g_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(cylinder_tower_g_image, at + vec2(texel.x, -texel.y), 0.0);
-    vec4 texel_4 = textureLod(cylinder_tower_g_image, at + vec2(-texel.x, texel.y), 0.0);
-    float difference_2 = texel_3.x - texel_4.x;
-    vec4 texel_5 = textureLod(cylinder_tower_g_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_6 = textureLod(cylinder_tower_g_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_7 = textureLod(cylinder_tower_g_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_8 = textureLod(cylinder_tower_g_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(cylinder_tower_g_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(cylinder_tower_g_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(cylinder_tower_g_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(cylinder_tower_g_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(cylinder_tower_g_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(cylinder_tower_g_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(cylinder_tower_g_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(cylinder_tower_g_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 WrinkleMaterial_cylinder_tower wrinkle_cylinder_tower(WrinkleSurface_cylinder_tower s) {
@@ -34,31 +35,32 @@ WrinkleMaterial_cylinder_tower wrinkle_cylinder_tower(WrinkleSurface_cylinder_to
     float round_sum_2 = s.position.x * s.position.x + s.position.z * s.position.z;
     float round_choice = round_sum_2 > 0.0 ? 1.0 / round_sum_2 : 0.0;
     float round_product = (dpdx.x * s.position.z - dpdx.z * s.position.x) * round_choice;
-    vec2 round_slope_dx = vec2((round_test ? round_product : 0.0) / 6.2831855, dpdx.y);
+    vec2 round_uv_dx = vec2((round_test ? round_product : 0.0) / 6.2831855, dpdx.y);
     float round_product_2 = (dpdy.x * s.position.z - dpdy.z * s.position.x) * round_choice;
-    vec2 round_slope_dy = vec2((round_test ? round_product_2 : 0.0) / 6.2831855, dpdy.y);
+    vec2 round_uv_dy = vec2((round_test ? round_product_2 : 0.0) / 6.2831855, dpdy.y);
     vec2 tile_uv = round_uv * vec2(8.0, 1.2);  // tile: UV transform
-    vec2 tile_slope_dx = round_slope_dx * vec2(8.0, 1.2);
-    vec2 tile_slope_dy = round_slope_dy * vec2(8.0, 1.2);
+    vec2 tile_uv_dx = round_uv_dx * vec2(8.0, 1.2);
+    vec2 tile_uv_dy = round_uv_dy * vec2(8.0, 1.2);
     float tile_product = (round_test ? s.position.z * round_choice : 0.0) / 6.2831855 * 8.0;
     float tile_product_2 = (round_test ? -s.position.x * round_choice : 0.0) / 6.2831855 * 8.0;
     vec2 g_size = vec2(textureSize(cylinder_tower_g_image, 0));  // g: Height map
-    vec2 g_product = tile_slope_dx * g_size;
-    vec2 g_product_2 = tile_slope_dy * g_size;
-    float g_root = sqrt(max(max(dot(g_product, g_product), dot(g_product_2, g_product_2)), 1.0));
-    vec2 g_quotient = g_root / g_size;
-    vec2 g_vector = vec2(tile_uv.x + g_quotient.x, tile_uv.y);
-    vec4 g_texel = textureGrad(cylinder_tower_g_image, g_vector, tile_slope_dx, tile_slope_dy);
-    vec2 g_vector_2 = vec2(tile_uv.x, tile_uv.y + g_quotient.y);
-    vec4 g_texel_2 = textureGrad(cylinder_tower_g_image, g_vector_2, tile_slope_dx, tile_slope_dy);
-    vec4 g_texel_3 = textureGrad(cylinder_tower_g_image, tile_uv, tile_slope_dx, tile_slope_dy);
-    vec2 g_product_3 = (vec2(g_texel.x, g_texel_2.x) - g_texel_3.x) * (1.0 / g_root);
+    vec2 g_texels_dx = tile_uv_dx * g_size;
+    vec2 g_texels_dy = tile_uv_dy * g_size;
+    float g_greatest = max(dot(g_texels_dx, g_texels_dx), dot(g_texels_dy, g_texels_dy));
+    float g_footprint = sqrt(max(g_greatest, 1.0));
+    vec2 g_texel_step = g_footprint / g_size;
+    vec2 g_vector = vec2(tile_uv.x + g_texel_step.x, tile_uv.y);
+    vec4 g_right = textureGrad(cylinder_tower_g_image, g_vector, tile_uv_dx, tile_uv_dy);
+    vec2 g_vector_2 = vec2(tile_uv.x, tile_uv.y + g_texel_step.y);
+    vec4 g_above = textureGrad(cylinder_tower_g_image, g_vector_2, tile_uv_dx, tile_uv_dy);
+    vec4 g_here = textureGrad(cylinder_tower_g_image, tile_uv, tile_uv_dx, tile_uv_dy);
+    vec2 g_coarse = (vec2(g_right.x, g_above.x) - g_here.x) * (1.0 / g_footprint);
     vec2 g_slope = wrinkle_cylinder_tower_smooth_slope(tile_uv, 1.0 / g_size);
-    vec2 g_mixed = mix(g_product_3, g_slope, clamp((0.5 - log2(g_root)) / 0.45, 0.0, 1.0));
-    vec3 g_product_4 = vec3(tile_product, 1.2, tile_product_2) * g_size.xyx;
-    vec3 g_slope_2 = g_mixed.xyx * g_product_4 * 0.03;
+    vec2 g_slope_2 = mix(g_coarse, g_slope, clamp((0.5 - log2(g_footprint)) / 0.45, 0.0, 1.0));
+    vec3 g_product = vec3(tile_product, 1.2, tile_product_2) * g_size.xyx;
+    vec3 g_slope_3 = g_slope_2.xyx * g_product * 0.03;
     WrinkleMaterial_cylinder_tower m;
     // normal: Resolve
-    m.normal = normalize(normal * (s.facing + dot(normal, g_slope_2)) - g_slope_2);
+    m.normal = normalize(normal * (s.facing + dot(normal, g_slope_3)) - g_slope_3);
     return m;
 }

@@ -85,31 +85,33 @@ vec3 wrinkle_decals_fbm_slope(vec3 point, float width, float scale, int octaves,
 }
 
 vec2 wrinkle_decals_smooth_slope(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(decals_bricks_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(decals_bricks_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(decals_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
-    float difference_2 = texel_3.x -
-            textureLod(decals_bricks_image, at + vec2(-texel.x, texel.y), 0.0).x;
-    vec4 texel_4 = textureLod(decals_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_5 = textureLod(decals_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_6 = textureLod(decals_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_7 = textureLod(decals_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_4.x, texel_5.x) - vec2(texel_6.x, texel_7.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(decals_bricks_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(decals_bricks_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(decals_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(decals_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(decals_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(decals_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(decals_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(decals_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 vec2 wrinkle_decals_smooth_slope_2(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(decals_weave_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(decals_weave_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(decals_weave_image, at + vec2(texel.x, -texel.y), 0.0);
-    float difference_2 = texel_3.x -
-            textureLod(decals_weave_image, at + vec2(-texel.x, texel.y), 0.0).x;
-    vec4 texel_4 = textureLod(decals_weave_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_5 = textureLod(decals_weave_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_6 = textureLod(decals_weave_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_7 = textureLod(decals_weave_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_4.x, texel_5.x) - vec2(texel_6.x, texel_7.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(decals_weave_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(decals_weave_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(decals_weave_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(decals_weave_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(decals_weave_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(decals_weave_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(decals_weave_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(decals_weave_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
@@ -149,26 +151,25 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec2 slide_product_8 = (slide_test_2 ? 0.0 : -0.84119105) * 0.23086819 * slide_quotient;
     vec2 slide_slope_2 = (vec2(0.41380295, -0.3480873) - slide_product_8) / slide_product * 0.5;
     vec2 bricks_size = vec2(textureSize(decals_bricks_image, 0));  // bricks: Height map
-    vec2 bricks_product = (slide_vector - slide_product_4) / slide_product * 0.5 * bricks_size;
-    float bricks_dot_product = dot(bricks_product, bricks_product);
-    vec2 bricks_product_2 = (slide_vector_2 - slide_product_5) / slide_product * 0.5 * bricks_size;
-    float bricks_greatest = max(max(bricks_dot_product, dot(bricks_product_2, bricks_product_2)),
-            1.0);
-    float bricks_root = sqrt(bricks_greatest);
-    vec2 bricks_quotient = bricks_root / bricks_size;
-    vec2 bricks_vector = vec2(slide_uv.x + bricks_quotient.x, slide_uv.y);
-    vec4 bricks_texel = texture(decals_bricks_image, bricks_vector);
-    vec2 bricks_vector_2 = vec2(slide_uv.x, slide_uv.y + bricks_quotient.y);
-    vec2 bricks_vector_3 = vec2(bricks_texel.x, texture(decals_bricks_image, bricks_vector_2).x);
+    vec2 bricks_texels_dx = (slide_vector - slide_product_4) / slide_product * 0.5 * bricks_size;
+    float bricks_dot_product = dot(bricks_texels_dx, bricks_texels_dx);
+    vec2 bricks_texels_dy = (slide_vector_2 - slide_product_5) / slide_product * 0.5 * bricks_size;
+    float bricks_greatest = max(bricks_dot_product, dot(bricks_texels_dy, bricks_texels_dy));
+    float bricks_footprint = sqrt(max(bricks_greatest, 1.0));
+    vec2 bricks_texel_step = bricks_footprint / bricks_size;
+    vec2 bricks_vector = vec2(slide_uv.x + bricks_texel_step.x, slide_uv.y);
+    vec4 bricks_right = texture(decals_bricks_image, bricks_vector);
+    vec2 bricks_vector_2 = vec2(slide_uv.x, slide_uv.y + bricks_texel_step.y);
+    vec2 bricks_vector_3 = vec2(bricks_right.x, texture(decals_bricks_image, bricks_vector_2).x);
     vec2 bricks_difference = bricks_vector_3 - texture(decals_bricks_image, slide_uv).x;
-    vec2 bricks_product_3 = bricks_difference * (1.0 / bricks_root);
+    vec2 bricks_coarse = bricks_difference * (1.0 / bricks_footprint);
     vec2 bricks_slope = wrinkle_decals_smooth_slope(slide_uv, 1.0 / bricks_size);
-    float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_product_3, bricks_slope, bricks_clamped);
-    float bricks_dot_product_2 = dot(bricks_mixed, slide_slope * bricks_size);
-    float bricks_dot_product_3 = dot(bricks_mixed,
+    float bricks_magnified = clamp((0.5 - log2(bricks_footprint)) / 0.45, 0.0, 1.0);
+    vec2 bricks_slope_2 = mix(bricks_coarse, bricks_slope, bricks_magnified);
+    float bricks_dot_product_2 = dot(bricks_slope_2, slide_slope * bricks_size);
+    float bricks_dot_product_3 = dot(bricks_slope_2,
             slide_vector_3 / slide_product * 0.5 * bricks_size);
-    float bricks_dot_product_4 = dot(bricks_mixed, slide_slope_2 * bricks_size);
+    float bricks_dot_product_4 = dot(bricks_slope_2, slide_slope_2 * bricks_size);
     vec3 bricks_vector_4 = vec3(bricks_dot_product_2, bricks_dot_product_3, bricks_dot_product_4);
     // with_bricks: Masked decal
     vec3 with_bricks_product = bricks_vector_4 * 0.02 * slide_attenuation;
@@ -197,27 +198,27 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float stamp_attenuation = stamp_product_3 *
             (stamp_clamped > 0.0 ? pow(stamp_clamped, 0.2) : 0.0);
     vec2 weave_size = vec2(textureSize(decals_weave_image, 0));  // weave: Height map
-    vec2 weave_product = (stamp_vector_2 / vec3(0.6, 0.6, 1.0)).xy * weave_size;
-    float weave_dot_product = dot(weave_product, weave_product);
-    vec2 weave_product_2 = (stamp_vector_3 / vec3(0.6, 0.6, 1.0)).xy * weave_size;
-    float weave_root = sqrt(max(max(weave_dot_product, dot(weave_product_2, weave_product_2)),
-            1.0));
-    vec2 weave_quotient = weave_root / weave_size;
-    vec2 weave_vector = vec2(stamp_uv.x + weave_quotient.x, stamp_uv.y);
-    vec4 weave_texel = texture(decals_weave_image, weave_vector);
-    vec2 weave_vector_2 = vec2(stamp_uv.x, stamp_uv.y + weave_quotient.y);
-    vec2 weave_vector_3 = vec2(weave_texel.x, texture(decals_weave_image, weave_vector_2).x);
+    vec2 weave_texels_dx = (stamp_vector_2 / vec3(0.6, 0.6, 1.0)).xy * weave_size;
+    float weave_dot_product = dot(weave_texels_dx, weave_texels_dx);
+    vec2 weave_texels_dy = (stamp_vector_3 / vec3(0.6, 0.6, 1.0)).xy * weave_size;
+    float weave_greatest = max(max(weave_dot_product, dot(weave_texels_dy, weave_texels_dy)), 1.0);
+    float weave_footprint = sqrt(weave_greatest);
+    vec2 weave_texel_step = weave_footprint / weave_size;
+    vec2 weave_vector = vec2(stamp_uv.x + weave_texel_step.x, stamp_uv.y);
+    vec4 weave_right = texture(decals_weave_image, weave_vector);
+    vec2 weave_vector_2 = vec2(stamp_uv.x, stamp_uv.y + weave_texel_step.y);
+    vec2 weave_vector_3 = vec2(weave_right.x, texture(decals_weave_image, weave_vector_2).x);
     vec2 weave_difference = weave_vector_3 - texture(decals_weave_image, stamp_uv).x;
-    vec2 weave_product_3 = weave_difference * (1.0 / weave_root);
+    vec2 weave_coarse = weave_difference * (1.0 / weave_footprint);
     vec2 weave_slope = wrinkle_decals_smooth_slope_2(stamp_uv, 1.0 / weave_size);
-    float weave_clamped = clamp((0.5 - log2(weave_root)) / 0.45, 0.0, 1.0);
-    vec2 weave_mixed = mix(weave_product_3, weave_slope, weave_clamped);
-    float weave_dot_product_2 = dot(weave_mixed, vec2(1.4907119, -0.19316685) * weave_size);
-    float weave_product_4 = weave_mixed.y * (1.6097238 * weave_size.y);
-    float weave_dot_product_3 = dot(weave_mixed, vec2(-0.74535596, -0.3863337) * weave_size);
-    vec3 weave_slope_2 = vec3(weave_dot_product_2, weave_product_4, weave_dot_product_3) * 0.03;
+    float weave_magnified = clamp((0.5 - log2(weave_footprint)) / 0.45, 0.0, 1.0);
+    vec2 weave_slope_2 = mix(weave_coarse, weave_slope, weave_magnified);
+    float weave_dot_product_2 = dot(weave_slope_2, vec2(1.4907119, -0.19316685) * weave_size);
+    float weave_product = weave_slope_2.y * (1.6097238 * weave_size.y);
+    float weave_dot_product_3 = dot(weave_slope_2, vec2(-0.74535596, -0.3863337) * weave_size);
+    vec3 weave_slope_3 = vec3(weave_dot_product_2, weave_product, weave_dot_product_3) * 0.03;
     // with_weave: Add decal
-    vec3 with_weave_sum = with_bricks_sum + weave_slope_2 * stamp_attenuation;
+    vec3 with_weave_sum = with_bricks_sum + weave_slope_3 * stamp_attenuation;
     vec3 hit_difference = s.position - vec3(0.1, -0.55, 0.9);  // hit: Sphere decal
     float hit_extent = length(hit_difference);
     bool hit_test = dot(hit_difference, hit_difference) > 0.0;
@@ -226,11 +227,10 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float hit_clamped = clamp(dot(slide_product_3, hit_direction), 0.0, 1.0);
     float hit_choice = hit_clamped > 0.0 ? pow(hit_clamped, 0.0) : 1.0;
     float hit_attenuation = (1.0 - smoothstep(0.7, 1.0, hit_extent / 0.5)) * hit_choice;
-    bool hit_test_2 = hit_extent > 0.0;
     vec3 hit_quotient = (dpdx - hit_unit * dot(hit_unit, dpdx)) / hit_extent;
-    vec3 hit_slope_dx = hit_test ? (hit_test_2 ? hit_quotient : vec3(0.0)) : vec3(0.0);
+    vec3 hit_direction_dx = hit_test ? hit_quotient : vec3(0.0);
     vec3 hit_quotient_2 = (dpdy - hit_unit * dot(hit_unit, dpdy)) / hit_extent;
-    vec3 hit_slope_dy = hit_test ? (hit_test_2 ? hit_quotient_2 : vec3(0.0)) : vec3(0.0);
+    vec3 hit_direction_dy = hit_test ? hit_quotient_2 : vec3(0.0);
     bool ball_test = dot(hit_direction, hit_direction) > 0.0;  // ball: Cube normal map
     vec3 ball_choice = ball_test ? normalize(hit_direction) : vec3(0.0);
     vec3 ball_magnitude = abs(hit_direction);
@@ -251,23 +251,23 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec2 ball_choice_4 = ball_test_3 ? ball_vector : ball_test_4 ? ball_vector_2 : ball_vector_3;
     vec2 ball_quotient = ball_choice_4 / ball_choice_3;
     vec2 ball_sum = (ball_test_5 ? ball_quotient : vec2(0.0)) * 0.5 + 0.5;
-    vec2 ball_vector_4 = vec2(hit_slope_dx.z * ball_negated, hit_slope_dx.y);
-    vec2 ball_vector_5 = vec2(hit_slope_dx.x, hit_slope_dx.z * ball_negated_2);
-    vec2 ball_vector_6 = vec2(hit_slope_dx.x * ball_sign_3, hit_slope_dx.y);
+    vec2 ball_vector_4 = vec2(hit_direction_dx.z * ball_negated, hit_direction_dx.y);
+    vec2 ball_vector_5 = vec2(hit_direction_dx.x, hit_direction_dx.z * ball_negated_2);
+    vec2 ball_vector_6 = vec2(hit_direction_dx.x * ball_sign_3, hit_direction_dx.y);
     vec2 ball_choice_5 = ball_test_3 ? ball_vector_4 : ball_test_4 ? ball_vector_5 : ball_vector_6;
     vec3 ball_sign_4 = sign(hit_direction);
-    vec3 ball_product = hit_slope_dx * ball_sign_4;
+    vec3 ball_product = hit_direction_dx * ball_sign_4;
     float ball_choice_6 = ball_test_4 ? ball_product.y : ball_product.z;
     vec2 ball_product_2 = (ball_test_3 ? ball_product.x : ball_choice_6) * ball_quotient;
     vec2 ball_quotient_2 = (ball_choice_5 - ball_product_2) / ball_choice_3;
     vec2 ball_product_3 = (ball_test_5 ? ball_quotient_2 : vec2(0.0)) * 0.5;
     vec2 ball_quotient_3 = vec2(textureSize(decals_ball_image, 0)) / vec2(6.0, 1.0);
     float ball_extent = length(ball_product_3 * ball_quotient_3);
-    vec2 ball_vector_7 = vec2(hit_slope_dy.z * ball_negated, hit_slope_dy.y);
-    vec2 ball_vector_8 = vec2(hit_slope_dy.x, hit_slope_dy.z * ball_negated_2);
-    vec2 ball_vector_9 = vec2(hit_slope_dy.x * ball_sign_3, hit_slope_dy.y);
+    vec2 ball_vector_7 = vec2(hit_direction_dy.z * ball_negated, hit_direction_dy.y);
+    vec2 ball_vector_8 = vec2(hit_direction_dy.x, hit_direction_dy.z * ball_negated_2);
+    vec2 ball_vector_9 = vec2(hit_direction_dy.x * ball_sign_3, hit_direction_dy.y);
     vec2 ball_choice_7 = ball_test_3 ? ball_vector_7 : ball_test_4 ? ball_vector_8 : ball_vector_9;
-    vec3 ball_product_4 = hit_slope_dy * ball_sign_4;
+    vec3 ball_product_4 = hit_direction_dy * ball_sign_4;
     float ball_choice_8 = ball_test_4 ? ball_product_4.y : ball_product_4.z;
     vec2 ball_product_5 = (ball_test_3 ? ball_product_4.x : ball_choice_8) * ball_quotient;
     vec2 ball_quotient_4 = (ball_choice_7 - ball_product_5) / ball_choice_3;

@@ -87,17 +87,18 @@ vec3 wrinkle_everything_fbm_slope(vec3 point, float width, float scale, int octa
 }
 
 vec2 wrinkle_everything_smooth_slope(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(everything_bricks_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(everything_bricks_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(everything_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
-    vec4 texel_4 = textureLod(everything_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
-    float difference_2 = texel_3.x - texel_4.x;
-    vec4 texel_5 = textureLod(everything_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_6 = textureLod(everything_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_7 = textureLod(everything_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_8 = textureLod(everything_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(everything_bricks_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(everything_bricks_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(everything_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(everything_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(everything_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(everything_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(everything_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(everything_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 WrinkleMaterial_everything wrinkle_everything(WrinkleSurface_everything s) {
@@ -130,25 +131,24 @@ WrinkleMaterial_everything wrinkle_everything(WrinkleSurface_everything s) {
     vec2 softer_slope = (cloth_texel_2 + cloth_texel.y * vec2(0.34202015, 0.9396926)) * 0.3;
     vec2 tile_uv = s.uv0 * vec2(8.0, 4.0);  // tile: UV transform
     vec2 bricks_size = vec2(textureSize(everything_bricks_image, 0));  // bricks: Height map
-    vec2 bricks_product = dFdx(s.uv0) * vec2(8.0, 4.0) * bricks_size;
-    float bricks_dot_product = dot(bricks_product, bricks_product);
-    vec2 bricks_product_2 = dFdy(s.uv0) * vec2(8.0, 4.0) * bricks_size;
-    float bricks_greatest = max(max(bricks_dot_product, dot(bricks_product_2, bricks_product_2)),
-            1.0);
-    float bricks_root = sqrt(bricks_greatest);
-    vec2 bricks_quotient = bricks_root / bricks_size;
-    vec2 bricks_vector = vec2(tile_uv.x + bricks_quotient.x, tile_uv.y);
-    vec4 bricks_texel = texture(everything_bricks_image, bricks_vector);
-    vec2 bricks_vector_2 = vec2(tile_uv.x, tile_uv.y + bricks_quotient.y);
-    vec4 bricks_texel_2 = texture(everything_bricks_image, bricks_vector_2);
-    vec4 bricks_texel_3 = texture(everything_bricks_image, tile_uv);
-    vec2 bricks_difference = vec2(bricks_texel.x, bricks_texel_2.x) - bricks_texel_3.x;
-    vec2 bricks_product_3 = bricks_difference * (1.0 / bricks_root);
+    vec2 bricks_texels_dx = dFdx(s.uv0) * vec2(8.0, 4.0) * bricks_size;
+    float bricks_dot_product = dot(bricks_texels_dx, bricks_texels_dx);
+    vec2 bricks_texels_dy = dFdy(s.uv0) * vec2(8.0, 4.0) * bricks_size;
+    float bricks_greatest = max(bricks_dot_product, dot(bricks_texels_dy, bricks_texels_dy));
+    float bricks_footprint = sqrt(max(bricks_greatest, 1.0));
+    vec2 bricks_texel_step = bricks_footprint / bricks_size;
+    vec2 bricks_vector = vec2(tile_uv.x + bricks_texel_step.x, tile_uv.y);
+    vec4 bricks_right = texture(everything_bricks_image, bricks_vector);
+    vec2 bricks_vector_2 = vec2(tile_uv.x, tile_uv.y + bricks_texel_step.y);
+    vec4 bricks_above = texture(everything_bricks_image, bricks_vector_2);
+    vec4 bricks_here = texture(everything_bricks_image, tile_uv);
+    vec2 bricks_difference = vec2(bricks_right.x, bricks_above.x) - bricks_here.x;
+    vec2 bricks_coarse = bricks_difference * (1.0 / bricks_footprint);
     vec2 bricks_slope = wrinkle_everything_smooth_slope(tile_uv, 1.0 / bricks_size);
-    float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_product_3, bricks_slope, bricks_clamped);
-    float bricks_dot_product_2 = dot(bricks_mixed, bricks_product);
-    vec2 bricks_slope_2 = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_product_2)) * 0.015;
+    float bricks_magnified = clamp((0.5 - log2(bricks_footprint)) / 0.45, 0.0, 1.0);
+    vec2 bricks_slope_2 = mix(bricks_coarse, bricks_slope, bricks_magnified);
+    float bricks_dot_product_2 = dot(bricks_slope_2, bricks_texels_dx);
+    vec2 bricks_slope_3 = vec2(bricks_dot_product_2, dot(bricks_slope_2, bricks_texels_dy)) * 0.015;
     float normal_product = carving_greatest * cloth_depth;  // normal: Resolve
     float normal_negated = -normal_product;
     vec3 normal_product_2 = grain_slope * normal_negated;
@@ -159,7 +159,7 @@ WrinkleMaterial_everything wrinkle_everything(WrinkleSurface_everything s) {
     vec3 normal_along_u = cross(uv1_bitangent, normal) * normal_slope_u;
     float normal_slope_v = normal_slope.y * (uv1_scale * (screen_area < 0.0 ? -1.0 : 1.0));
     vec3 normal_sum = normal_along_u + uv1_bitangent * normal_slope_v;
-    vec2 normal_product_3 = bricks_slope_2 * normal_negated * inverse_area;
+    vec2 normal_product_3 = bricks_slope_3 * normal_negated * inverse_area;
     vec3 normal_cross_product = cross(normal, dpdx * normal_product_3.y -
             dpdy * normal_product_3.x);
     vec3 normal_sum_2 = carving_texel * cloth_depth + normal_sum + normal_cross_product;

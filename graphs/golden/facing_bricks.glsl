@@ -13,17 +13,18 @@ struct WrinkleMaterial_facing_bricks {
 uniform sampler2D facing_bricks_bricks_image;  // textures/bricks_height.png (linear, repeat)
 
 vec2 wrinkle_facing_bricks_smooth_slope(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(facing_bricks_bricks_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(facing_bricks_bricks_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(facing_bricks_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
-    vec4 texel_4 = textureLod(facing_bricks_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
-    float difference_2 = texel_3.x - texel_4.x;
-    vec4 texel_5 = textureLod(facing_bricks_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_6 = textureLod(facing_bricks_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_7 = textureLod(facing_bricks_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_8 = textureLod(facing_bricks_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(facing_bricks_bricks_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(facing_bricks_bricks_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(facing_bricks_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(facing_bricks_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(facing_bricks_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(facing_bricks_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(facing_bricks_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(facing_bricks_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 WrinkleMaterial_facing_bricks wrinkle_facing_bricks(WrinkleSurface_facing_bricks s) {
@@ -33,26 +34,25 @@ WrinkleMaterial_facing_bricks wrinkle_facing_bricks(WrinkleSurface_facing_bricks
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 tile_uv = s.uv0 * vec2(4.0, 2.0);  // tile: UV transform
     vec2 bricks_size = vec2(textureSize(facing_bricks_bricks_image, 0));  // bricks: Height map
-    vec2 bricks_product = dFdx(s.uv0) * vec2(4.0, 2.0) * bricks_size;
-    float bricks_dot_product = dot(bricks_product, bricks_product);
-    vec2 bricks_product_2 = dFdy(s.uv0) * vec2(4.0, 2.0) * bricks_size;
-    float bricks_greatest = max(max(bricks_dot_product, dot(bricks_product_2, bricks_product_2)),
-            1.0);
-    float bricks_root = sqrt(bricks_greatest);
-    vec2 bricks_quotient = bricks_root / bricks_size;
-    vec2 bricks_vector = vec2(tile_uv.x + bricks_quotient.x, tile_uv.y);
-    vec4 bricks_texel = texture(facing_bricks_bricks_image, bricks_vector);
-    vec2 bricks_vector_2 = vec2(tile_uv.x, tile_uv.y + bricks_quotient.y);
-    vec4 bricks_texel_2 = texture(facing_bricks_bricks_image, bricks_vector_2);
-    vec4 bricks_texel_3 = texture(facing_bricks_bricks_image, tile_uv);
-    vec2 bricks_difference = vec2(bricks_texel.x, bricks_texel_2.x) - bricks_texel_3.x;
-    vec2 bricks_product_3 = bricks_difference * (1.0 / bricks_root);
+    vec2 bricks_texels_dx = dFdx(s.uv0) * vec2(4.0, 2.0) * bricks_size;
+    float bricks_dot_product = dot(bricks_texels_dx, bricks_texels_dx);
+    vec2 bricks_texels_dy = dFdy(s.uv0) * vec2(4.0, 2.0) * bricks_size;
+    float bricks_greatest = max(bricks_dot_product, dot(bricks_texels_dy, bricks_texels_dy));
+    float bricks_footprint = sqrt(max(bricks_greatest, 1.0));
+    vec2 bricks_texel_step = bricks_footprint / bricks_size;
+    vec2 bricks_vector = vec2(tile_uv.x + bricks_texel_step.x, tile_uv.y);
+    vec4 bricks_right = texture(facing_bricks_bricks_image, bricks_vector);
+    vec2 bricks_vector_2 = vec2(tile_uv.x, tile_uv.y + bricks_texel_step.y);
+    vec4 bricks_above = texture(facing_bricks_bricks_image, bricks_vector_2);
+    vec4 bricks_here = texture(facing_bricks_bricks_image, tile_uv);
+    vec2 bricks_difference = vec2(bricks_right.x, bricks_above.x) - bricks_here.x;
+    vec2 bricks_coarse = bricks_difference * (1.0 / bricks_footprint);
     vec2 bricks_slope = wrinkle_facing_bricks_smooth_slope(tile_uv, 1.0 / bricks_size);
-    float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_product_3, bricks_slope, bricks_clamped);
-    float bricks_dot_product_2 = dot(bricks_mixed, bricks_product);
+    float bricks_magnified = clamp((0.5 - log2(bricks_footprint)) / 0.45, 0.0, 1.0);
+    vec2 bricks_slope_2 = mix(bricks_coarse, bricks_slope, bricks_magnified);
+    float bricks_dot_product_2 = dot(bricks_slope_2, bricks_texels_dx);
     // bumped: Resolve
-    vec2 bumped_vector = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_product_2));
+    vec2 bumped_vector = vec2(bricks_dot_product_2, dot(bricks_slope_2, bricks_texels_dy));
     float bumped_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.12;
     vec2 bumped_product_2 = bumped_vector * bumped_product;
     vec3 bumped_gradient = cross(normal, dpdx * bumped_product_2.y - dpdy * bumped_product_2.x);

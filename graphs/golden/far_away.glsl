@@ -15,8 +15,8 @@ uniform sampler2D far_away_pebbles_moments;  // textures/pebbles_moments.png (de
 
 WrinkleMaterial_far_away wrinkle_far_away(WrinkleSurface_far_away s) {
     vec2 tile_uv = s.uv0 * 4.0;  // tile: UV transform
-    vec2 tile_slope_dx = dFdx(s.uv0) * 4.0;
-    vec2 tile_slope_dy = dFdy(s.uv0) * 4.0;
+    vec2 tile_uv_dx = dFdx(s.uv0) * 4.0;
+    vec2 tile_uv_dy = dFdy(s.uv0) * 4.0;
     // weave: Tangent normal map
     vec3 weave_texel = texture(far_away_weave_image, tile_uv).xyz - 0.5;
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
@@ -24,9 +24,9 @@ WrinkleMaterial_far_away wrinkle_far_away(WrinkleSurface_far_away s) {
     vec2 weave_slope = weave_texel.xy / weave_depth;
     vec3 weave_vector = vec3(weave_slope * weave_slope + 1.0, weave_slope.x * weave_slope.y);
     vec2 weave_size = vec2(textureSize(far_away_weave_image, 0));
-    vec2 weave_product = weave_size * tile_slope_dx;
+    vec2 weave_product = weave_size * tile_uv_dx;
     float weave_dot_product = dot(weave_product, weave_product);
-    vec2 weave_product_2 = weave_size * tile_slope_dy;
+    vec2 weave_product_2 = weave_size * tile_uv_dy;
     float weave_greatest = max(weave_dot_product, dot(weave_product_2, weave_product_2));
     float weave_minified = clamp(log2(max(weave_greatest, 9.094947e-13)) * 0.5, 0.0, 1.0);
     float weave_product_3 = max(1.0 - dot(weave_texel, weave_texel) * 4.0, 0.0) * weave_minified;
@@ -39,9 +39,8 @@ WrinkleMaterial_far_away wrinkle_far_away(WrinkleSurface_far_away s) {
             pebbles_texel.x * pebbles_texel.y;
     vec3 pebbles_vector = vec3(max(pebbles_difference, 0.0), pebbles_difference_2);
     vec2 pebbles_size = vec2(textureSize(far_away_pebbles_slopes, 0));
-    float pebbles_extent = length(tile_slope_dx * pebbles_size);
-    float pebbles_greatest = max(max(pebbles_extent, length(tile_slope_dy * pebbles_size)), 1.0);
-    float pebbles_clamped = clamp(log2(pebbles_greatest), 0.0, 1.0);
+    float pebbles_width = max(length(tile_uv_dx * pebbles_size), length(tile_uv_dy * pebbles_size));
+    float pebbles_clamped = clamp(log2(max(pebbles_width, 1.0)), 0.0, 1.0);
     vec3 pebbles_product = pebbles_vector * pebbles_clamped;
     vec3 bitangent = cross(s.normal, s.tangent.xyz);  // the surface point
     float handedness = s.tangent.w > 0.0 ? 1.0 : -1.0;

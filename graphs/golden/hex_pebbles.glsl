@@ -15,19 +15,18 @@ uniform sampler2D hex_pebbles_pebbles_image;  // textures/pebbles_height.png (li
 
 vec3 wrinkle_hex_pebbles_hex_grid(vec2 at, out vec2 result_2, out vec2 result_3,
         out vec2 result_4) {
-    vec2 vector = vec2(at.x - at.y * 0.57735026, at.y * 1.1547005);
-    vec2 floored = floor(vector);
-    vec2 difference = vector - floored;
-    float difference_2 = 1.0 - difference.x;
-    float difference_3 = difference_2 - difference.y;
-    bool test = difference_3 <= 0.0;
-    vec3 vector_2 = vec3(difference.y - difference_2, 1.0 - difference.y, difference_2);
-    float number = float(test);
-    float difference_4 = 1.0 - number;
-    result_2 = floored + vec2(number);
-    result_3 = floored + vec2(number, difference_4);
-    result_4 = floored + vec2(difference_4, number);
-    return test ? vector_2 : vec3(difference_3, difference.yx);
+    vec2 sheared = vec2(at.x - at.y * 0.57735026, at.y * 1.1547005);
+    vec2 cell = floor(sheared);
+    vec2 f = sheared - cell;
+    float difference = 1.0 - f.x;
+    float rest = difference - f.y;
+    bool far = rest <= 0.0;
+    float corner = float(far);
+    float difference_2 = 1.0 - corner;
+    result_2 = cell + vec2(corner);
+    result_3 = cell + vec2(corner, difference_2);
+    result_4 = cell + vec2(difference_2, corner);
+    return far ? vec3(f.y - difference, 1.0 - f.y, difference) : vec3(rest, f.yx);
 }
 
 uint wrinkle_hex_pebbles_hash(uint x) {
@@ -36,27 +35,36 @@ uint wrinkle_hex_pebbles_hash(uint x) {
     return word >> 22u ^ word;
 }
 
-vec4 wrinkle_hex_pebbles_hex_copy(vec2 corner, float rotation) {
-    uint hash = wrinkle_hex_pebbles_hash(uint(int(corner.x)) +
+vec4 wrinkle_hex_pebbles_hex_copy(vec2 uv, vec2 corner, float size, float rotation) {
+    uint bits = wrinkle_hex_pebbles_hash(uint(int(corner.x)) +
             wrinkle_hex_pebbles_hash(uint(int(corner.y))));
-    uint hash_2 = wrinkle_hex_pebbles_hash(hash);
-    vec2 vector = vec2(float(hash_2 >> 8u), float(wrinkle_hex_pebbles_hash(hash_2) >> 8u));
-    float product = (2.0 * (float(hash >> 8u) / 16777216.0) - 1.0) * 3.1415927 * rotation;
-    return vec4(vector / 16777216.0, cos(product), sin(product));
+    float turn = 2.0 * (float(bits >> 8u) / 16777216.0) - 1.0;
+    float angle = turn * 3.1415927 * rotation;
+    float cosine = cos(angle);
+    float sine = sin(angle);
+    vec2 right = vec2(cosine, sine);
+    vec2 centre = vec2(corner.x + 0.5 * corner.y, corner.y * 0.8660254) / size;
+    vec2 way = uv - centre;
+    vec2 up = vec2(-sine, cosine);
+    uint more = wrinkle_hex_pebbles_hash(bits);
+    uint most = wrinkle_hex_pebbles_hash(more);
+    vec2 moved = vec2(float(more >> 8u), float(most >> 8u)) / 16777216.0;
+    return vec4(right * way.x + up * way.y + centre + moved, cosine, sine);
 }
 
 vec2 wrinkle_hex_pebbles_smooth_slope(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(hex_pebbles_pebbles_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(hex_pebbles_pebbles_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(hex_pebbles_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
-    vec4 texel_4 = textureLod(hex_pebbles_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
-    float difference_2 = texel_3.x - texel_4.x;
-    vec4 texel_5 = textureLod(hex_pebbles_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_6 = textureLod(hex_pebbles_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_7 = textureLod(hex_pebbles_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_8 = textureLod(hex_pebbles_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(hex_pebbles_pebbles_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(hex_pebbles_pebbles_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(hex_pebbles_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(hex_pebbles_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(hex_pebbles_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(hex_pebbles_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(hex_pebbles_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(hex_pebbles_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
@@ -66,252 +74,209 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
-    vec2 tile_slope_dx = dFdx(s.uv0) * 3.0;
-    vec2 tile_slope_dy = dFdy(s.uv0) * 3.0;
+    vec2 tile_uv_dx = dFdx(s.uv0) * 3.0;
+    vec2 tile_uv_dy = dFdy(s.uv0) * 3.0;
     // grain: Hex-tiled normal map
     vec2 grain_grid_2;
     vec2 grain_grid_3;
     vec2 grain_grid_4;
     vec3 grain_grid = wrinkle_hex_pebbles_hex_grid(tile_uv * 6.928203, grain_grid_2, grain_grid_3,
             grain_grid_4);
-    vec4 grain_copy = wrinkle_hex_pebbles_hex_copy(grain_grid_2, 1.0);
-    float grain_sum = grain_grid_2.x + 0.5 * grain_grid_2.y;
-    vec2 grain_quotient = vec2(grain_sum, grain_grid_2.y * 0.8660254) / 6.928203;
-    vec2 grain_difference = tile_uv - grain_quotient;
-    vec2 grain_product = grain_copy.zw * grain_difference.x;
+    vec4 grain_copy = wrinkle_hex_pebbles_hex_copy(tile_uv, grain_grid_2, 6.928203, 1.0);
     vec2 grain_vector = vec2(-grain_copy.w, grain_copy.z);
-    vec2 grain_sum_2 = grain_product + grain_vector * grain_difference.y + grain_quotient;
-    vec2 grain_sum_3 = grain_sum_2 + grain_copy.xy;
-    vec2 grain_sum_4 = grain_copy.zw * tile_slope_dx.x + grain_vector * tile_slope_dx.y;
-    vec2 grain_sum_5 = grain_copy.zw * tile_slope_dy.x + grain_vector * tile_slope_dy.y;
-    vec4 grain_texel = textureGrad(hex_pebbles_grain_image, grain_sum_3, grain_sum_4, grain_sum_5);
+    vec2 grain_copy_dx = grain_copy.zw * tile_uv_dx.x + grain_vector * tile_uv_dx.y;
+    vec2 grain_copy_dy = grain_copy.zw * tile_uv_dy.x + grain_vector * tile_uv_dy.y;
+    vec4 grain_texel = textureGrad(hex_pebbles_grain_image, grain_copy.xy, grain_copy_dx,
+            grain_copy_dy);
     vec3 grain_texel_2 = grain_texel.xyz - 0.5;
     float grain_least_depth = max(abs(grain_texel_2.x), abs(grain_texel_2.y)) * 0.0078125;
-    float grain_quotient_2 = -0.4 / max(max(abs(grain_texel_2.z), grain_least_depth), 5e-07);
-    vec2 grain_product_2 = grain_texel_2.xy * grain_quotient_2;
-    vec2 grain_vector_2 = vec2(dot(grain_product_2, grain_copy.zw),
-            dot(grain_product_2, grain_vector));
+    float grain_quotient = -0.4 / max(max(abs(grain_texel_2.z), grain_least_depth), 5e-07);
+    vec2 grain_product = grain_texel_2.xy * grain_quotient;
+    vec2 grain_vector_2 = vec2(dot(grain_product, grain_copy.zw), dot(grain_product, grain_vector));
     float grain_dot_product = dot(grain_vector_2, grain_vector_2);
-    vec4 grain_copy_2 = wrinkle_hex_pebbles_hex_copy(grain_grid_3, 1.0);
-    float grain_sum_6 = grain_grid_3.x + 0.5 * grain_grid_3.y;
-    vec2 grain_quotient_3 = vec2(grain_sum_6, grain_grid_3.y * 0.8660254) / 6.928203;
-    vec2 grain_difference_2 = tile_uv - grain_quotient_3;
-    vec2 grain_product_3 = grain_copy_2.zw * grain_difference_2.x;
+    vec4 grain_copy_2 = wrinkle_hex_pebbles_hex_copy(tile_uv, grain_grid_3, 6.928203, 1.0);
     vec2 grain_vector_3 = vec2(-grain_copy_2.w, grain_copy_2.z);
-    vec2 grain_sum_7 = grain_product_3 + grain_vector_3 * grain_difference_2.y + grain_quotient_3;
-    vec2 grain_sum_8 = grain_sum_7 + grain_copy_2.xy;
-    vec2 grain_sum_9 = grain_copy_2.zw * tile_slope_dx.x + grain_vector_3 * tile_slope_dx.y;
-    vec2 grain_sum_10 = grain_copy_2.zw * tile_slope_dy.x + grain_vector_3 * tile_slope_dy.y;
-    vec4 grain_texel_3 = textureGrad(hex_pebbles_grain_image, grain_sum_8, grain_sum_9,
-            grain_sum_10);
+    vec2 grain_copy_dx_2 = grain_copy_2.zw * tile_uv_dx.x + grain_vector_3 * tile_uv_dx.y;
+    vec2 grain_copy_dy_2 = grain_copy_2.zw * tile_uv_dy.x + grain_vector_3 * tile_uv_dy.y;
+    vec4 grain_texel_3 = textureGrad(hex_pebbles_grain_image, grain_copy_2.xy, grain_copy_dx_2,
+            grain_copy_dy_2);
     vec3 grain_texel_4 = grain_texel_3.xyz - 0.5;
     float grain_least_depth_2 = max(abs(grain_texel_4.x), abs(grain_texel_4.y)) * 0.0078125;
-    float grain_quotient_4 = -0.4 / max(max(abs(grain_texel_4.z), grain_least_depth_2), 5e-07);
-    vec2 grain_product_4 = grain_texel_4.xy * grain_quotient_4;
-    vec2 grain_vector_4 = vec2(dot(grain_product_4, grain_copy_2.zw),
-            dot(grain_product_4, grain_vector_3));
+    float grain_quotient_2 = -0.4 / max(max(abs(grain_texel_4.z), grain_least_depth_2), 5e-07);
+    vec2 grain_product_2 = grain_texel_4.xy * grain_quotient_2;
+    vec2 grain_vector_4 = vec2(dot(grain_product_2, grain_copy_2.zw),
+            dot(grain_product_2, grain_vector_3));
     float grain_dot_product_2 = dot(grain_vector_4, grain_vector_4);
-    vec4 grain_copy_3 = wrinkle_hex_pebbles_hex_copy(grain_grid_4, 1.0);
-    float grain_sum_11 = grain_grid_4.x + 0.5 * grain_grid_4.y;
-    vec2 grain_quotient_5 = vec2(grain_sum_11, grain_grid_4.y * 0.8660254) / 6.928203;
-    vec2 grain_difference_3 = tile_uv - grain_quotient_5;
-    vec2 grain_product_5 = grain_copy_3.zw * grain_difference_3.x;
+    vec4 grain_copy_3 = wrinkle_hex_pebbles_hex_copy(tile_uv, grain_grid_4, 6.928203, 1.0);
     vec2 grain_vector_5 = vec2(-grain_copy_3.w, grain_copy_3.z);
-    vec2 grain_sum_12 = grain_product_5 + grain_vector_5 * grain_difference_3.y + grain_quotient_5;
-    vec2 grain_sum_13 = grain_sum_12 + grain_copy_3.xy;
-    vec2 grain_sum_14 = grain_copy_3.zw * tile_slope_dx.x + grain_vector_5 * tile_slope_dx.y;
-    vec2 grain_sum_15 = grain_copy_3.zw * tile_slope_dy.x + grain_vector_5 * tile_slope_dy.y;
-    vec4 grain_texel_5 = textureGrad(hex_pebbles_grain_image, grain_sum_13, grain_sum_14,
-            grain_sum_15);
+    vec2 grain_copy_dx_3 = grain_copy_3.zw * tile_uv_dx.x + grain_vector_5 * tile_uv_dx.y;
+    vec2 grain_copy_dy_3 = grain_copy_3.zw * tile_uv_dy.x + grain_vector_5 * tile_uv_dy.y;
+    vec4 grain_texel_5 = textureGrad(hex_pebbles_grain_image, grain_copy_3.xy, grain_copy_dx_3,
+            grain_copy_dy_3);
     vec3 grain_texel_6 = grain_texel_5.xyz - 0.5;
     float grain_least_depth_3 = max(abs(grain_texel_6.x), abs(grain_texel_6.y)) * 0.0078125;
-    float grain_quotient_6 = -0.4 / max(max(abs(grain_texel_6.z), grain_least_depth_3), 5e-07);
-    vec2 grain_product_6 = grain_texel_6.xy * grain_quotient_6;
-    vec2 grain_vector_6 = vec2(dot(grain_product_6, grain_copy_3.zw),
-            dot(grain_product_6, grain_vector_5));
+    float grain_quotient_3 = -0.4 / max(max(abs(grain_texel_6.z), grain_least_depth_3), 5e-07);
+    vec2 grain_product_3 = grain_texel_6.xy * grain_quotient_3;
+    vec2 grain_vector_6 = vec2(dot(grain_product_3, grain_copy_3.zw),
+            dot(grain_product_3, grain_vector_5));
     float grain_dot_product_3 = dot(grain_vector_6, grain_vector_6);
     vec3 grain_vector_7 = vec3(grain_dot_product, grain_dot_product_2, grain_dot_product_3);
-    vec3 grain_product_7 = 0.6 * sqrt(max(grain_vector_7 / (1.0 + grain_vector_7), 0.0));
-    vec3 grain_sum_16 = 0.4 + grain_product_7;
-    vec3 grain_greatest = max(grain_grid, vec3(1e-04));
-    float grain_choice = grain_greatest.x > 0.0 ? pow(grain_greatest.x, 7.0) : 0.0;
-    float grain_choice_2 = grain_greatest.y > 0.0 ? pow(grain_greatest.y, 7.0) : 0.0;
-    float grain_choice_3 = grain_greatest.z > 0.0 ? pow(grain_greatest.z, 7.0) : 0.0;
-    vec3 grain_product_8 = grain_sum_16 * vec3(grain_choice, grain_choice_2, grain_choice_3);
-    float grain_sum_17 = grain_product_8.x + grain_product_8.y + grain_product_8.z;
-    vec3 grain_quotient_7 = grain_product_8 / grain_sum_17;
-    float grain_product_9 = 2.0 * grain_quotient_7.x;
-    float grain_product_10 = 0.5 * (grain_product_9 > 0.0 ? grain_product_9 : 0.0);
-    float grain_difference_4 = 2.0 - grain_product_9;
-    float grain_difference_5 = 1.0 - 0.5 * (grain_difference_4 > 0.0 ? grain_difference_4 : 0.0);
-    float grain_choice_4 = grain_quotient_7.x < 0.5 ? grain_product_10 : grain_difference_5;
-    float grain_product_11 = 2.0 * grain_quotient_7.y;
-    float grain_product_12 = 0.5 * (grain_product_11 > 0.0 ? grain_product_11 : 0.0);
-    float grain_difference_6 = 2.0 - grain_product_11;
-    float grain_difference_7 = 1.0 - 0.5 * (grain_difference_6 > 0.0 ? grain_difference_6 : 0.0);
-    float grain_choice_5 = grain_quotient_7.y < 0.5 ? grain_product_12 : grain_difference_7;
-    float grain_product_13 = 2.0 * grain_quotient_7.z;
-    float grain_product_14 = 0.5 * (grain_product_13 > 0.0 ? grain_product_13 : 0.0);
-    float grain_difference_8 = 2.0 - grain_product_13;
-    float grain_difference_9 = 1.0 - 0.5 * (grain_difference_8 > 0.0 ? grain_difference_8 : 0.0);
-    float grain_choice_6 = grain_quotient_7.z < 0.5 ? grain_product_14 : grain_difference_9;
-    vec3 grain_vector_8 = vec3(grain_choice_4, grain_choice_5, grain_choice_6);
-    vec3 grain_quotient_8 = grain_vector_8 / (grain_choice_4 + grain_choice_5 + grain_choice_6);
-    vec2 grain_sum_18 = grain_vector_2 * grain_quotient_8.x + grain_vector_4 * grain_quotient_8.y;
-    vec2 grain_sum_19 = grain_sum_18 + grain_vector_6 * grain_quotient_8.z;
+    vec3 grain_product_4 = 0.6 * sqrt(max(grain_vector_7 / (1.0 + grain_vector_7), 0.0));
+    vec3 grain_sum = 0.4 + grain_product_4;
+    vec3 grain_product_5 = grain_sum * pow(max(grain_grid, vec3(1e-04)), vec3(7.0));
+    float grain_sum_2 = grain_product_5.x + grain_product_5.y + grain_product_5.z;
+    vec3 grain_quotient_4 = grain_product_5 / grain_sum_2;
+    float grain_product_6 = 2.0 * grain_quotient_4.x;
+    float grain_product_7 = 0.5 * (grain_product_6 > 0.0 ? grain_product_6 : 0.0);
+    float grain_difference = 2.0 - grain_product_6;
+    float grain_difference_2 = 1.0 - 0.5 * (grain_difference > 0.0 ? grain_difference : 0.0);
+    float grain_choice = grain_quotient_4.x < 0.5 ? grain_product_7 : grain_difference_2;
+    float grain_product_8 = 2.0 * grain_quotient_4.y;
+    float grain_product_9 = 0.5 * (grain_product_8 > 0.0 ? grain_product_8 : 0.0);
+    float grain_difference_3 = 2.0 - grain_product_8;
+    float grain_difference_4 = 1.0 - 0.5 * (grain_difference_3 > 0.0 ? grain_difference_3 : 0.0);
+    float grain_choice_2 = grain_quotient_4.y < 0.5 ? grain_product_9 : grain_difference_4;
+    float grain_product_10 = 2.0 * grain_quotient_4.z;
+    float grain_product_11 = 0.5 * (grain_product_10 > 0.0 ? grain_product_10 : 0.0);
+    float grain_difference_5 = 2.0 - grain_product_10;
+    float grain_difference_6 = 1.0 - 0.5 * (grain_difference_5 > 0.0 ? grain_difference_5 : 0.0);
+    float grain_choice_3 = grain_quotient_4.z < 0.5 ? grain_product_11 : grain_difference_6;
+    vec3 grain_vector_8 = vec3(grain_choice, grain_choice_2, grain_choice_3);
+    vec3 grain_quotient_5 = grain_vector_8 / (grain_choice + grain_choice_2 + grain_choice_3);
+    vec2 grain_sum_3 = grain_vector_2 * grain_quotient_5.x + grain_vector_4 * grain_quotient_5.y;
+    vec2 grain_sum_4 = grain_sum_3 + grain_vector_6 * grain_quotient_5.z;
     // pebbles: Hex-tiled height map
     vec2 pebbles_grid_2;
     vec2 pebbles_grid_3;
     vec2 pebbles_grid_4;
     vec3 pebbles_grid = wrinkle_hex_pebbles_hex_grid(tile_uv * 3.4641016, pebbles_grid_2,
             pebbles_grid_3, pebbles_grid_4);
-    vec4 pebbles_copy = wrinkle_hex_pebbles_hex_copy(pebbles_grid_2, 1.0);
-    float pebbles_sum = pebbles_grid_2.x + 0.5 * pebbles_grid_2.y;
-    vec2 pebbles_quotient = vec2(pebbles_sum, pebbles_grid_2.y * 0.8660254) / 3.4641016;
-    vec2 pebbles_difference = tile_uv - pebbles_quotient;
-    vec2 pebbles_product = pebbles_copy.zw * pebbles_difference.x;
+    vec4 pebbles_copy = wrinkle_hex_pebbles_hex_copy(tile_uv, pebbles_grid_2, 3.4641016, 1.0);
     vec2 pebbles_vector = vec2(-pebbles_copy.w, pebbles_copy.z);
-    vec2 pebbles_sum_2 = pebbles_product + pebbles_vector * pebbles_difference.y;
-    vec2 pebbles_sum_3 = pebbles_sum_2 + pebbles_quotient + pebbles_copy.xy;
-    vec2 pebbles_sum_4 = pebbles_copy.zw * tile_slope_dx.x + pebbles_vector * tile_slope_dx.y;
+    vec2 pebbles_copy_dx = pebbles_copy.zw * tile_uv_dx.x + pebbles_vector * tile_uv_dx.y;
     vec2 pebbles_size = vec2(textureSize(hex_pebbles_pebbles_image, 0));
-    vec2 pebbles_product_2 = pebbles_sum_4 * pebbles_size;
-    float pebbles_dot_product = dot(pebbles_product_2, pebbles_product_2);
-    vec2 pebbles_sum_5 = pebbles_copy.zw * tile_slope_dy.x + pebbles_vector * tile_slope_dy.y;
-    vec2 pebbles_product_3 = pebbles_sum_5 * pebbles_size;
-    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_3, pebbles_product_3));
-    float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
-    vec2 pebbles_quotient_2 = pebbles_root / pebbles_size;
-    vec2 pebbles_vector_2 = vec2(pebbles_sum_3.x + pebbles_quotient_2.x, pebbles_sum_3.y);
-    vec4 pebbles_texel = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_2, pebbles_sum_4,
-            pebbles_sum_5);
-    vec2 pebbles_vector_3 = vec2(pebbles_sum_3.x, pebbles_sum_3.y + pebbles_quotient_2.y);
-    vec4 pebbles_texel_2 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_3, pebbles_sum_4,
-            pebbles_sum_5);
-    vec4 pebbles_texel_3 = textureGrad(hex_pebbles_pebbles_image, pebbles_sum_3, pebbles_sum_4,
-            pebbles_sum_5);
-    vec2 pebbles_difference_2 = vec2(pebbles_texel.x, pebbles_texel_2.x) - pebbles_texel_3.x;
-    vec2 pebbles_quotient_3 = pebbles_difference_2 / pebbles_quotient_2;
-    vec2 pebbles_quotient_4 = 1.0 / pebbles_size;
-    vec2 pebbles_slope = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_3, pebbles_quotient_4);
-    float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed = mix(pebbles_quotient_3, pebbles_slope * pebbles_size, pebbles_clamped);
-    float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_copy.zw);
-    vec2 pebbles_vector_4 = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_vector));
+    vec2 pebbles_texels_dx = pebbles_copy_dx * pebbles_size;
+    float pebbles_dot_product = dot(pebbles_texels_dx, pebbles_texels_dx);
+    vec2 pebbles_copy_dy = pebbles_copy.zw * tile_uv_dy.x + pebbles_vector * tile_uv_dy.y;
+    vec2 pebbles_texels_dy = pebbles_copy_dy * pebbles_size;
+    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_texels_dy, pebbles_texels_dy));
+    float pebbles_footprint = sqrt(max(pebbles_greatest, 1.0));
+    vec2 pebbles_texel_step = pebbles_footprint / pebbles_size;
+    vec2 pebbles_vector_2 = vec2(pebbles_copy.x + pebbles_texel_step.x, pebbles_copy.y);
+    vec4 pebbles_right = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_2, pebbles_copy_dx,
+            pebbles_copy_dy);
+    vec2 pebbles_vector_3 = vec2(pebbles_copy.x, pebbles_copy.y + pebbles_texel_step.y);
+    vec4 pebbles_above = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_3, pebbles_copy_dx,
+            pebbles_copy_dy);
+    vec4 pebbles_here = textureGrad(hex_pebbles_pebbles_image, pebbles_copy.xy, pebbles_copy_dx,
+            pebbles_copy_dy);
+    vec2 pebbles_difference = vec2(pebbles_right.x, pebbles_above.x) - pebbles_here.x;
+    vec2 pebbles_coarse = pebbles_difference / pebbles_texel_step;
+    vec2 pebbles_quotient = 1.0 / pebbles_size;
+    vec2 pebbles_slope = wrinkle_hex_pebbles_smooth_slope(pebbles_copy.xy, pebbles_quotient);
+    float pebbles_magnified = clamp((0.5 - log2(pebbles_footprint)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_slope_2 = mix(pebbles_coarse, pebbles_slope * pebbles_size, pebbles_magnified);
+    float pebbles_dot_product_2 = dot(pebbles_slope_2, pebbles_copy.zw);
+    vec2 pebbles_vector_4 = vec2(pebbles_dot_product_2, dot(pebbles_slope_2, pebbles_vector));
     vec3 pebbles_greatest_2 = max(pebbles_grid, vec3(1e-04));
-    float pebbles_choice = pebbles_greatest_2.x > 0.0 ? pow(pebbles_greatest_2.x, 7.0) : 0.0;
-    float pebbles_choice_2 = pebbles_greatest_2.y > 0.0 ? pow(pebbles_greatest_2.y, 7.0) : 0.0;
-    float pebbles_choice_3 = pebbles_greatest_2.z > 0.0 ? pow(pebbles_greatest_2.z, 7.0) : 0.0;
+    vec3 pebbles_power = pow(pebbles_greatest_2, vec3(7.0));
+    float pebbles_sum = pow(pebbles_greatest_2.x, 7.0) + pow(pebbles_greatest_2.y, 7.0);
+    vec3 pebbles_quotient_2 = pebbles_power / (pebbles_sum + pow(pebbles_greatest_2.z, 7.0));
+    float pebbles_product = 2.0 * pebbles_quotient_2.x;
+    float pebbles_product_2 = 0.5 * (pebbles_product > 0.0 ? pebbles_product : 0.0);
+    float pebbles_difference_2 = 2.0 - pebbles_product;
+    float pebbles_difference_3 = 1.0 -
+            0.5 * (pebbles_difference_2 > 0.0 ? pebbles_difference_2 : 0.0);
+    float pebbles_choice = pebbles_quotient_2.x < 0.5 ? pebbles_product_2 : pebbles_difference_3;
+    float pebbles_product_3 = 2.0 * pebbles_quotient_2.y;
+    float pebbles_product_4 = 0.5 * (pebbles_product_3 > 0.0 ? pebbles_product_3 : 0.0);
+    float pebbles_difference_4 = 2.0 - pebbles_product_3;
+    float pebbles_difference_5 = 1.0 -
+            0.5 * (pebbles_difference_4 > 0.0 ? pebbles_difference_4 : 0.0);
+    float pebbles_choice_2 = pebbles_quotient_2.y < 0.5 ? pebbles_product_4 : pebbles_difference_5;
+    float pebbles_product_5 = 2.0 * pebbles_quotient_2.z;
+    float pebbles_product_6 = 0.5 * (pebbles_product_5 > 0.0 ? pebbles_product_5 : 0.0);
+    float pebbles_difference_6 = 2.0 - pebbles_product_5;
+    float pebbles_difference_7 = 1.0 -
+            0.5 * (pebbles_difference_6 > 0.0 ? pebbles_difference_6 : 0.0);
+    float pebbles_choice_3 = pebbles_quotient_2.z < 0.5 ? pebbles_product_6 : pebbles_difference_7;
     vec3 pebbles_vector_5 = vec3(pebbles_choice, pebbles_choice_2, pebbles_choice_3);
-    vec3 pebbles_quotient_5 = pebbles_vector_5 /
+    vec3 pebbles_quotient_3 = pebbles_vector_5 /
             (pebbles_choice + pebbles_choice_2 + pebbles_choice_3);
-    float pebbles_product_4 = 2.0 * pebbles_quotient_5.x;
-    float pebbles_product_5 = 0.5 * (pebbles_product_4 > 0.0 ? pebbles_product_4 : 0.0);
-    float pebbles_difference_3 = 2.0 - pebbles_product_4;
-    float pebbles_difference_4 = 1.0 -
-            0.5 * (pebbles_difference_3 > 0.0 ? pebbles_difference_3 : 0.0);
-    float pebbles_choice_4 = pebbles_quotient_5.x < 0.5 ? pebbles_product_5 : pebbles_difference_4;
-    float pebbles_product_6 = 2.0 * pebbles_quotient_5.y;
-    float pebbles_product_7 = 0.5 * (pebbles_product_6 > 0.0 ? pebbles_product_6 : 0.0);
-    float pebbles_difference_5 = 2.0 - pebbles_product_6;
-    float pebbles_difference_6 = 1.0 -
-            0.5 * (pebbles_difference_5 > 0.0 ? pebbles_difference_5 : 0.0);
-    float pebbles_choice_5 = pebbles_quotient_5.y < 0.5 ? pebbles_product_7 : pebbles_difference_6;
-    float pebbles_product_8 = 2.0 * pebbles_quotient_5.z;
-    float pebbles_product_9 = 0.5 * (pebbles_product_8 > 0.0 ? pebbles_product_8 : 0.0);
-    float pebbles_difference_7 = 2.0 - pebbles_product_8;
-    float pebbles_difference_8 = 1.0 -
-            0.5 * (pebbles_difference_7 > 0.0 ? pebbles_difference_7 : 0.0);
-    float pebbles_choice_6 = pebbles_quotient_5.z < 0.5 ? pebbles_product_9 : pebbles_difference_8;
-    vec3 pebbles_vector_6 = vec3(pebbles_choice_4, pebbles_choice_5, pebbles_choice_6);
-    vec3 pebbles_quotient_6 = pebbles_vector_6 /
-            (pebbles_choice_4 + pebbles_choice_5 + pebbles_choice_6);
-    vec2 pebbles_product_10 = pebbles_vector_4 * pebbles_quotient_6.x;
-    vec4 pebbles_copy_2 = wrinkle_hex_pebbles_hex_copy(pebbles_grid_3, 1.0);
-    float pebbles_sum_6 = pebbles_grid_3.x + 0.5 * pebbles_grid_3.y;
-    vec2 pebbles_quotient_7 = vec2(pebbles_sum_6, pebbles_grid_3.y * 0.8660254) / 3.4641016;
-    vec2 pebbles_difference_9 = tile_uv - pebbles_quotient_7;
-    vec2 pebbles_product_11 = pebbles_copy_2.zw * pebbles_difference_9.x;
-    vec2 pebbles_vector_7 = vec2(-pebbles_copy_2.w, pebbles_copy_2.z);
-    vec2 pebbles_sum_7 = pebbles_product_11 + pebbles_vector_7 * pebbles_difference_9.y;
-    vec2 pebbles_sum_8 = pebbles_sum_7 + pebbles_quotient_7 + pebbles_copy_2.xy;
-    vec2 pebbles_sum_9 = pebbles_copy_2.zw * tile_slope_dx.x + pebbles_vector_7 * tile_slope_dx.y;
-    vec2 pebbles_product_12 = pebbles_sum_9 * pebbles_size;
-    float pebbles_dot_product_3 = dot(pebbles_product_12, pebbles_product_12);
-    vec2 pebbles_sum_10 = pebbles_copy_2.zw * tile_slope_dy.x + pebbles_vector_7 * tile_slope_dy.y;
-    vec2 pebbles_product_13 = pebbles_sum_10 * pebbles_size;
+    vec2 pebbles_product_7 = pebbles_vector_4 * pebbles_quotient_3.x;
+    vec4 pebbles_copy_2 = wrinkle_hex_pebbles_hex_copy(tile_uv, pebbles_grid_3, 3.4641016, 1.0);
+    vec2 pebbles_vector_6 = vec2(-pebbles_copy_2.w, pebbles_copy_2.z);
+    vec2 pebbles_copy_dx_2 = pebbles_copy_2.zw * tile_uv_dx.x + pebbles_vector_6 * tile_uv_dx.y;
+    vec2 pebbles_texels_dx_2 = pebbles_copy_dx_2 * pebbles_size;
+    float pebbles_dot_product_3 = dot(pebbles_texels_dx_2, pebbles_texels_dx_2);
+    vec2 pebbles_copy_dy_2 = pebbles_copy_2.zw * tile_uv_dy.x + pebbles_vector_6 * tile_uv_dy.y;
+    vec2 pebbles_texels_dy_2 = pebbles_copy_dy_2 * pebbles_size;
     float pebbles_greatest_3 = max(pebbles_dot_product_3,
-            dot(pebbles_product_13, pebbles_product_13));
-    float pebbles_root_2 = sqrt(max(pebbles_greatest_3, 1.0));
-    vec2 pebbles_quotient_8 = pebbles_root_2 / pebbles_size;
-    vec2 pebbles_vector_8 = vec2(pebbles_sum_8.x + pebbles_quotient_8.x, pebbles_sum_8.y);
-    vec4 pebbles_texel_4 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_8, pebbles_sum_9,
-            pebbles_sum_10);
-    vec2 pebbles_vector_9 = vec2(pebbles_sum_8.x, pebbles_sum_8.y + pebbles_quotient_8.y);
-    vec4 pebbles_texel_5 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_9, pebbles_sum_9,
-            pebbles_sum_10);
-    vec4 pebbles_texel_6 = textureGrad(hex_pebbles_pebbles_image, pebbles_sum_8, pebbles_sum_9,
-            pebbles_sum_10);
-    vec2 pebbles_difference_10 = vec2(pebbles_texel_4.x, pebbles_texel_5.x) - pebbles_texel_6.x;
-    vec2 pebbles_quotient_9 = pebbles_difference_10 / pebbles_quotient_8;
-    vec2 pebbles_slope_2 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_8, pebbles_quotient_4);
-    float pebbles_clamped_2 = clamp((0.5 - log2(pebbles_root_2)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed_2 = mix(pebbles_quotient_9, pebbles_slope_2 * pebbles_size,
-            pebbles_clamped_2);
-    float pebbles_dot_product_4 = dot(pebbles_mixed_2, pebbles_copy_2.zw);
-    vec2 pebbles_vector_10 = vec2(pebbles_dot_product_4, dot(pebbles_mixed_2, pebbles_vector_7));
-    vec2 pebbles_sum_11 = pebbles_product_10 + pebbles_vector_10 * pebbles_quotient_6.y;
-    vec4 pebbles_copy_3 = wrinkle_hex_pebbles_hex_copy(pebbles_grid_4, 1.0);
-    float pebbles_sum_12 = pebbles_grid_4.x + 0.5 * pebbles_grid_4.y;
-    vec2 pebbles_quotient_10 = vec2(pebbles_sum_12, pebbles_grid_4.y * 0.8660254) / 3.4641016;
-    vec2 pebbles_difference_11 = tile_uv - pebbles_quotient_10;
-    vec2 pebbles_product_14 = pebbles_copy_3.zw * pebbles_difference_11.x;
-    vec2 pebbles_vector_11 = vec2(-pebbles_copy_3.w, pebbles_copy_3.z);
-    vec2 pebbles_sum_13 = pebbles_product_14 + pebbles_vector_11 * pebbles_difference_11.y;
-    vec2 pebbles_sum_14 = pebbles_sum_13 + pebbles_quotient_10 + pebbles_copy_3.xy;
-    vec2 pebbles_sum_15 = pebbles_copy_3.zw * tile_slope_dx.x + pebbles_vector_11 * tile_slope_dx.y;
-    vec2 pebbles_product_15 = pebbles_sum_15 * pebbles_size;
-    float pebbles_dot_product_5 = dot(pebbles_product_15, pebbles_product_15);
-    vec2 pebbles_sum_16 = pebbles_copy_3.zw * tile_slope_dy.x + pebbles_vector_11 * tile_slope_dy.y;
-    vec2 pebbles_product_16 = pebbles_sum_16 * pebbles_size;
+            dot(pebbles_texels_dy_2, pebbles_texels_dy_2));
+    float pebbles_footprint_2 = sqrt(max(pebbles_greatest_3, 1.0));
+    vec2 pebbles_texel_step_2 = pebbles_footprint_2 / pebbles_size;
+    vec2 pebbles_vector_7 = vec2(pebbles_copy_2.x + pebbles_texel_step_2.x, pebbles_copy_2.y);
+    vec4 pebbles_right_2 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_7,
+            pebbles_copy_dx_2, pebbles_copy_dy_2);
+    vec2 pebbles_vector_8 = vec2(pebbles_copy_2.x, pebbles_copy_2.y + pebbles_texel_step_2.y);
+    vec4 pebbles_above_2 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_8,
+            pebbles_copy_dx_2, pebbles_copy_dy_2);
+    vec4 pebbles_here_2 = textureGrad(hex_pebbles_pebbles_image, pebbles_copy_2.xy,
+            pebbles_copy_dx_2, pebbles_copy_dy_2);
+    vec2 pebbles_difference_8 = vec2(pebbles_right_2.x, pebbles_above_2.x) - pebbles_here_2.x;
+    vec2 pebbles_coarse_2 = pebbles_difference_8 / pebbles_texel_step_2;
+    vec2 pebbles_slope_3 = wrinkle_hex_pebbles_smooth_slope(pebbles_copy_2.xy, pebbles_quotient);
+    float pebbles_magnified_2 = clamp((0.5 - log2(pebbles_footprint_2)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_slope_4 = mix(pebbles_coarse_2, pebbles_slope_3 * pebbles_size,
+            pebbles_magnified_2);
+    float pebbles_dot_product_4 = dot(pebbles_slope_4, pebbles_copy_2.zw);
+    vec2 pebbles_vector_9 = vec2(pebbles_dot_product_4, dot(pebbles_slope_4, pebbles_vector_6));
+    vec2 pebbles_sum_2 = pebbles_product_7 + pebbles_vector_9 * pebbles_quotient_3.y;
+    vec4 pebbles_copy_3 = wrinkle_hex_pebbles_hex_copy(tile_uv, pebbles_grid_4, 3.4641016, 1.0);
+    vec2 pebbles_vector_10 = vec2(-pebbles_copy_3.w, pebbles_copy_3.z);
+    vec2 pebbles_copy_dx_3 = pebbles_copy_3.zw * tile_uv_dx.x + pebbles_vector_10 * tile_uv_dx.y;
+    vec2 pebbles_texels_dx_3 = pebbles_copy_dx_3 * pebbles_size;
+    float pebbles_dot_product_5 = dot(pebbles_texels_dx_3, pebbles_texels_dx_3);
+    vec2 pebbles_copy_dy_3 = pebbles_copy_3.zw * tile_uv_dy.x + pebbles_vector_10 * tile_uv_dy.y;
+    vec2 pebbles_texels_dy_3 = pebbles_copy_dy_3 * pebbles_size;
     float pebbles_greatest_4 = max(pebbles_dot_product_5,
-            dot(pebbles_product_16, pebbles_product_16));
-    float pebbles_root_3 = sqrt(max(pebbles_greatest_4, 1.0));
-    vec2 pebbles_quotient_11 = pebbles_root_3 / pebbles_size;
-    vec2 pebbles_vector_12 = vec2(pebbles_sum_14.x + pebbles_quotient_11.x, pebbles_sum_14.y);
-    vec4 pebbles_texel_7 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_12,
-            pebbles_sum_15, pebbles_sum_16);
-    vec2 pebbles_vector_13 = vec2(pebbles_sum_14.x, pebbles_sum_14.y + pebbles_quotient_11.y);
-    vec4 pebbles_texel_8 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_13,
-            pebbles_sum_15, pebbles_sum_16);
-    vec4 pebbles_texel_9 = textureGrad(hex_pebbles_pebbles_image, pebbles_sum_14, pebbles_sum_15,
-            pebbles_sum_16);
-    vec2 pebbles_difference_12 = vec2(pebbles_texel_7.x, pebbles_texel_8.x) - pebbles_texel_9.x;
-    vec2 pebbles_quotient_12 = pebbles_difference_12 / pebbles_quotient_11;
-    vec2 pebbles_slope_3 = wrinkle_hex_pebbles_smooth_slope(pebbles_sum_14, pebbles_quotient_4);
-    float pebbles_clamped_3 = clamp((0.5 - log2(pebbles_root_3)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed_3 = mix(pebbles_quotient_12, pebbles_slope_3 * pebbles_size,
-            pebbles_clamped_3);
-    float pebbles_dot_product_6 = dot(pebbles_mixed_3, pebbles_copy_3.zw);
-    vec2 pebbles_vector_14 = vec2(pebbles_dot_product_6, dot(pebbles_mixed_3, pebbles_vector_11));
-    vec2 pebbles_product_17 = (pebbles_sum_11 + pebbles_vector_14 * pebbles_quotient_6.z) * 0.03;
-    float pebbles_dot_product_7 = dot(pebbles_product_17, tile_slope_dx);
-    vec2 pebbles_vector_15 = vec2(pebbles_dot_product_7, dot(pebbles_product_17, tile_slope_dy));
+            dot(pebbles_texels_dy_3, pebbles_texels_dy_3));
+    float pebbles_footprint_3 = sqrt(max(pebbles_greatest_4, 1.0));
+    vec2 pebbles_texel_step_3 = pebbles_footprint_3 / pebbles_size;
+    vec2 pebbles_vector_11 = vec2(pebbles_copy_3.x + pebbles_texel_step_3.x, pebbles_copy_3.y);
+    vec4 pebbles_right_3 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_11,
+            pebbles_copy_dx_3, pebbles_copy_dy_3);
+    vec2 pebbles_vector_12 = vec2(pebbles_copy_3.x, pebbles_copy_3.y + pebbles_texel_step_3.y);
+    vec4 pebbles_above_3 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_12,
+            pebbles_copy_dx_3, pebbles_copy_dy_3);
+    vec4 pebbles_here_3 = textureGrad(hex_pebbles_pebbles_image, pebbles_copy_3.xy,
+            pebbles_copy_dx_3, pebbles_copy_dy_3);
+    vec2 pebbles_difference_9 = vec2(pebbles_right_3.x, pebbles_above_3.x) - pebbles_here_3.x;
+    vec2 pebbles_coarse_3 = pebbles_difference_9 / pebbles_texel_step_3;
+    vec2 pebbles_slope_5 = wrinkle_hex_pebbles_smooth_slope(pebbles_copy_3.xy, pebbles_quotient);
+    float pebbles_magnified_3 = clamp((0.5 - log2(pebbles_footprint_3)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_slope_6 = mix(pebbles_coarse_3, pebbles_slope_5 * pebbles_size,
+            pebbles_magnified_3);
+    float pebbles_dot_product_6 = dot(pebbles_slope_6, pebbles_copy_3.zw);
+    vec2 pebbles_vector_13 = vec2(pebbles_dot_product_6, dot(pebbles_slope_6, pebbles_vector_10));
+    vec2 pebbles_product_8 = (pebbles_sum_2 + pebbles_vector_13 * pebbles_quotient_3.z) * 0.03;
+    vec2 pebbles_vector_14 = vec2(dot(pebbles_product_8, tile_uv_dx),
+            dot(pebbles_product_8, tile_uv_dy));
     // normal: Resolve
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
-    vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (grain_sum_19.y * normal_product);
-    vec3 normal_sum = s.tangent.xyz * (grain_sum_19.x * inverse_normal_length) + normal_along_v;
-    vec2 normal_product_2 = pebbles_vector_15 * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (grain_sum_4.y * normal_product);
+    vec3 normal_sum = s.tangent.xyz * (grain_sum_4.x * inverse_normal_length) + normal_along_v;
+    vec2 normal_product_2 = pebbles_vector_14 * (sign(screen_area) / max(abs(screen_area), 1e-36));
     vec3 normal_cross_product = cross(normal, dpdx * normal_product_2.y -
             dpdy * normal_product_2.x);
     vec3 normal_gradient = normal_sum + normal_cross_product;
     vec3 normal_bumped = normal * s.facing - normal_gradient;
     // tint: Hex-tiled colour
-    float tint_dot_product = dot(pebbles_texel_3.xyz, vec3(0.2126, 0.7152, 0.0722));
-    float tint_dot_product_2 = dot(pebbles_texel_6.xyz, vec3(0.2126, 0.7152, 0.0722));
-    float tint_dot_product_3 = dot(pebbles_texel_9.xyz, vec3(0.2126, 0.7152, 0.0722));
+    float tint_dot_product = dot(pebbles_here.xyz, vec3(0.2126, 0.7152, 0.0722));
+    float tint_dot_product_2 = dot(pebbles_here_2.xyz, vec3(0.2126, 0.7152, 0.0722));
+    float tint_dot_product_3 = dot(pebbles_here_3.xyz, vec3(0.2126, 0.7152, 0.0722));
     vec3 tint_vector = vec3(tint_dot_product, tint_dot_product_2, tint_dot_product_3);
-    vec3 tint_product = (0.4 + 0.6 * clamp(tint_vector, 0.0, 1.0)) * pebbles_vector_5;
+    vec3 tint_product = (0.4 + 0.6 * clamp(tint_vector, 0.0, 1.0)) * pebbles_power;
     vec3 tint_quotient = tint_product / (tint_product.x + tint_product.y + tint_product.z);
     float tint_product_2 = 2.0 * tint_quotient.x;
     float tint_product_3 = 0.5 * (tint_product_2 > 0.0 ? tint_product_2 : 0.0);
@@ -330,12 +295,12 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     float tint_choice_3 = tint_quotient.z < 0.5 ? tint_product_7 : tint_difference_6;
     vec3 tint_vector_2 = vec3(tint_choice, tint_choice_2, tint_choice_3);
     vec3 tint_quotient_2 = tint_vector_2 / (tint_choice + tint_choice_2 + tint_choice_3);
-    vec3 tint_product_8 = pebbles_texel_3.xyz * tint_quotient_2.x;
-    vec3 tint_sum = tint_product_8 + pebbles_texel_6.xyz * tint_quotient_2.y;
+    vec3 tint_product_8 = pebbles_here.xyz * tint_quotient_2.x;
+    vec3 tint_sum = tint_product_8 + pebbles_here_2.xyz * tint_quotient_2.y;
     WrinkleMaterial_hex_pebbles m;
     // normal: Resolve (continued)
     m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
     // tint: Hex-tiled colour (continued)
-    m.color = tint_sum + pebbles_texel_9.xyz * tint_quotient_2.z;
+    m.color = tint_sum + pebbles_here_3.xyz * tint_quotient_2.z;
     return m;
 }

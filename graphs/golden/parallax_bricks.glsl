@@ -13,17 +13,18 @@ struct WrinkleMaterial_parallax_bricks {
 uniform sampler2D parallax_bricks_bricks_image;  // textures/bricks_height.png (linear, repeat)
 
 vec2 wrinkle_parallax_bricks_smooth_slope(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(parallax_bricks_bricks_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(parallax_bricks_bricks_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(parallax_bricks_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
-    vec4 texel_4 = textureLod(parallax_bricks_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
-    float difference_2 = texel_3.x - texel_4.x;
-    vec4 texel_5 = textureLod(parallax_bricks_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_6 = textureLod(parallax_bricks_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_7 = textureLod(parallax_bricks_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_8 = textureLod(parallax_bricks_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(parallax_bricks_bricks_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(parallax_bricks_bricks_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(parallax_bricks_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(parallax_bricks_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(parallax_bricks_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(parallax_bricks_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(parallax_bricks_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(parallax_bricks_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_bricks s) {
@@ -33,34 +34,33 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 bricks_product = normal * s.facing;  // bricks: Height map
     vec2 bricks_size = vec2(textureSize(parallax_bricks_bricks_image, 0));
-    vec2 march_slope_dx = dFdx(s.uv0);  // march: Parallax occlusion
+    vec2 march_uv_dx = dFdx(s.uv0);  // march: Parallax occlusion
     float march_dot_product = dot(bricks_product, s.view);
     vec3 march_difference = s.view - bricks_product * march_dot_product;
     vec3 march_difference_2 = dpdy - bricks_product * dot(bricks_product, dpdy);
     vec3 march_cross_product = cross(march_difference_2, bricks_product);
-    vec2 march_product = march_slope_dx * dot(march_difference, march_cross_product);
-    vec2 march_slope_dy = dFdy(s.uv0);
+    vec2 march_product = march_uv_dx * dot(march_difference, march_cross_product);
+    vec2 march_uv_dy = dFdy(s.uv0);
     vec3 march_difference_3 = dpdx - bricks_product * dot(bricks_product, dpdx);
     float march_dot_product_2 = dot(march_difference, cross(bricks_product, march_difference_3));
-    vec2 march_sum = march_product + march_slope_dy * march_dot_product_2;
+    vec2 march_sum = march_product + march_uv_dy * march_dot_product_2;
     float march_dot_product_3 = dot(march_difference_3, march_cross_product);
     float march_sign = march_dot_product_3 < 0.0 ? -1.0 : 1.0;
     vec2 march_product_2 = march_sum * (march_sign / max(abs(march_dot_product_3), 1e-36));
     vec2 march_product_3 = march_product_2 * (-1.0 / max(abs(march_dot_product), 0.1));
     float march_quotient = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
     vec2 tile_uv = vec2(s.uv0.x * 2.0, s.uv0.y);  // tile: UV transform
-    vec2 tile_slope_dx = vec2(march_slope_dx.x * 2.0, march_slope_dx.y);
-    vec2 tile_slope_dy = vec2(march_slope_dy.x * 2.0, march_slope_dy.y);
+    vec2 tile_uv_dx = vec2(march_uv_dx.x * 2.0, march_uv_dx.y);
+    vec2 tile_uv_dy = vec2(march_uv_dy.x * 2.0, march_uv_dy.y);
     // bricks: Height map (continued)
     float bricks_height = (texture(parallax_bricks_bricks_image, tile_uv).x - 1.0) * 0.03;
-    vec2 bricks_product_2 = tile_slope_dx * bricks_size;
-    float bricks_dot_product = dot(bricks_product_2, bricks_product_2);
-    vec2 bricks_product_3 = tile_slope_dy * bricks_size;
-    float bricks_greatest = max(max(bricks_dot_product, dot(bricks_product_3, bricks_product_3)),
-            1.0);
-    float bricks_root = sqrt(bricks_greatest);
-    vec2 bricks_quotient = bricks_root / bricks_size;
-    float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
+    vec2 bricks_texels_dx = tile_uv_dx * bricks_size;
+    float bricks_dot_product = dot(bricks_texels_dx, bricks_texels_dx);
+    vec2 bricks_texels_dy = tile_uv_dy * bricks_size;
+    float bricks_greatest = max(bricks_dot_product, dot(bricks_texels_dy, bricks_texels_dy));
+    float bricks_footprint = sqrt(max(bricks_greatest, 1.0));
+    vec2 bricks_texel_step = bricks_footprint / bricks_size;
+    float bricks_magnified = clamp((0.5 - log2(bricks_footprint)) / 0.45, 0.0, 1.0);
     // march: Parallax occlusion (continued)
     float march_state = 0.0;
     float march_state_2 = bricks_height;
@@ -73,8 +73,8 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
         // tile: UV transform (continued)
         vec2 tile_vector = vec2(march_sum_2.x * 2.0, march_sum_2.y);
         // bricks: Height map (continued)
-        vec4 bricks_texel = textureGrad(parallax_bricks_bricks_image, tile_vector, tile_slope_dx,
-                tile_slope_dy);
+        vec4 bricks_texel = textureGrad(parallax_bricks_bricks_image, tile_vector, tile_uv_dx,
+                tile_uv_dy);
         march_state = march_state_3;
         march_state_2 = march_state_4;
         march_state_3 = march_least;
@@ -95,8 +95,8 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
         // tile: UV transform (continued)
         vec2 tile_vector_2 = vec2(march_sum_4.x * 2.0, march_sum_4.y);
         // bricks: Height map (continued)
-        vec4 bricks_texel_2 = textureGrad(parallax_bricks_bricks_image, tile_vector_2,
-                tile_slope_dx, tile_slope_dy);
+        vec4 bricks_texel_2 = textureGrad(parallax_bricks_bricks_image, tile_vector_2, tile_uv_dx,
+                tile_uv_dy);
         // march: Parallax occlusion (continued)
         float march_sum_5 = (bricks_texel_2.x - 1.0) * 0.03 + march_sum_3;
         bool march_test = march_sum_5 < 0.0;
@@ -113,21 +113,21 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
     float tile_product = march_uv.x * 2.0;  // tile: UV transform (continued)
     vec2 tile_vector_3 = vec2(tile_product, march_uv.y);
     // bricks: Height map (continued)
-    vec2 bricks_vector = vec2(tile_product + bricks_quotient.x, march_uv.y);
-    vec4 bricks_texel_3 = textureGrad(parallax_bricks_bricks_image, bricks_vector, tile_slope_dx,
-            tile_slope_dy);
-    vec2 bricks_vector_2 = vec2(tile_product, march_uv.y + bricks_quotient.y);
-    vec4 bricks_texel_4 = textureGrad(parallax_bricks_bricks_image, bricks_vector_2, tile_slope_dx,
-            tile_slope_dy);
-    vec4 bricks_texel_5 = textureGrad(parallax_bricks_bricks_image, tile_vector_3, tile_slope_dx,
-            tile_slope_dy);
+    vec2 bricks_vector = vec2(tile_product + bricks_texel_step.x, march_uv.y);
+    vec4 bricks_texel_3 = textureGrad(parallax_bricks_bricks_image, bricks_vector, tile_uv_dx,
+            tile_uv_dy);
+    vec2 bricks_vector_2 = vec2(tile_product, march_uv.y + bricks_texel_step.y);
+    vec4 bricks_texel_4 = textureGrad(parallax_bricks_bricks_image, bricks_vector_2, tile_uv_dx,
+            tile_uv_dy);
+    vec4 bricks_texel_5 = textureGrad(parallax_bricks_bricks_image, tile_vector_3, tile_uv_dx,
+            tile_uv_dy);
     vec2 bricks_difference = vec2(bricks_texel_3.x, bricks_texel_4.x) - bricks_texel_5.x;
-    vec2 bricks_product_4 = bricks_difference * (1.0 / bricks_root);
+    vec2 bricks_product_2 = bricks_difference * (1.0 / bricks_footprint);
     vec2 bricks_slope = wrinkle_parallax_bricks_smooth_slope(tile_vector_3, 1.0 / bricks_size);
-    vec2 bricks_mixed = mix(bricks_product_4, bricks_slope, bricks_clamped);
-    float bricks_dot_product_2 = dot(bricks_mixed, bricks_product_2);
+    vec2 bricks_mixed = mix(bricks_product_2, bricks_slope, bricks_magnified);
+    float bricks_dot_product_2 = dot(bricks_mixed, bricks_texels_dx);
     // normal: Resolve
-    vec2 normal_vector = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_product_3));
+    vec2 normal_vector = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_texels_dy));
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
     vec2 normal_product_2 = normal_vector * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);

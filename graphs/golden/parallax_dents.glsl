@@ -14,17 +14,18 @@ struct WrinkleMaterial_parallax_dents {
 uniform sampler2D parallax_dents_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
 
 vec2 wrinkle_parallax_dents_smooth_slope(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(parallax_dents_pebbles_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(parallax_dents_pebbles_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(parallax_dents_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
-    vec4 texel_4 = textureLod(parallax_dents_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
-    float difference_2 = texel_3.x - texel_4.x;
-    vec4 texel_5 = textureLod(parallax_dents_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_6 = textureLod(parallax_dents_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_7 = textureLod(parallax_dents_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_8 = textureLod(parallax_dents_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(parallax_dents_pebbles_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(parallax_dents_pebbles_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(parallax_dents_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(parallax_dents_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(parallax_dents_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(parallax_dents_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(parallax_dents_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(parallax_dents_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 uint wrinkle_parallax_dents_hash(uint x) {
@@ -103,39 +104,38 @@ WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_de
     vec3 normal = normalize(s.normal);
     vec3 pebbles_product = normal * s.facing;  // pebbles: Height map
     vec2 pebbles_size = vec2(textureSize(parallax_dents_pebbles_image, 0));
-    vec3 march_slope_dx = dFdx(s.position_relative);  // march: Parallax occlusion
-    vec2 march_slope_dx_2 = dFdx(s.uv0);
+    vec3 march_position_dx = dFdx(s.position_relative);  // march: Parallax occlusion
+    vec2 march_uv_dx = dFdx(s.uv0);
     float march_dot_product = dot(pebbles_product, s.view);
     vec3 march_difference = s.view - pebbles_product * march_dot_product;
-    vec3 march_slope_dy = dFdy(s.position_relative);
-    vec3 march_difference_2 = march_slope_dy -
-            pebbles_product * dot(pebbles_product, march_slope_dy);
-    vec3 march_cross_product = cross(march_difference_2, pebbles_product);
-    vec2 march_product = march_slope_dx_2 * dot(march_difference, march_cross_product);
-    vec2 march_slope_dy_2 = dFdy(s.uv0);
-    vec3 march_product_2 = pebbles_product * dot(pebbles_product, march_slope_dx);
-    vec3 march_difference_3 = march_slope_dx - march_product_2;
-    float march_dot_product_2 = dot(march_difference, cross(pebbles_product, march_difference_3));
-    vec2 march_sum = march_product + march_slope_dy_2 * march_dot_product_2;
-    float march_dot_product_3 = dot(march_difference_3, march_cross_product);
+    vec3 march_position_dy = dFdy(s.position_relative);
+    vec3 march_product = pebbles_product * dot(pebbles_product, march_position_dy);
+    vec3 march_cross_product = cross(march_position_dy - march_product, pebbles_product);
+    vec2 march_product_2 = march_uv_dx * dot(march_difference, march_cross_product);
+    vec2 march_uv_dy = dFdy(s.uv0);
+    vec3 march_product_3 = pebbles_product * dot(pebbles_product, march_position_dx);
+    vec3 march_difference_2 = march_position_dx - march_product_3;
+    float march_dot_product_2 = dot(march_difference, cross(pebbles_product, march_difference_2));
+    vec2 march_sum = march_product_2 + march_uv_dy * march_dot_product_2;
+    float march_dot_product_3 = dot(march_difference_2, march_cross_product);
     float march_sign = march_dot_product_3 < 0.0 ? -1.0 : 1.0;
-    vec2 march_product_3 = march_sum * (march_sign / max(abs(march_dot_product_3), 1e-36));
+    vec2 march_product_4 = march_sum * (march_sign / max(abs(march_dot_product_3), 1e-36));
     float march_quotient = -1.0 / max(abs(march_dot_product), 0.1);
-    vec2 march_product_4 = march_product_3 * march_quotient;
+    vec2 march_product_5 = march_product_4 * march_quotient;
     float march_quotient_2 = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
-    float screen_area = dot(normal, cross(march_slope_dx, march_slope_dy));
+    float screen_area = dot(normal, cross(march_position_dx, march_position_dy));
     vec2 tile_uv = s.uv0 * 2.0;  // tile: UV transform
-    vec2 tile_slope_dx = march_slope_dx_2 * 2.0;
-    vec2 tile_slope_dy = march_slope_dy_2 * 2.0;
+    vec2 tile_uv_dx = march_uv_dx * 2.0;
+    vec2 tile_uv_dy = march_uv_dy * 2.0;
     // pebbles: Height map (continued)
     float pebbles_height = (texture(parallax_dents_pebbles_image, tile_uv).x - 1.0) * 0.03;
-    vec2 pebbles_product_2 = tile_slope_dx * pebbles_size;
-    float pebbles_dot_product = dot(pebbles_product_2, pebbles_product_2);
-    vec2 pebbles_product_3 = tile_slope_dy * pebbles_size;
-    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_3, pebbles_product_3));
-    float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
-    vec2 pebbles_quotient = pebbles_root / pebbles_size;
-    float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_texels_dx = tile_uv_dx * pebbles_size;
+    float pebbles_dot_product = dot(pebbles_texels_dx, pebbles_texels_dx);
+    vec2 pebbles_texels_dy = tile_uv_dy * pebbles_size;
+    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_texels_dy, pebbles_texels_dy));
+    float pebbles_footprint = sqrt(max(pebbles_greatest, 1.0));
+    vec2 pebbles_texel_step = pebbles_footprint / pebbles_size;
+    float pebbles_magnified = clamp((0.5 - log2(pebbles_footprint)) / 0.45, 0.0, 1.0);
     // march: Parallax occlusion (continued)
     float march_state = 0.0;
     float march_state_2 = pebbles_height;
@@ -145,10 +145,10 @@ WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_de
         if (!(march_state_4 < 0.0 && march_state_3 < 0.03)) break;
         float march_least = min(march_state_3 + march_quotient_2, 0.03);
         // tile: UV transform (continued)
-        vec2 tile_product = (s.uv0 + march_product_4 * march_least) * 2.0;
+        vec2 tile_product = (s.uv0 + march_product_5 * march_least) * 2.0;
         // pebbles: Height map (continued)
-        vec4 pebbles_texel = textureGrad(parallax_dents_pebbles_image, tile_product, tile_slope_dx,
-                tile_slope_dy);
+        vec4 pebbles_texel = textureGrad(parallax_dents_pebbles_image, tile_product, tile_uv_dx,
+                tile_uv_dy);
         float pebbles_texel_2 = (pebbles_texel.x - 1.0) * 0.03;
         march_state = march_state_3;
         march_state_2 = march_state_4;
@@ -162,15 +162,15 @@ WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_de
     float march_state_8 = march_state_4;
     for (int i_2 = 0; i_2 < 3; ++i_2) {
         if (!(march_state_8 > 0.0)) break;
-        float march_difference_4 = march_state_6 - march_state_8;
+        float march_difference_3 = march_state_6 - march_state_8;
         float march_sum_2 = march_state_5 +
                 (march_state_7 - march_state_5) *
-                (march_difference_4 != 0.0 ? march_state_6 / march_difference_4 : 0.0);
+                (march_difference_3 != 0.0 ? march_state_6 / march_difference_3 : 0.0);
         // tile: UV transform (continued)
-        vec2 tile_product_2 = (s.uv0 + march_product_4 * march_sum_2) * 2.0;
+        vec2 tile_product_2 = (s.uv0 + march_product_5 * march_sum_2) * 2.0;
         // pebbles: Height map (continued)
         vec4 pebbles_texel_3 = textureGrad(parallax_dents_pebbles_image, tile_product_2,
-                tile_slope_dx, tile_slope_dy);
+                tile_uv_dx, tile_uv_dy);
         float pebbles_texel_4 = (pebbles_texel_3.x - 1.0) * 0.03;
         float march_sum_3 = pebbles_texel_4 + march_sum_2;  // march: Parallax occlusion (continued)
         bool march_test = march_sum_3 < 0.0;
@@ -179,37 +179,37 @@ WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_de
         march_state_7 = march_test ? march_state_7 : march_sum_2;
         march_state_8 = march_test ? march_state_8 : march_sum_3;
     }
-    float march_difference_5 = march_state_6 - march_state_8;
-    float march_choice = march_difference_5 != 0.0 ? march_state_6 / march_difference_5 : 0.0;
+    float march_difference_4 = march_state_6 - march_state_8;
+    float march_choice = march_difference_4 != 0.0 ? march_state_6 / march_difference_4 : 0.0;
     float march_sum_4 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
     float march_choice_2 = march_state_8 < 0.0 ? march_state_7 : march_sum_4;
-    vec2 march_uv = s.uv0 + march_product_4 * march_choice_2;
-    vec3 march_product_5 = (march_difference * march_quotient - pebbles_product) * march_choice_2;
-    vec3 march_position = s.position + march_product_5;
+    vec2 march_uv = s.uv0 + march_product_5 * march_choice_2;
+    vec3 march_product_6 = (march_difference * march_quotient - pebbles_product) * march_choice_2;
+    vec3 march_position = s.position + march_product_6;
     vec2 tile_product_3 = march_uv * 2.0;  // tile: UV transform (continued)
     // pebbles: Height map (continued)
-    vec2 pebbles_vector = vec2(tile_product_3.x + pebbles_quotient.x, tile_product_3.y);
-    vec4 pebbles_texel_5 = textureGrad(parallax_dents_pebbles_image, pebbles_vector, tile_slope_dx,
-            tile_slope_dy);
-    vec2 pebbles_vector_2 = vec2(tile_product_3.x, tile_product_3.y + pebbles_quotient.y);
-    vec4 pebbles_texel_6 = textureGrad(parallax_dents_pebbles_image, pebbles_vector_2,
-            tile_slope_dx, tile_slope_dy);
-    vec4 pebbles_texel_7 = textureGrad(parallax_dents_pebbles_image, tile_product_3, tile_slope_dx,
-            tile_slope_dy);
+    vec2 pebbles_vector = vec2(tile_product_3.x + pebbles_texel_step.x, tile_product_3.y);
+    vec4 pebbles_texel_5 = textureGrad(parallax_dents_pebbles_image, pebbles_vector, tile_uv_dx,
+            tile_uv_dy);
+    vec2 pebbles_vector_2 = vec2(tile_product_3.x, tile_product_3.y + pebbles_texel_step.y);
+    vec4 pebbles_texel_6 = textureGrad(parallax_dents_pebbles_image, pebbles_vector_2, tile_uv_dx,
+            tile_uv_dy);
+    vec4 pebbles_texel_7 = textureGrad(parallax_dents_pebbles_image, tile_product_3, tile_uv_dx,
+            tile_uv_dy);
     vec2 pebbles_difference = vec2(pebbles_texel_5.x, pebbles_texel_6.x) - pebbles_texel_7.x;
-    vec2 pebbles_product_4 = pebbles_difference * (1.0 / pebbles_root);
+    vec2 pebbles_product_2 = pebbles_difference * (1.0 / pebbles_footprint);
     vec2 pebbles_slope = wrinkle_parallax_dents_smooth_slope(tile_product_3, 1.0 / pebbles_size);
-    vec2 pebbles_mixed = mix(pebbles_product_4, pebbles_slope, pebbles_clamped);
-    float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_product_2);
+    vec2 pebbles_mixed = mix(pebbles_product_2, pebbles_slope, pebbles_magnified);
+    float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_texels_dx);
     // relief: Resolve
-    vec2 relief_vector = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_product_3));
+    vec2 relief_vector = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_texels_dy));
     float relief_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
     vec2 relief_product_2 = relief_vector * relief_product;
-    vec3 relief_product_3 = march_slope_dx * relief_product_2.y;
-    vec3 relief_gradient = cross(normal, relief_product_3 - march_slope_dy * relief_product_2.x);
+    vec3 relief_product_3 = march_position_dx * relief_product_2.y;
+    vec3 relief_gradient = cross(normal, relief_product_3 - march_position_dy * relief_product_2.x);
     vec3 relief_normal = normalize(pebbles_product - relief_gradient);
     // dents: Gradient noise
-    float dents_width = max(length(march_slope_dx), length(march_slope_dy));
+    float dents_width = max(length(march_position_dx), length(march_position_dy));
     vec3 dents_slope = wrinkle_parallax_dents_fbm_slope(march_position, dents_width, 14.0, 2, 2.0,
             0.5);
     vec3 dents_slope_2 = dents_slope * 0.004;

@@ -95,24 +95,24 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 point_vector = vec3(s.uv0, 0.37);  // point: Combine vec3
     vec3 march_product = normal * s.facing;  // march: Parallax occlusion
-    vec2 march_slope_dx = dFdx(s.uv0);
+    vec2 march_uv_dx = dFdx(s.uv0);
     float march_dot_product = dot(march_product, s.view);
     vec3 march_difference = s.view - march_product * march_dot_product;
     vec3 march_difference_2 = dpdy - march_product * dot(march_product, dpdy);
     vec3 march_cross_product = cross(march_difference_2, march_product);
-    vec2 march_product_2 = march_slope_dx * dot(march_difference, march_cross_product);
-    vec2 march_slope_dy = dFdy(s.uv0);
+    vec2 march_product_2 = march_uv_dx * dot(march_difference, march_cross_product);
+    vec2 march_uv_dy = dFdy(s.uv0);
     vec3 march_difference_3 = dpdx - march_product * dot(march_product, dpdx);
     float march_dot_product_2 = dot(march_difference, cross(march_product, march_difference_3));
-    vec2 march_sum = march_product_2 + march_slope_dy * march_dot_product_2;
+    vec2 march_sum = march_product_2 + march_uv_dy * march_dot_product_2;
     float march_dot_product_3 = dot(march_difference_3, march_cross_product);
     float march_sign = march_dot_product_3 < 0.0 ? -1.0 : 1.0;
     vec2 march_product_3 = march_sum * (march_sign / max(abs(march_dot_product_3), 1e-36));
     float march_magnitude = abs(march_dot_product);
     vec2 march_product_4 = march_product_3 * (-1.0 / max(march_magnitude, 0.1));
     float march_quotient = 0.08 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
-    float dunes_extent = length(vec3(march_slope_dx, 0.0));  // dunes: Gradient noise
-    float dunes_width = max(dunes_extent, length(vec3(march_slope_dy, 0.0)));
+    float dunes_extent = length(vec3(march_uv_dx, 0.0));  // dunes: Gradient noise
+    float dunes_width = max(dunes_extent, length(vec3(march_uv_dy, 0.0)));
     float dunes_height = wrinkle_parallax_detail_fbm(point_vector, dunes_width, 7.0, 2, 2.0,
             0.5).w * 0.08;
     float march_difference_4 = dunes_height - 0.04;  // march: Parallax occlusion (continued)
@@ -162,8 +162,8 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     vec2 march_uv = s.uv0 + march_product_5;
     // dunes: Gradient noise (continued)
     vec4 dunes_3 = wrinkle_parallax_detail_fbm(vec3(march_uv, 0.37), dunes_width, 7.0, 2, 2.0, 0.5);
-    vec2 dunes_product = dunes_3.x * vec2(march_slope_dx.x, march_slope_dy.x);
-    vec2 dunes_sum = dunes_product + dunes_3.y * vec2(march_slope_dx.y, march_slope_dy.y);
+    vec2 dunes_product = dunes_3.x * vec2(march_uv_dx.x, march_uv_dy.x);
+    vec2 dunes_sum = dunes_product + dunes_3.y * vec2(march_uv_dx.y, march_uv_dy.y);
     // march: Parallax occlusion (continued)
     vec2 march_product_6 = dunes_sum * (sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08);
     vec3 march_gradient = cross(normal, dpdx * march_product_6.y - dpdy * march_product_6.x);
@@ -174,12 +174,11 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     float march_lod = 0.5 * march_logarithm;
     float march_exponential = exp2(march_lod);
     vec2 tile_uv = march_uv * 4.0;  // tile: UV transform
-    vec2 tile_slope_dx = march_slope_dx * march_exponential * 4.0;
-    vec2 tile_slope_dy = march_slope_dy * march_exponential * 4.0;
+    vec2 tile_uv_dx = march_uv_dx * march_exponential * 4.0;
+    vec2 tile_uv_dy = march_uv_dy * march_exponential * 4.0;
     float tile_product = march_exponential * 4.0;
     // weave: Tangent normal map
-    vec4 weave_texel = textureGrad(parallax_detail_weave_image, tile_uv, tile_slope_dx,
-            tile_slope_dy);
+    vec4 weave_texel = textureGrad(parallax_detail_weave_image, tile_uv, tile_uv_dx, tile_uv_dy);
     vec3 weave_texel_2 = weave_texel.xyz - 0.5;
     float weave_least_depth = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel_2.z), weave_least_depth), 5e-07);

@@ -13,17 +13,18 @@ struct WrinkleMaterial_parallax_offset {
 uniform sampler2D parallax_offset_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
 
 vec2 wrinkle_parallax_offset_smooth_slope(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(parallax_offset_pebbles_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(parallax_offset_pebbles_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(parallax_offset_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
-    vec4 texel_4 = textureLod(parallax_offset_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
-    float difference_2 = texel_3.x - texel_4.x;
-    vec4 texel_5 = textureLod(parallax_offset_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_6 = textureLod(parallax_offset_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_7 = textureLod(parallax_offset_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_8 = textureLod(parallax_offset_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(parallax_offset_pebbles_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(parallax_offset_pebbles_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(parallax_offset_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(parallax_offset_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(parallax_offset_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(parallax_offset_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(parallax_offset_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(parallax_offset_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 WrinkleMaterial_parallax_offset wrinkle_parallax_offset(WrinkleSurface_parallax_offset s) {
@@ -33,47 +34,47 @@ WrinkleMaterial_parallax_offset wrinkle_parallax_offset(WrinkleSurface_parallax_
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec3 pebbles_product = normal * s.facing;  // pebbles: Height map
     vec2 pebbles_size = vec2(textureSize(parallax_offset_pebbles_image, 0));
-    vec2 shift_slope_dx = dFdx(s.uv0);  // shift: Parallax offset
+    vec2 shift_uv_dx = dFdx(s.uv0);  // shift: Parallax offset
     vec3 shift_difference = dpdy - pebbles_product * dot(pebbles_product, dpdy);
     vec3 shift_cross_product = cross(shift_difference, pebbles_product);
-    vec2 shift_slope_dy = dFdy(s.uv0);
+    vec2 shift_uv_dy = dFdy(s.uv0);
     vec3 shift_difference_2 = dpdx - pebbles_product * dot(pebbles_product, dpdx);
-    vec2 shift_product = shift_slope_dy * dot(s.view, cross(pebbles_product, shift_difference_2));
-    vec2 shift_sum = shift_slope_dx * dot(s.view, shift_cross_product) + shift_product;
+    vec2 shift_product = shift_uv_dy * dot(s.view, cross(pebbles_product, shift_difference_2));
+    vec2 shift_sum = shift_uv_dx * dot(s.view, shift_cross_product) + shift_product;
     float shift_dot_product = dot(shift_difference_2, shift_cross_product);
     float shift_sign = shift_dot_product < 0.0 ? -1.0 : 1.0;
     vec2 shift_product_2 = shift_sum * (shift_sign / max(abs(shift_dot_product), 1e-36));
     vec2 tile_uv = s.uv0 * 2.0;  // tile: UV transform
-    vec2 tile_slope_dx = shift_slope_dx * 2.0;
-    vec2 tile_slope_dy = shift_slope_dy * 2.0;
+    vec2 tile_uv_dx = shift_uv_dx * 2.0;
+    vec2 tile_uv_dy = shift_uv_dy * 2.0;
     // pebbles: Height map (continued)
     float pebbles_height = (texture(parallax_offset_pebbles_image, tile_uv).x - 0.5) * 0.03;
-    vec2 pebbles_product_2 = tile_slope_dx * pebbles_size;
-    float pebbles_dot_product = dot(pebbles_product_2, pebbles_product_2);
-    vec2 pebbles_product_3 = tile_slope_dy * pebbles_size;
-    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_3, pebbles_product_3));
-    float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
-    vec2 pebbles_quotient = pebbles_root / pebbles_size;
-    float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_texels_dx = tile_uv_dx * pebbles_size;
+    float pebbles_dot_product = dot(pebbles_texels_dx, pebbles_texels_dx);
+    vec2 pebbles_texels_dy = tile_uv_dy * pebbles_size;
+    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_texels_dy, pebbles_texels_dy));
+    float pebbles_footprint = sqrt(max(pebbles_greatest, 1.0));
+    vec2 pebbles_texel_step = pebbles_footprint / pebbles_size;
+    float pebbles_magnified = clamp((0.5 - log2(pebbles_footprint)) / 0.45, 0.0, 1.0);
     // shift: Parallax offset (continued)
     vec2 shift_uv = s.uv0 - shift_product_2 * -pebbles_height;
     vec2 tile_product = shift_uv * 2.0;  // tile: UV transform (continued)
     // pebbles: Height map (continued)
-    vec2 pebbles_vector = vec2(tile_product.x + pebbles_quotient.x, tile_product.y);
-    vec4 pebbles_texel = textureGrad(parallax_offset_pebbles_image, pebbles_vector, tile_slope_dx,
-            tile_slope_dy);
-    vec2 pebbles_vector_2 = vec2(tile_product.x, tile_product.y + pebbles_quotient.y);
-    vec4 pebbles_texel_2 = textureGrad(parallax_offset_pebbles_image, pebbles_vector_2,
-            tile_slope_dx, tile_slope_dy);
-    vec4 pebbles_texel_3 = textureGrad(parallax_offset_pebbles_image, tile_product, tile_slope_dx,
-            tile_slope_dy);
+    vec2 pebbles_vector = vec2(tile_product.x + pebbles_texel_step.x, tile_product.y);
+    vec4 pebbles_texel = textureGrad(parallax_offset_pebbles_image, pebbles_vector, tile_uv_dx,
+            tile_uv_dy);
+    vec2 pebbles_vector_2 = vec2(tile_product.x, tile_product.y + pebbles_texel_step.y);
+    vec4 pebbles_texel_2 = textureGrad(parallax_offset_pebbles_image, pebbles_vector_2, tile_uv_dx,
+            tile_uv_dy);
+    vec4 pebbles_texel_3 = textureGrad(parallax_offset_pebbles_image, tile_product, tile_uv_dx,
+            tile_uv_dy);
     vec2 pebbles_difference = vec2(pebbles_texel.x, pebbles_texel_2.x) - pebbles_texel_3.x;
-    vec2 pebbles_product_4 = pebbles_difference * (1.0 / pebbles_root);
+    vec2 pebbles_product_2 = pebbles_difference * (1.0 / pebbles_footprint);
     vec2 pebbles_slope = wrinkle_parallax_offset_smooth_slope(tile_product, 1.0 / pebbles_size);
-    vec2 pebbles_mixed = mix(pebbles_product_4, pebbles_slope, pebbles_clamped);
-    float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_product_2);
+    vec2 pebbles_mixed = mix(pebbles_product_2, pebbles_slope, pebbles_magnified);
+    float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_texels_dx);
     // normal: Resolve
-    vec2 normal_vector = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_product_3));
+    vec2 normal_vector = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_texels_dy));
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
     vec2 normal_product_2 = normal_vector * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);

@@ -12,17 +12,18 @@ struct WrinkleMaterial_plain_height {
 uniform sampler2D plain_height_bricks_image;  // textures/bricks_height.png (linear, repeat)
 
 vec2 wrinkle_plain_height_smooth_slope(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(plain_height_bricks_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(plain_height_bricks_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(plain_height_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
-    vec4 texel_4 = textureLod(plain_height_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
-    float difference_2 = texel_3.x - texel_4.x;
-    vec4 texel_5 = textureLod(plain_height_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_6 = textureLod(plain_height_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_7 = textureLod(plain_height_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_8 = textureLod(plain_height_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(plain_height_bricks_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(plain_height_bricks_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(plain_height_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(plain_height_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(plain_height_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(plain_height_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(plain_height_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(plain_height_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 WrinkleMaterial_plain_height wrinkle_plain_height(WrinkleSurface_plain_height s) {
@@ -32,31 +33,30 @@ WrinkleMaterial_plain_height wrinkle_plain_height(WrinkleSurface_plain_height s)
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 tile_uv = s.uv0 * vec2(4.0, 2.0);  // tile: UV transform
     vec2 bricks_size = vec2(textureSize(plain_height_bricks_image, 0));  // bricks: Height map
-    vec2 bricks_product = dFdx(s.uv0) * vec2(4.0, 2.0) * bricks_size;
-    float bricks_dot_product = dot(bricks_product, bricks_product);
-    vec2 bricks_product_2 = dFdy(s.uv0) * vec2(4.0, 2.0) * bricks_size;
-    float bricks_greatest = max(max(bricks_dot_product, dot(bricks_product_2, bricks_product_2)),
-            1.0);
-    float bricks_root = sqrt(bricks_greatest);
-    vec2 bricks_quotient = bricks_root / bricks_size;
-    vec2 bricks_vector = vec2(tile_uv.x + bricks_quotient.x, tile_uv.y);
-    vec4 bricks_texel = texture(plain_height_bricks_image, bricks_vector);
-    vec2 bricks_vector_2 = vec2(tile_uv.x, tile_uv.y + bricks_quotient.y);
-    vec4 bricks_texel_2 = texture(plain_height_bricks_image, bricks_vector_2);
-    vec4 bricks_texel_3 = texture(plain_height_bricks_image, tile_uv);
-    vec2 bricks_difference = vec2(bricks_texel.x, bricks_texel_2.x) - bricks_texel_3.x;
-    vec2 bricks_product_3 = bricks_difference * (1.0 / bricks_root);
+    vec2 bricks_texels_dx = dFdx(s.uv0) * vec2(4.0, 2.0) * bricks_size;
+    float bricks_dot_product = dot(bricks_texels_dx, bricks_texels_dx);
+    vec2 bricks_texels_dy = dFdy(s.uv0) * vec2(4.0, 2.0) * bricks_size;
+    float bricks_greatest = max(bricks_dot_product, dot(bricks_texels_dy, bricks_texels_dy));
+    float bricks_footprint = sqrt(max(bricks_greatest, 1.0));
+    vec2 bricks_texel_step = bricks_footprint / bricks_size;
+    vec2 bricks_vector = vec2(tile_uv.x + bricks_texel_step.x, tile_uv.y);
+    vec4 bricks_right = texture(plain_height_bricks_image, bricks_vector);
+    vec2 bricks_vector_2 = vec2(tile_uv.x, tile_uv.y + bricks_texel_step.y);
+    vec4 bricks_above = texture(plain_height_bricks_image, bricks_vector_2);
+    vec4 bricks_here = texture(plain_height_bricks_image, tile_uv);
+    vec2 bricks_difference = vec2(bricks_right.x, bricks_above.x) - bricks_here.x;
+    vec2 bricks_coarse = bricks_difference * (1.0 / bricks_footprint);
     vec2 bricks_slope = wrinkle_plain_height_smooth_slope(tile_uv, 1.0 / bricks_size);
-    float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_product_3, bricks_slope, bricks_clamped);
-    float bricks_dot_product_2 = dot(bricks_mixed, bricks_product);
+    float bricks_magnified = clamp((0.5 - log2(bricks_footprint)) / 0.45, 0.0, 1.0);
+    vec2 bricks_slope_2 = mix(bricks_coarse, bricks_slope, bricks_magnified);
+    float bricks_dot_product_2 = dot(bricks_slope_2, bricks_texels_dx);
     // normal: Resolve
-    vec2 normal_vector = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_product_2));
+    vec2 normal_vector = vec2(bricks_dot_product_2, dot(bricks_slope_2, bricks_texels_dy));
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.04;
     vec2 normal_product_2 = normal_vector * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_plain_height m;
     m.normal = normalize(normal * s.facing - normal_gradient);
-    m.height = (bricks_texel_3.x - 0.5) * 0.04;  // bricks: Height map (continued)
+    m.height = (bricks_here.x - 0.5) * 0.04;  // bricks: Height map (continued)
     return m;
 }

@@ -11,17 +11,18 @@ struct WrinkleMaterial_planar_dust {
 uniform sampler2D planar_dust_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
 
 vec2 wrinkle_planar_dust_smooth_slope(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(planar_dust_pebbles_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(planar_dust_pebbles_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(planar_dust_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
-    vec4 texel_4 = textureLod(planar_dust_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
-    float difference_2 = texel_3.x - texel_4.x;
-    vec4 texel_5 = textureLod(planar_dust_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_6 = textureLod(planar_dust_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_7 = textureLod(planar_dust_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_8 = textureLod(planar_dust_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(planar_dust_pebbles_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(planar_dust_pebbles_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(planar_dust_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(planar_dust_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(planar_dust_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(planar_dust_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(planar_dust_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(planar_dust_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 WrinkleMaterial_planar_dust wrinkle_planar_dust(WrinkleSurface_planar_dust s) {
@@ -30,30 +31,30 @@ WrinkleMaterial_planar_dust wrinkle_planar_dust(WrinkleSurface_planar_dust s) {
     vec3 dpdy = dFdy(s.position_relative);
     float from_above_negated = -(normal.y < 0.0 ? -1.0 : 1.0);  // from_above: Planar UV
     vec2 from_above_uv = vec2(s.position.x, from_above_negated * s.position.z) * 1.5;
-    vec2 from_above_slope_dx = vec2(dpdx.x, dpdx.z * from_above_negated) * 1.5;
-    vec2 from_above_slope_dy = vec2(dpdy.x, dpdy.z * from_above_negated) * 1.5;
+    vec2 from_above_uv_dx = vec2(dpdx.x, dpdx.z * from_above_negated) * 1.5;
+    vec2 from_above_uv_dy = vec2(dpdy.x, dpdy.z * from_above_negated) * 1.5;
     float from_above_weight = smoothstep(0.2, 0.5, normal.y);
     vec2 pebbles_size = vec2(textureSize(planar_dust_pebbles_image, 0));  // pebbles: Height map
-    vec2 pebbles_product = from_above_slope_dx * pebbles_size;
-    float pebbles_dot_product = dot(pebbles_product, pebbles_product);
-    vec2 pebbles_product_2 = from_above_slope_dy * pebbles_size;
-    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_2, pebbles_product_2));
-    float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
-    vec2 pebbles_quotient = pebbles_root / pebbles_size;
-    vec2 pebbles_vector = vec2(from_above_uv.x + pebbles_quotient.x, from_above_uv.y);
-    vec4 pebbles_texel = texture(planar_dust_pebbles_image, pebbles_vector);
-    vec2 pebbles_vector_2 = vec2(from_above_uv.x, from_above_uv.y + pebbles_quotient.y);
-    vec4 pebbles_texel_2 = texture(planar_dust_pebbles_image, pebbles_vector_2);
-    vec4 pebbles_texel_3 = texture(planar_dust_pebbles_image, from_above_uv);
-    vec2 pebbles_difference = vec2(pebbles_texel.x, pebbles_texel_2.x) - pebbles_texel_3.x;
-    vec2 pebbles_product_3 = pebbles_difference * (1.0 / pebbles_root);
+    vec2 pebbles_texels_dx = from_above_uv_dx * pebbles_size;
+    float pebbles_dot_product = dot(pebbles_texels_dx, pebbles_texels_dx);
+    vec2 pebbles_texels_dy = from_above_uv_dy * pebbles_size;
+    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_texels_dy, pebbles_texels_dy));
+    float pebbles_footprint = sqrt(max(pebbles_greatest, 1.0));
+    vec2 pebbles_texel_step = pebbles_footprint / pebbles_size;
+    vec2 pebbles_vector = vec2(from_above_uv.x + pebbles_texel_step.x, from_above_uv.y);
+    vec4 pebbles_right = texture(planar_dust_pebbles_image, pebbles_vector);
+    vec2 pebbles_vector_2 = vec2(from_above_uv.x, from_above_uv.y + pebbles_texel_step.y);
+    vec4 pebbles_above = texture(planar_dust_pebbles_image, pebbles_vector_2);
+    vec4 pebbles_here = texture(planar_dust_pebbles_image, from_above_uv);
+    vec2 pebbles_difference = vec2(pebbles_right.x, pebbles_above.x) - pebbles_here.x;
+    vec2 pebbles_coarse = pebbles_difference * (1.0 / pebbles_footprint);
     vec2 pebbles_slope = wrinkle_planar_dust_smooth_slope(from_above_uv, 1.0 / pebbles_size);
-    float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed = mix(pebbles_product_3, pebbles_slope, pebbles_clamped);
-    float pebbles_product_4 = pebbles_mixed.y * (from_above_negated * 1.5 * pebbles_size.y);
+    float pebbles_magnified = clamp((0.5 - log2(pebbles_footprint)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_slope_2 = mix(pebbles_coarse, pebbles_slope, pebbles_magnified);
+    float pebbles_product = pebbles_slope_2.y * (from_above_negated * 1.5 * pebbles_size.y);
     // g: Scale bump
-    float g_product = pebbles_mixed.x * (1.5 * pebbles_size.x) * 0.06 * from_above_weight;
-    float g_product_2 = pebbles_product_4 * 0.06 * from_above_weight;
+    float g_product = pebbles_slope_2.x * (1.5 * pebbles_size.x) * 0.06 * from_above_weight;
+    float g_product_2 = pebbles_product * 0.06 * from_above_weight;
     // normal: Resolve
     vec3 normal_product = normal * (s.facing + (normal.x * g_product + normal.z * g_product_2));
     float normal_difference = normal_product.x - g_product;

@@ -11,17 +11,18 @@ struct WrinkleMaterial_plane_bricks {
 uniform sampler2D plane_bricks_g_image;  // textures/bricks_height.png (linear, repeat)
 
 vec2 wrinkle_plane_bricks_smooth_slope(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(plane_bricks_g_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(plane_bricks_g_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(plane_bricks_g_image, at + vec2(texel.x, -texel.y), 0.0);
-    vec4 texel_4 = textureLod(plane_bricks_g_image, at + vec2(-texel.x, texel.y), 0.0);
-    float difference_2 = texel_3.x - texel_4.x;
-    vec4 texel_5 = textureLod(plane_bricks_g_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_6 = textureLod(plane_bricks_g_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_7 = textureLod(plane_bricks_g_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_8 = textureLod(plane_bricks_g_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(plane_bricks_g_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(plane_bricks_g_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(plane_bricks_g_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(plane_bricks_g_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(plane_bricks_g_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(plane_bricks_g_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(plane_bricks_g_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(plane_bricks_g_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 WrinkleMaterial_plane_bricks wrinkle_plane_bricks(WrinkleSurface_plane_bricks s) {
@@ -37,23 +38,24 @@ WrinkleMaterial_plane_bricks wrinkle_plane_bricks(WrinkleSurface_plane_bricks s)
     float slant_dot_product_3 = dot(dpdy, vec3(-0.18257418, 0.91287094, -0.36514837));
     vec2 slant_vector_2 = vec2(dpdy.x * 0.8944272 - dpdy.z * 0.4472136, slant_dot_product_3);
     vec2 g_size = vec2(textureSize(plane_bricks_g_image, 0));  // g: Height map
-    vec2 g_product = slant_vector * 1.5 * g_size;
-    vec2 g_product_2 = slant_vector_2 * 1.5 * g_size;
-    float g_root = sqrt(max(max(dot(g_product, g_product), dot(g_product_2, g_product_2)), 1.0));
-    vec2 g_quotient = g_root / g_size;
-    vec2 g_vector = vec2(slant_uv.x + g_quotient.x, slant_uv.y);
-    vec4 g_texel = texture(plane_bricks_g_image, g_vector);
-    vec2 g_vector_2 = vec2(slant_uv.x, slant_uv.y + g_quotient.y);
-    vec2 g_vector_3 = vec2(g_texel.x, texture(plane_bricks_g_image, g_vector_2).x);
-    vec2 g_product_3 = (g_vector_3 - texture(plane_bricks_g_image, slant_uv).x) * (1.0 / g_root);
+    vec2 g_texels_dx = slant_vector * 1.5 * g_size;
+    vec2 g_texels_dy = slant_vector_2 * 1.5 * g_size;
+    float g_greatest = max(dot(g_texels_dx, g_texels_dx), dot(g_texels_dy, g_texels_dy));
+    float g_footprint = sqrt(max(g_greatest, 1.0));
+    vec2 g_texel_step = g_footprint / g_size;
+    vec2 g_vector = vec2(slant_uv.x + g_texel_step.x, slant_uv.y);
+    vec4 g_right = texture(plane_bricks_g_image, g_vector);
+    vec2 g_vector_2 = vec2(slant_uv.x, slant_uv.y + g_texel_step.y);
+    vec2 g_vector_3 = vec2(g_right.x, texture(plane_bricks_g_image, g_vector_2).x);
+    vec2 g_coarse = (g_vector_3 - texture(plane_bricks_g_image, slant_uv).x) * (1.0 / g_footprint);
     vec2 g_slope = wrinkle_plane_bricks_smooth_slope(slant_uv, 1.0 / g_size);
-    vec2 g_mixed = mix(g_product_3, g_slope, clamp((0.5 - log2(g_root)) / 0.45, 0.0, 1.0));
-    float g_dot_product = dot(g_mixed, vec2(1.3416408, -0.2738613) * g_size);
-    float g_product_4 = g_mixed.y * (1.3693064 * g_size.y);
-    float g_dot_product_2 = dot(g_mixed, vec2(-0.6708204, -0.5477226) * g_size);
-    vec3 g_slope_2 = vec3(g_dot_product, g_product_4, g_dot_product_2) * 0.03;
+    vec2 g_slope_2 = mix(g_coarse, g_slope, clamp((0.5 - log2(g_footprint)) / 0.45, 0.0, 1.0));
+    float g_dot_product = dot(g_slope_2, vec2(1.3416408, -0.2738613) * g_size);
+    float g_product = g_slope_2.y * (1.3693064 * g_size.y);
+    float g_dot_product_2 = dot(g_slope_2, vec2(-0.6708204, -0.5477226) * g_size);
+    vec3 g_slope_3 = vec3(g_dot_product, g_product, g_dot_product_2) * 0.03;
     WrinkleMaterial_plane_bricks m;
     // normal: Resolve
-    m.normal = normalize(normal * (s.facing + dot(normal, g_slope_2)) - g_slope_2);
+    m.normal = normalize(normal * (s.facing + dot(normal, g_slope_3)) - g_slope_3);
     return m;
 }

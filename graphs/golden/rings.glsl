@@ -19,14 +19,14 @@ WrinkleMaterial_rings wrinkle_rings(WrinkleSurface_rings s) {
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 place_vector = s.uv0 + -0.5;  // place: Add vec2
     vec2 lengths_vector = place_vector * 2.0;  // lengths: Scale vec2
-    vec2 lengths_slope_dx = dFdx(s.uv0) * 2.0;
-    vec2 lengths_slope_dy = dFdy(s.uv0) * 2.0;
+    vec2 lengths_vector_dx = dFdx(s.uv0) * 2.0;
+    vec2 lengths_vector_dy = dFdy(s.uv0) * 2.0;
     vec3 flat_place_vector = vec3(lengths_vector, 0.0);  // flat_place: Combine vec3
     // shifted: Subtract vec3
     vec3 shifted_vector = vec3(lengths_vector.x - 0.05, lengths_vector.y, 0.0);
     vec3 blended_vector = mix(flat_place_vector, shifted_vector, 0.5);  // blended: Mix vec3
-    vec2 parts_slope = vec2(lengths_slope_dx.x, lengths_slope_dy.x);  // parts: Separate vec2
-    vec2 parts_slope_2 = vec2(lengths_slope_dx.y, lengths_slope_dy.y);
+    vec2 parts_slope = vec2(lengths_vector_dx.x, lengths_vector_dy.x);  // parts: Separate vec2
+    vec2 parts_slope_2 = vec2(lengths_vector_dx.y, lengths_vector_dy.y);
     float radius_result = length(blended_vector);  // radius: Length
     vec2 radius_sum = blended_vector.x * parts_slope + blended_vector.y * parts_slope_2;
     vec2 radius_slope = radius_result > 0.0 ? radius_sum / radius_result : vec2(0.0);

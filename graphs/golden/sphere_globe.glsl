@@ -69,24 +69,22 @@ WrinkleMaterial_sphere_globe wrinkle_sphere_globe(WrinkleSurface_sphere_globe s)
     vec2 globe_vector_6 = vec2(globe_choice_7, globe_test_2 ? globe_difference_6 * globe_choice_3 :
             0.0);
     vec2 tile_uv = globe_uv * vec2(8.0, 4.0);  // tile: UV transform
-    vec2 tile_slope_dx = globe_vector_3 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
-    vec2 tile_slope_dy = globe_vector_4 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
-    vec2 tile_slope_dy_2 = globe_vector_5 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
-    vec2 tile_slope_dx_2 = globe_vector_6 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
+    vec2 tile_uv_dx = globe_vector_3 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
+    vec2 tile_uv_dy = globe_vector_4 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
+    vec2 tile_uv_dy_2 = globe_vector_5 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
+    vec2 tile_uv_dx_2 = globe_vector_6 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
     // g: Tangent normal map
-    vec4 g_texel = textureGrad(sphere_globe_g_image, tile_uv, tile_slope_dx, tile_slope_dy);
-    vec3 g_texel_2 = g_texel.xyz - 0.5;
-    float g_least_depth = max(abs(g_texel_2.x), abs(g_texel_2.y)) * 0.0078125;
+    vec3 g_texel = textureGrad(sphere_globe_g_image, tile_uv, tile_uv_dx, tile_uv_dy).xyz - 0.5;
+    float g_least_depth = max(abs(g_texel.x), abs(g_texel.y)) * 0.0078125;
     // normal: Resolve
-    float normal_product = max(max(abs(g_texel_2.z), g_least_depth), 5e-07) * s.facing;
-    vec3 normal_bitangent = cross(normal, dpdx * tile_slope_dy_2.y - dpdy * tile_slope_dx_2.y);
+    float normal_product = max(max(abs(g_texel.z), g_least_depth), 5e-07) * s.facing;
+    vec3 normal_bitangent = cross(normal, dpdx * tile_uv_dy_2.y - dpdy * tile_uv_dx_2.y);
     float normal_scale = inversesqrt(max(dot(normal_bitangent, normal_bitangent), 1e-36));
-    float normal_product_2 = tile_slope_dx_2.x * tile_slope_dy_2.y;
-    float normal_det = normal_product_2 - tile_slope_dy_2.x * tile_slope_dx_2.y;
-    float normal_slope_u = g_texel_2.x * (normal_scale * (normal_det < 0.0 ? -1.0 : 1.0));
+    float normal_det = tile_uv_dx_2.x * tile_uv_dy_2.y - tile_uv_dy_2.x * tile_uv_dx_2.y;
+    float normal_slope_u = g_texel.x * (normal_scale * (normal_det < 0.0 ? -1.0 : 1.0));
     vec3 normal_along_u = cross(normal_bitangent, normal) * normal_slope_u;
-    float normal_product_3 = normal_scale * (dot(normal, cross(dpdx, dpdy)) < 0.0 ? -1.0 : 1.0);
-    vec3 normal_along_v = normal_bitangent * (g_texel_2.y * normal_product_3);
+    float normal_product_2 = normal_scale * (dot(normal, cross(dpdx, dpdy)) < 0.0 ? -1.0 : 1.0);
+    vec3 normal_along_v = normal_bitangent * (g_texel.y * normal_product_2);
     WrinkleMaterial_sphere_globe m;
     m.normal = normalize(normal * normal_product + (normal_along_u + normal_along_v));
     return m;

@@ -13,17 +13,19 @@ uniform sampler2D triplanar_by_hand_weave_image;  // textures/weave_normal.png (
 uniform sampler2D triplanar_by_hand_bricks_image;  // textures/bricks_height.png (linear, repeat)
 
 vec2 wrinkle_triplanar_by_hand_smooth_slope(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(triplanar_by_hand_bricks_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(triplanar_by_hand_bricks_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(triplanar_by_hand_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
-    vec4 texel_4 = textureLod(triplanar_by_hand_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
-    float difference_2 = texel_3.x - texel_4.x;
-    vec4 texel_5 = textureLod(triplanar_by_hand_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_6 = textureLod(triplanar_by_hand_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_7 = textureLod(triplanar_by_hand_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_8 = textureLod(triplanar_by_hand_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(triplanar_by_hand_bricks_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(triplanar_by_hand_bricks_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(triplanar_by_hand_bricks_image, at + vec2(texel.x, -texel.y),
+            0.0);
+    vec4 upper_left = textureLod(triplanar_by_hand_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(triplanar_by_hand_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(triplanar_by_hand_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(triplanar_by_hand_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(triplanar_by_hand_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_triplanar_by_hand s) {
@@ -62,31 +64,30 @@ WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_tripl
     vec3 rivets_greatest_2 = max(rivets_magnitude_2, abs(vec3(rivets_texel.y, weave_texel.yy)));
     vec3 rivets_depth = max(max(rivets_magnitude, rivets_greatest_2 * 0.0078125), 5e-07);
     vec2 bricks_size = vec2(textureSize(triplanar_by_hand_bricks_image, 0));  // bricks: Height map
-    vec2 bricks_product = vec2(dpdx.x * side_sign, dpdx.y) * 2.0 * bricks_size;
-    float bricks_dot_product = dot(bricks_product, bricks_product);
-    vec2 bricks_product_2 = vec2(dpdy.x * side_sign, dpdy.y) * 2.0 * bricks_size;
-    float bricks_greatest = max(max(bricks_dot_product, dot(bricks_product_2, bricks_product_2)),
-            1.0);
-    float bricks_root = sqrt(bricks_greatest);
-    vec2 bricks_quotient = bricks_root / bricks_size;
-    vec2 bricks_vector = vec2(front_uv.x + bricks_quotient.x, front_uv.y);
-    vec4 bricks_texel = texture(triplanar_by_hand_bricks_image, bricks_vector);
-    vec2 bricks_vector_2 = vec2(front_uv.x, front_uv.y + bricks_quotient.y);
-    vec4 bricks_texel_2 = texture(triplanar_by_hand_bricks_image, bricks_vector_2);
-    vec4 bricks_texel_3 = texture(triplanar_by_hand_bricks_image, front_uv);
-    vec2 bricks_difference = vec2(bricks_texel.x, bricks_texel_2.x) - bricks_texel_3.x;
-    vec2 bricks_product_3 = bricks_difference * (1.0 / bricks_root);
+    vec2 bricks_texels_dx = vec2(dpdx.x * side_sign, dpdx.y) * 2.0 * bricks_size;
+    float bricks_dot_product = dot(bricks_texels_dx, bricks_texels_dx);
+    vec2 bricks_texels_dy = vec2(dpdy.x * side_sign, dpdy.y) * 2.0 * bricks_size;
+    float bricks_greatest = max(bricks_dot_product, dot(bricks_texels_dy, bricks_texels_dy));
+    float bricks_footprint = sqrt(max(bricks_greatest, 1.0));
+    vec2 bricks_texel_step = bricks_footprint / bricks_size;
+    vec2 bricks_vector = vec2(front_uv.x + bricks_texel_step.x, front_uv.y);
+    vec4 bricks_right = texture(triplanar_by_hand_bricks_image, bricks_vector);
+    vec2 bricks_vector_2 = vec2(front_uv.x, front_uv.y + bricks_texel_step.y);
+    vec4 bricks_above = texture(triplanar_by_hand_bricks_image, bricks_vector_2);
+    vec4 bricks_here = texture(triplanar_by_hand_bricks_image, front_uv);
+    vec2 bricks_difference = vec2(bricks_right.x, bricks_above.x) - bricks_here.x;
+    vec2 bricks_coarse = bricks_difference * (1.0 / bricks_footprint);
     vec2 bricks_slope = wrinkle_triplanar_by_hand_smooth_slope(front_uv, 1.0 / bricks_size);
-    float bricks_clamped = clamp((0.5 - log2(bricks_root)) / 0.45, 0.0, 1.0);
-    vec2 bricks_mixed = mix(bricks_product_3, bricks_slope, bricks_clamped);
-    vec2 bricks_product_4 = bricks_mixed * (vec2(side_sign * 2.0, 2.0) * bricks_size);
-    vec3 bricks_vector_3 = vec3(bricks_product_4, weave_texel_2.y);
-    vec3 bricks_product_5 = bricks_vector_3 * vec3(0.02, 0.02, side_negated_2 * 4.0);
+    float bricks_magnified = clamp((0.5 - log2(bricks_footprint)) / 0.45, 0.0, 1.0);
+    vec2 bricks_slope_2 = mix(bricks_coarse, bricks_slope, bricks_magnified);
+    vec2 bricks_product = bricks_slope_2 * (vec2(side_sign * 2.0, 2.0) * bricks_size);
+    vec3 bricks_vector_3 = vec3(bricks_product, weave_texel_2.y);
+    vec3 bricks_product_2 = bricks_vector_3 * vec3(0.02, 0.02, side_negated_2 * 4.0);
     // normal: Resolve
     float normal_product = rivets_greatest * max(max(abs(weave_texel.z), weave_product), 5e-07);
     float normal_negated = -normal_product;
     vec3 normal_vector = vec3(normal_negated, normal_negated, rivets_greatest);
-    vec3 normal_product_2 = bricks_product_5 * weights_weights.zzy * normal_vector;
+    vec3 normal_product_2 = bricks_product_2 * weights_weights.zzy * normal_vector;
     vec3 normal_sum = weave_product_2 * weights_weights.yxx * rivets_depth + normal_product_2;
     vec3 normal_product_3 = normal * (normal_product * s.facing - dot(normal, normal_sum));
     WrinkleMaterial_triplanar_by_hand m;

@@ -13,34 +13,36 @@ uniform sampler2D triplanar_rock_pebbles_image;  // textures/pebbles_height.png 
 uniform sampler2D triplanar_rock_weave_image;    // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D triplanar_rock_rivets_image;   // textures/rivets_normal.png (normal_gl, repeat)
 uniform sampler2D triplanar_rock_bricks_image;   // textures/bricks_height.png (linear, repeat)
-uniform sampler2D triplanar_rock_tint_image;     // textures/patches_mask.png (linear, repeat)
+uniform sampler2D triplanar_rock_tint_image;     // textures/patches_mask.png (srgb, repeat)
 
 vec2 wrinkle_triplanar_rock_smooth_slope(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(triplanar_rock_pebbles_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(triplanar_rock_pebbles_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(triplanar_rock_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
-    vec4 texel_4 = textureLod(triplanar_rock_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
-    float difference_2 = texel_3.x - texel_4.x;
-    vec4 texel_5 = textureLod(triplanar_rock_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_6 = textureLod(triplanar_rock_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_7 = textureLod(triplanar_rock_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_8 = textureLod(triplanar_rock_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(triplanar_rock_pebbles_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(triplanar_rock_pebbles_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(triplanar_rock_pebbles_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(triplanar_rock_pebbles_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(triplanar_rock_pebbles_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(triplanar_rock_pebbles_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(triplanar_rock_pebbles_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(triplanar_rock_pebbles_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 vec2 wrinkle_triplanar_rock_smooth_slope_2(vec2 at, vec2 texel) {
-    vec4 texel_2 = textureLod(triplanar_rock_bricks_image, at + texel, 0.0);
-    float difference = texel_2.x - textureLod(triplanar_rock_bricks_image, at - texel, 0.0).x;
-    vec4 texel_3 = textureLod(triplanar_rock_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
-    vec4 texel_4 = textureLod(triplanar_rock_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
-    float difference_2 = texel_3.x - texel_4.x;
-    vec4 texel_5 = textureLod(triplanar_rock_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
-    vec4 texel_6 = textureLod(triplanar_rock_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
-    vec4 texel_7 = textureLod(triplanar_rock_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
-    vec4 texel_8 = textureLod(triplanar_rock_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
-    vec2 product = 2.0 * (vec2(texel_5.x, texel_6.x) - vec2(texel_7.x, texel_8.x));
-    return (vec2(difference + difference_2, difference - difference_2) + product) * 0.125;
+    vec4 upper_right = textureLod(triplanar_rock_bricks_image, at + texel, 0.0);
+    vec4 lower_left = textureLod(triplanar_rock_bricks_image, at - texel, 0.0);
+    float rising = upper_right.x - lower_left.x;
+    vec4 lower_right = textureLod(triplanar_rock_bricks_image, at + vec2(texel.x, -texel.y), 0.0);
+    vec4 upper_left = textureLod(triplanar_rock_bricks_image, at + vec2(-texel.x, texel.y), 0.0);
+    float falling = lower_right.x - upper_left.x;
+    vec4 right = textureLod(triplanar_rock_bricks_image, vec2(at.x + texel.x, at.y), 0.0);
+    vec4 above = textureLod(triplanar_rock_bricks_image, vec2(at.x, at.y + texel.y), 0.0);
+    vec4 left = textureLod(triplanar_rock_bricks_image, vec2(at.x - texel.x, at.y), 0.0);
+    vec4 below = textureLod(triplanar_rock_bricks_image, vec2(at.x, at.y - texel.y), 0.0);
+    vec2 product = 2.0 * (vec2(right.x, above.x) - vec2(left.x, below.x));
+    return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
 WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_rock s) {
@@ -53,88 +55,86 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     float pebbles_negated = -pebbles_sign;
     vec2 pebbles_vector = vec2(pebbles_product_2.x, pebbles_product_2.z * pebbles_negated);
     vec2 pebbles_size = vec2(textureSize(triplanar_rock_pebbles_image, 0));
-    vec2 pebbles_product_3 = pebbles_vector * pebbles_size;
-    float pebbles_dot_product = dot(pebbles_product_3, pebbles_product_3);
-    vec3 pebbles_product_4 = dpdy * 1.5;
-    vec2 pebbles_vector_2 = vec2(pebbles_product_4.x, pebbles_product_4.z * pebbles_negated);
-    vec2 pebbles_product_5 = pebbles_vector_2 * pebbles_size;
-    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_product_5, pebbles_product_5));
-    float pebbles_root = sqrt(max(pebbles_greatest, 1.0));
-    vec2 pebbles_quotient = pebbles_root / pebbles_size;
-    float pebbles_product_6 = pebbles_negated * pebbles_product.z;
-    vec2 pebbles_vector_3 = vec2(pebbles_product.x + pebbles_quotient.x, pebbles_product_6);
-    vec4 pebbles_texel = texture(triplanar_rock_pebbles_image, pebbles_vector_3);
-    vec2 pebbles_vector_4 = vec2(pebbles_product.x, pebbles_product_6 + pebbles_quotient.y);
-    vec4 pebbles_texel_2 = texture(triplanar_rock_pebbles_image, pebbles_vector_4);
-    vec2 pebbles_vector_5 = vec2(pebbles_product.x, pebbles_product_6);
-    vec4 pebbles_texel_3 = texture(triplanar_rock_pebbles_image, pebbles_vector_5);
-    vec2 pebbles_difference = vec2(pebbles_texel.x, pebbles_texel_2.x) - pebbles_texel_3.x;
-    vec2 pebbles_product_7 = pebbles_difference * (1.0 / pebbles_root);
-    vec2 pebbles_quotient_2 = 1.0 / pebbles_size;
-    vec2 pebbles_slope = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_5, pebbles_quotient_2);
-    float pebbles_clamped = clamp((0.5 - log2(pebbles_root)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed = mix(pebbles_product_7, pebbles_slope, pebbles_clamped);
+    vec2 pebbles_texels_dx = pebbles_vector * pebbles_size;
+    float pebbles_dot_product = dot(pebbles_texels_dx, pebbles_texels_dx);
+    vec3 pebbles_product_3 = dpdy * 1.5;
+    vec2 pebbles_vector_2 = vec2(pebbles_product_3.x, pebbles_product_3.z * pebbles_negated);
+    vec2 pebbles_texels_dy = pebbles_vector_2 * pebbles_size;
+    float pebbles_greatest = max(pebbles_dot_product, dot(pebbles_texels_dy, pebbles_texels_dy));
+    float pebbles_footprint = sqrt(max(pebbles_greatest, 1.0));
+    vec2 pebbles_texel_step = pebbles_footprint / pebbles_size;
+    float pebbles_product_4 = pebbles_negated * pebbles_product.z;
+    vec2 pebbles_vector_3 = vec2(pebbles_product.x + pebbles_texel_step.x, pebbles_product_4);
+    vec4 pebbles_right = texture(triplanar_rock_pebbles_image, pebbles_vector_3);
+    vec2 pebbles_vector_4 = vec2(pebbles_product.x, pebbles_product_4 + pebbles_texel_step.y);
+    vec4 pebbles_above = texture(triplanar_rock_pebbles_image, pebbles_vector_4);
+    vec2 pebbles_vector_5 = vec2(pebbles_product.x, pebbles_product_4);
+    vec4 pebbles_here = texture(triplanar_rock_pebbles_image, pebbles_vector_5);
+    vec2 pebbles_difference = vec2(pebbles_right.x, pebbles_above.x) - pebbles_here.x;
+    vec2 pebbles_coarse = pebbles_difference * (1.0 / pebbles_footprint);
+    vec2 pebbles_quotient = 1.0 / pebbles_size;
+    vec2 pebbles_slope = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_5, pebbles_quotient);
+    float pebbles_magnified = clamp((0.5 - log2(pebbles_footprint)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_slope_2 = mix(pebbles_coarse, pebbles_slope, pebbles_magnified);
     float pebbles_sign_2 = normal.x < 0.0 ? -1.0 : 1.0;
     float pebbles_negated_2 = -pebbles_sign_2;
-    float pebbles_product_8 = pebbles_negated_2 * pebbles_product.z;
+    float pebbles_product_5 = pebbles_negated_2 * pebbles_product.z;
     vec2 pebbles_vector_6 = vec2(pebbles_product_2.z * pebbles_negated_2, pebbles_product_2.y);
-    vec2 pebbles_product_9 = pebbles_vector_6 * pebbles_size;
-    float pebbles_dot_product_2 = dot(pebbles_product_9, pebbles_product_9);
-    vec2 pebbles_vector_7 = vec2(pebbles_product_4.z * pebbles_negated_2, pebbles_product_4.y);
-    vec2 pebbles_product_10 = pebbles_vector_7 * pebbles_size;
+    vec2 pebbles_texels_dx_2 = pebbles_vector_6 * pebbles_size;
+    float pebbles_dot_product_2 = dot(pebbles_texels_dx_2, pebbles_texels_dx_2);
+    vec2 pebbles_vector_7 = vec2(pebbles_product_3.z * pebbles_negated_2, pebbles_product_3.y);
+    vec2 pebbles_texels_dy_2 = pebbles_vector_7 * pebbles_size;
     float pebbles_greatest_2 = max(pebbles_dot_product_2,
-            dot(pebbles_product_10, pebbles_product_10));
-    float pebbles_root_2 = sqrt(max(pebbles_greatest_2, 1.0));
-    vec2 pebbles_quotient_3 = pebbles_root_2 / pebbles_size;
-    vec2 pebbles_vector_8 = vec2(pebbles_product_8 + pebbles_quotient_3.x, pebbles_product.y);
-    vec4 pebbles_texel_4 = texture(triplanar_rock_pebbles_image, pebbles_vector_8);
-    vec2 pebbles_vector_9 = vec2(pebbles_product_8, pebbles_product.y + pebbles_quotient_3.y);
-    vec4 pebbles_texel_5 = texture(triplanar_rock_pebbles_image, pebbles_vector_9);
-    vec2 pebbles_vector_10 = vec2(pebbles_product_8, pebbles_product.y);
-    vec4 pebbles_texel_6 = texture(triplanar_rock_pebbles_image, pebbles_vector_10);
-    vec2 pebbles_difference_2 = vec2(pebbles_texel_4.x, pebbles_texel_5.x) - pebbles_texel_6.x;
-    vec2 pebbles_product_11 = pebbles_difference_2 * (1.0 / pebbles_root_2);
-    vec2 pebbles_slope_2 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_10,
-            pebbles_quotient_2);
-    float pebbles_clamped_2 = clamp((0.5 - log2(pebbles_root_2)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed_2 = mix(pebbles_product_11, pebbles_slope_2, pebbles_clamped_2);
-    float pebbles_product_12 = 1.5 * pebbles_size.y;
-    float pebbles_product_13 = 1.5 * pebbles_negated_2 * pebbles_size.x;
-    vec3 pebbles_vector_11 = vec3(1.5 * pebbles_size.x, pebbles_product_12, pebbles_product_13);
-    vec3 pebbles_product_14 = vec3(pebbles_mixed.x, pebbles_mixed_2.yx) * pebbles_vector_11;
+            dot(pebbles_texels_dy_2, pebbles_texels_dy_2));
+    float pebbles_footprint_2 = sqrt(max(pebbles_greatest_2, 1.0));
+    vec2 pebbles_texel_step_2 = pebbles_footprint_2 / pebbles_size;
+    vec2 pebbles_vector_8 = vec2(pebbles_product_5 + pebbles_texel_step_2.x, pebbles_product.y);
+    vec4 pebbles_right_2 = texture(triplanar_rock_pebbles_image, pebbles_vector_8);
+    vec2 pebbles_vector_9 = vec2(pebbles_product_5, pebbles_product.y + pebbles_texel_step_2.y);
+    vec4 pebbles_above_2 = texture(triplanar_rock_pebbles_image, pebbles_vector_9);
+    vec2 pebbles_vector_10 = vec2(pebbles_product_5, pebbles_product.y);
+    vec4 pebbles_here_2 = texture(triplanar_rock_pebbles_image, pebbles_vector_10);
+    vec2 pebbles_difference_2 = vec2(pebbles_right_2.x, pebbles_above_2.x) - pebbles_here_2.x;
+    vec2 pebbles_coarse_2 = pebbles_difference_2 * (1.0 / pebbles_footprint_2);
+    vec2 pebbles_slope_3 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_10, pebbles_quotient);
+    float pebbles_magnified_2 = clamp((0.5 - log2(pebbles_footprint_2)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_slope_4 = mix(pebbles_coarse_2, pebbles_slope_3, pebbles_magnified_2);
+    float pebbles_product_6 = 1.5 * pebbles_size.y;
+    float pebbles_product_7 = 1.5 * pebbles_negated_2 * pebbles_size.x;
+    vec3 pebbles_vector_11 = vec3(1.5 * pebbles_size.x, pebbles_product_6, pebbles_product_7);
+    vec3 pebbles_product_8 = vec3(pebbles_slope_2.x, pebbles_slope_4.yx) * pebbles_vector_11;
     vec3 pebbles_greatest_3 = max(abs(normal) - 0.2, vec3(0.0));
-    vec3 pebbles_product_15 = pebbles_greatest_3 * pebbles_greatest_3 * pebbles_greatest_3;
-    float pebbles_sum = pebbles_product_15.x + pebbles_product_15.y + pebbles_product_15.z;
-    vec3 pebbles_quotient_4 = pebbles_product_15 / max(pebbles_sum, 1e-36);
-    vec3 pebbles_product_16 = pebbles_product_14 * pebbles_quotient_4.yxx;
+    vec3 pebbles_product_9 = pebbles_greatest_3 * pebbles_greatest_3 * pebbles_greatest_3;
+    float pebbles_sum = pebbles_product_9.x + pebbles_product_9.y + pebbles_product_9.z;
+    vec3 pebbles_quotient_2 = pebbles_product_9 / max(pebbles_sum, 1e-36);
+    vec3 pebbles_product_10 = pebbles_product_8 * pebbles_quotient_2.yxx;
     float pebbles_sign_3 = normal.z < 0.0 ? -1.0 : 1.0;
-    float pebbles_product_17 = pebbles_sign_3 * pebbles_product.x;
+    float pebbles_product_11 = pebbles_sign_3 * pebbles_product.x;
     vec2 pebbles_vector_12 = vec2(pebbles_product_2.x * pebbles_sign_3, pebbles_product_2.y);
-    vec2 pebbles_product_18 = pebbles_vector_12 * pebbles_size;
-    float pebbles_dot_product_3 = dot(pebbles_product_18, pebbles_product_18);
-    vec2 pebbles_vector_13 = vec2(pebbles_product_4.x * pebbles_sign_3, pebbles_product_4.y);
-    vec2 pebbles_product_19 = pebbles_vector_13 * pebbles_size;
+    vec2 pebbles_texels_dx_3 = pebbles_vector_12 * pebbles_size;
+    float pebbles_dot_product_3 = dot(pebbles_texels_dx_3, pebbles_texels_dx_3);
+    vec2 pebbles_vector_13 = vec2(pebbles_product_3.x * pebbles_sign_3, pebbles_product_3.y);
+    vec2 pebbles_texels_dy_3 = pebbles_vector_13 * pebbles_size;
     float pebbles_greatest_4 = max(pebbles_dot_product_3,
-            dot(pebbles_product_19, pebbles_product_19));
-    float pebbles_root_3 = sqrt(max(pebbles_greatest_4, 1.0));
-    vec2 pebbles_quotient_5 = pebbles_root_3 / pebbles_size;
-    vec2 pebbles_vector_14 = vec2(pebbles_product_17 + pebbles_quotient_5.x, pebbles_product.y);
-    vec4 pebbles_texel_7 = texture(triplanar_rock_pebbles_image, pebbles_vector_14);
-    vec2 pebbles_vector_15 = vec2(pebbles_product_17, pebbles_product.y + pebbles_quotient_5.y);
-    vec4 pebbles_texel_8 = texture(triplanar_rock_pebbles_image, pebbles_vector_15);
-    vec2 pebbles_vector_16 = vec2(pebbles_product_17, pebbles_product.y);
-    vec4 pebbles_texel_9 = texture(triplanar_rock_pebbles_image, pebbles_vector_16);
-    vec2 pebbles_difference_3 = vec2(pebbles_texel_7.x, pebbles_texel_8.x) - pebbles_texel_9.x;
-    vec2 pebbles_product_20 = pebbles_difference_3 * (1.0 / pebbles_root_3);
-    vec2 pebbles_slope_3 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_16,
-            pebbles_quotient_2);
-    float pebbles_clamped_3 = clamp((0.5 - log2(pebbles_root_3)) / 0.45, 0.0, 1.0);
-    vec2 pebbles_mixed_3 = mix(pebbles_product_20, pebbles_slope_3, pebbles_clamped_3);
-    float pebbles_product_21 = 1.5 * pebbles_sign_3 * pebbles_size.x;
-    float pebbles_product_22 = 1.5 * pebbles_negated * pebbles_size.y;
-    vec3 pebbles_vector_17 = vec3(pebbles_product_21, pebbles_product_12, pebbles_product_22);
-    vec3 pebbles_product_23 = vec3(pebbles_mixed_3, pebbles_mixed.y) * pebbles_vector_17;
-    vec3 pebbles_slope_4 = (pebbles_product_16 + pebbles_product_23 * pebbles_quotient_4.zzy) *
+            dot(pebbles_texels_dy_3, pebbles_texels_dy_3));
+    float pebbles_footprint_3 = sqrt(max(pebbles_greatest_4, 1.0));
+    vec2 pebbles_texel_step_3 = pebbles_footprint_3 / pebbles_size;
+    vec2 pebbles_vector_14 = vec2(pebbles_product_11 + pebbles_texel_step_3.x, pebbles_product.y);
+    vec4 pebbles_right_3 = texture(triplanar_rock_pebbles_image, pebbles_vector_14);
+    vec2 pebbles_vector_15 = vec2(pebbles_product_11, pebbles_product.y + pebbles_texel_step_3.y);
+    vec4 pebbles_above_3 = texture(triplanar_rock_pebbles_image, pebbles_vector_15);
+    vec2 pebbles_vector_16 = vec2(pebbles_product_11, pebbles_product.y);
+    vec4 pebbles_here_3 = texture(triplanar_rock_pebbles_image, pebbles_vector_16);
+    vec2 pebbles_difference_3 = vec2(pebbles_right_3.x, pebbles_above_3.x) - pebbles_here_3.x;
+    vec2 pebbles_coarse_3 = pebbles_difference_3 * (1.0 / pebbles_footprint_3);
+    vec2 pebbles_slope_5 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_16, pebbles_quotient);
+    float pebbles_magnified_3 = clamp((0.5 - log2(pebbles_footprint_3)) / 0.45, 0.0, 1.0);
+    vec2 pebbles_slope_6 = mix(pebbles_coarse_3, pebbles_slope_5, pebbles_magnified_3);
+    float pebbles_product_12 = 1.5 * pebbles_sign_3 * pebbles_size.x;
+    float pebbles_product_13 = 1.5 * pebbles_negated * pebbles_size.y;
+    vec3 pebbles_vector_17 = vec3(pebbles_product_12, pebbles_product_6, pebbles_product_13);
+    vec3 pebbles_product_14 = vec3(pebbles_slope_6, pebbles_slope_2.y) * pebbles_vector_17;
+    vec3 pebbles_slope_7 = (pebbles_product_10 + pebbles_product_14 * pebbles_quotient_2.zzy) *
             0.05;
     vec3 weave_product = s.position * 6.0;  // weave: Triplanar normal map
     vec2 weave_vector = vec2(weave_product.x, pebbles_negated * weave_product.z);
@@ -161,14 +161,30 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec2 weave_product_5 = weave_texel_3.xy * weave_quotient_3;
     float weave_negated = -(weave_product_5.x * pebbles_sign_2 + weave_product_3.y * pebbles_sign);
     vec3 weave_volume = vec3(weave_sum, weave_product_5.y + weave_product_4.y, weave_negated);
-    vec3 a_sum = pebbles_slope_4 + weave_volume;  // a: Add bumps
+    vec3 a_sum = pebbles_slope_7 + weave_volume;  // a: Add bumps
     vec3 tint_product = s.position * 0.7;  // tint: Triplanar colour
     vec2 tint_vector = vec2(pebbles_negated_2 * tint_product.z, tint_product.y);
-    vec4 tint_product_2 = texture(triplanar_rock_tint_image, tint_vector) * pebbles_quotient_4.x;
-    vec2 tint_vector_2 = vec2(tint_product.x, pebbles_negated * tint_product.z);
-    vec4 tint_product_3 = texture(triplanar_rock_tint_image, tint_vector_2) * pebbles_quotient_4.y;
-    vec2 tint_vector_3 = vec2(pebbles_sign_3 * tint_product.x, tint_product.y);
-    vec4 tint_product_4 = texture(triplanar_rock_tint_image, tint_vector_3) * pebbles_quotient_4.z;
+    vec4 tint_texel = texture(triplanar_rock_tint_image, tint_vector);
+    vec3 tint_quotient = (max(tint_texel.xyz, 0.0) + 0.055) / 1.055;
+    vec3 tint_power = pow(tint_quotient, vec3(2.4));
+    vec3 tint_edge = step(vec3(0.04045), tint_texel.xyz);
+    vec3 tint_mixed = mix(tint_texel.xyz / 12.92, tint_power, tint_edge);
+    vec4 tint_vector_2 = vec4(tint_mixed, tint_texel.w);
+    vec2 tint_vector_3 = vec2(tint_product.x, pebbles_negated * tint_product.z);
+    vec4 tint_texel_2 = texture(triplanar_rock_tint_image, tint_vector_3);
+    vec3 tint_quotient_2 = (max(tint_texel_2.xyz, 0.0) + 0.055) / 1.055;
+    vec3 tint_power_2 = pow(tint_quotient_2, vec3(2.4));
+    vec3 tint_edge_2 = step(vec3(0.04045), tint_texel_2.xyz);
+    vec3 tint_mixed_2 = mix(tint_texel_2.xyz / 12.92, tint_power_2, tint_edge_2);
+    vec4 tint_vector_4 = vec4(tint_mixed_2, tint_texel_2.w);
+    vec4 tint_sum = tint_vector_2 * pebbles_quotient_2.x + tint_vector_4 * pebbles_quotient_2.y;
+    vec2 tint_vector_5 = vec2(pebbles_sign_3 * tint_product.x, tint_product.y);
+    vec4 tint_texel_3 = texture(triplanar_rock_tint_image, tint_vector_5);
+    vec3 tint_quotient_3 = (max(tint_texel_3.xyz, 0.0) + 0.055) / 1.055;
+    vec3 tint_power_3 = pow(tint_quotient_3, vec3(2.4));
+    vec3 tint_edge_3 = step(vec3(0.04045), tint_texel_3.xyz);
+    vec3 tint_mixed_3 = mix(tint_texel_3.xyz / 12.92, tint_power_3, tint_edge_3);
+    vec4 tint_vector_6 = vec4(tint_mixed_3, tint_texel_3.w);
     vec3 slopes_product = s.position * 2.0;  // slopes: Triplanar slopes
     vec2 slopes_vector = vec2(slopes_product.x, pebbles_negated * slopes_product.z);
     vec2 slopes_vector_2 = vec2(pebbles_sign_3 * slopes_product.x, slopes_product.y);
@@ -182,12 +198,12 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     float rivets_least_depth_3 = max(abs(rivets_texel_3.x), abs(rivets_texel_3.y)) * 0.0078125;
     // slopes: Triplanar slopes (continued)
     float slopes_quotient = -1.0 / max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
-    vec2 slopes_product_2 = rivets_texel.xy * slopes_quotient * pebbles_quotient_4.y;
+    vec2 slopes_product_2 = rivets_texel.xy * slopes_quotient * pebbles_quotient_2.y;
     float slopes_quotient_2 = -1.0 / max(max(abs(rivets_texel_2.z), rivets_least_depth_2), 5e-07);
-    vec2 slopes_product_3 = rivets_texel_2.xy * slopes_quotient_2 * pebbles_quotient_4.z;
+    vec2 slopes_product_3 = rivets_texel_2.xy * slopes_quotient_2 * pebbles_quotient_2.z;
     float slopes_sum = slopes_product_2.x + slopes_product_3.x * pebbles_sign_3;
     float slopes_quotient_3 = -1.0 / max(max(abs(rivets_texel_3.z), rivets_least_depth_3), 5e-07);
-    vec2 slopes_product_4 = rivets_texel_3.xy * slopes_quotient_3 * pebbles_quotient_4.x;
+    vec2 slopes_product_4 = rivets_texel_3.xy * slopes_quotient_3 * pebbles_quotient_2.x;
     float slopes_sum_2 = slopes_product_4.x * pebbles_sign_2 + slopes_product_2.y * pebbles_sign;
     vec3 slopes_volume = vec3(slopes_sum, slopes_product_4.y + slopes_product_3.y, -slopes_sum_2);
     vec2 bricks_size = vec2(textureSize(triplanar_rock_bricks_image, 0));  // bricks: Height map
@@ -256,14 +272,14 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec2 bricks_mixed_3 = mix(bricks_product_11, bricks_slope_3, bricks_clamped_3);
     vec3 bricks_product_12 = vec3(bricks_mixed_3, bricks_mixed.y) * bricks_vector_2 * 0.02;
     // relief: Triplanar height (continued)
-    vec3 relief_slope = bricks_product_10 * pebbles_quotient_4.yxx +
-            bricks_product_12 * pebbles_quotient_4.zzy;
+    vec3 relief_slope = bricks_product_10 * pebbles_quotient_2.yxx +
+            bricks_product_12 * pebbles_quotient_2.zzy;
     vec3 g_gradient = (slopes_volume + relief_slope) * 0.3;  // g: Mix bumps
     vec3 g_gradient_2 = a_sum * 0.7 + g_gradient;
     WrinkleMaterial_triplanar_rock m;
     // normal: Resolve
     m.normal = normalize(normal * (s.facing + dot(normal, g_gradient_2)) - g_gradient_2);
     // tint: Triplanar colour (continued)
-    m.color = (tint_product_2 + tint_product_3 + tint_product_4).xyz;
+    m.color = (tint_sum + tint_vector_6 * pebbles_quotient_2.z).xyz;
     return m;
 }

@@ -22,8 +22,8 @@ WrinkleMaterial_skinned_tube wrinkle_skinned_tube(WrinkleSurface_skinned_tube s)
     vec3 uv0_bitangent = cross(normal, dpdx * duv0_dy.y - dpdy * duv0_dx.y);
     float uv0_scale = inversesqrt(max(dot(uv0_bitangent, uv0_bitangent), 1e-36));
     vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
-    vec2 tile_slope_dy = duv0_dy * 3.0;
-    vec2 tile_slope_dx = duv0_dx * 3.0;
+    vec2 tile_uv_dy = duv0_dy * 3.0;
+    vec2 tile_uv_dx = duv0_dx * 3.0;
     vec3 map_texel = texture(skinned_tube_map_image, tile_uv).xyz - 0.5;  // map: Image
     vec3 map_color = map_texel * 2.0;
     // vertex: Bump from tangent-space normal
@@ -43,10 +43,10 @@ WrinkleMaterial_skinned_tube wrinkle_skinned_tube(WrinkleSurface_skinned_tube s)
     vec3 derived_resolved_along_v = uv0_bitangent * (map_texel.y * derived_resolved_product);
     vec3 derived_resolved_sum = derived_resolved_along_u + derived_resolved_along_v;
     // naive: Wrong: unprojected derived basis
-    vec3 naive_difference = dpdx * tile_slope_dy.y - dpdy * tile_slope_dx.y;
+    vec3 naive_difference = dpdx * tile_uv_dy.y - dpdy * tile_uv_dx.y;
     bool naive_test = dot(naive_difference, naive_difference) > 0.0;
     vec3 naive_choice = naive_test ? normalize(naive_difference) : vec3(0.0);
-    vec3 naive_difference_2 = dpdy * tile_slope_dx.x - dpdx * tile_slope_dy.x;
+    vec3 naive_difference_2 = dpdy * tile_uv_dx.x - dpdx * tile_uv_dy.x;
     bool naive_test_2 = dot(naive_difference_2, naive_difference_2) > 0.0;
     vec3 naive_choice_2 = naive_test_2 ? normalize(naive_difference_2) : vec3(0.0);
     vec3 naive_sum = naive_choice * map_color.x + naive_choice_2 * map_color.y;

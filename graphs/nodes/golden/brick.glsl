@@ -15,33 +15,31 @@ WrinkleMaterial_brick wrinkle_brick(WrinkleSurface_brick s) {
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    vec2 relief_product = dFdx(s.uv0) * 6.0;  // relief: Bricks
-    vec2 relief_product_2 = dFdy(s.uv0) * 6.0;
-    float relief_width = max(length(relief_product), length(relief_product_2));
-    float relief_greatest = max(0.15, relief_width);
-    float relief_least = min(1.0, 0.21 / relief_greatest);
-    vec2 relief_product_3 = s.uv0 * 6.0;
-    float relief_floored = floor(relief_product_3.y);
-    float relief_difference = fract(relief_product_3.x / 2.5 - relief_floored * 0.5) - 0.5;
-    float relief_product_4 = (0.5 - abs(relief_difference)) * 2.5;
-    float relief_difference_2 = relief_product_3.y - relief_floored - 0.5;
-    float relief_difference_3 = 0.5 - abs(relief_difference_2);
-    float relief_difference_4 = 0.5 * (relief_greatest + 0.21) -
-            min(relief_product_4, relief_difference_3);
-    float relief_quotient = relief_difference_4 / relief_greatest;
-    vec2 relief_product_5 = vec2(relief_product.y, relief_product_2.y) * sign(relief_difference_2);
-    vec2 relief_quotient_2 = vec2(relief_product.x, relief_product_2.x) / 2.5;
-    vec2 relief_product_6 = -(relief_quotient_2 * sign(relief_difference)) * 2.5;
-    vec2 relief_choice = relief_difference_3 < relief_product_4 ? -relief_product_5 :
-            relief_product_6;
-    vec2 relief_negated = -relief_choice;
-    vec2 relief_choice_2 = relief_quotient < 0.0 ? vec2(0.0) : relief_negated / relief_greatest;
-    vec2 relief_choice_3 = relief_least < max(relief_quotient, 0.0) ? vec2(0.0) : relief_choice_2;
+    vec2 relief_p_dx = dFdx(s.uv0) * 6.0;  // relief: Bricks
+    vec2 relief_p_dy = dFdy(s.uv0) * 6.0;
+    float relief_width = max(length(relief_p_dx), length(relief_p_dy));
+    float relief_slope_width = max(0.15, relief_width);
+    float relief_deepest = min(1.0, 0.21 / relief_slope_width);
+    vec2 relief_p = s.uv0 * 6.0;
+    float relief_row = floor(relief_p.y);
+    float relief_x = fract(relief_p.x / 2.5 - relief_row * 0.5) - 0.5;
+    float relief_along = (0.5 - abs(relief_x)) * 2.5;
+    float relief_y = relief_p.y - relief_row - 0.5;
+    float relief_across = 0.5 - abs(relief_y);
+    float relief_difference = 0.5 * (relief_slope_width + 0.21) - min(relief_along, relief_across);
+    float relief_covered = relief_difference / relief_slope_width;
+    bool relief_test = relief_across < relief_along;
+    vec2 relief_across_slope = -(vec2(relief_p_dx.y, relief_p_dy.y) * sign(relief_y));
+    vec2 relief_negated = -(vec2(relief_p_dx.x, relief_p_dy.x) / 2.5 * sign(relief_x));
+    vec2 relief_negated_2 = -(relief_test ? relief_across_slope : relief_negated * 2.5);
+    vec2 relief_choice = relief_covered < 0.0 ? vec2(0.0) : relief_negated_2 / relief_slope_width;
+    vec2 relief_choice_2 = relief_deepest < max(relief_covered, 0.0) ? vec2(0.0) : relief_choice;
     float relief_fade = 1.0 - smoothstep(0.25, 0.75, relief_width);
-    float relief_value = mix(0.72364, 1.0 - clamp(relief_quotient, 0.0, relief_least), relief_fade);
+    float relief_difference_2 = 1.0 - clamp(relief_covered, 0.0, relief_deepest);
+    float relief_value = mix(0.72364, relief_difference_2, relief_fade);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    vec2 normal_product_2 = -relief_choice_3 * relief_fade * normal_product;
+    vec2 normal_product_2 = -relief_choice_2 * relief_fade * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
     WrinkleMaterial_brick m;
     m.normal = normalize(normal * s.facing - normal_gradient);

@@ -23,9 +23,9 @@ WrinkleMaterial_scales wrinkle_scales(WrinkleSurface_scales s) {
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 skin_product = s.uv0 * 8.0;  // skin: Scales
     float skin_row = floor(2.0 * skin_product.y);
-    vec2 skin_way_slope_dx = dFdx(s.uv0) * 8.0;
-    vec2 skin_way_slope_dy = dFdy(s.uv0) * 8.0;
-    vec2 skin_quotient = vec2(skin_way_slope_dx.y, skin_way_slope_dy.y) * 0.4 / 0.75;
+    vec2 skin_way_dx = dFdx(s.uv0) * 8.0;
+    vec2 skin_way_dy = dFdy(s.uv0) * 8.0;
+    vec2 skin_quotient = vec2(skin_way_dx.y, skin_way_dy.y) * 0.4 / 0.75;
     float state_2 = 0.0;
     vec2 state_3 = vec2(0.0);
     for (int i = 0; i < min(8, 8); ++i) {
@@ -41,9 +41,8 @@ WrinkleMaterial_scales wrinkle_scales(WrinkleSurface_scales s) {
         float skin_product_3 = skin_difference_2 * clamp(skin_difference_3, 0.0, 1.0);
         float skin_difference_4 = 0.5 - 0.4 * skin_way.y / 0.75;
         float skin_product_4 = skin_product_3 * skin_difference_4;
-        vec2 skin_vector = vec2(dot(skin_way_slope_dx, skin_way), dot(skin_way_slope_dy, skin_way));
-        vec2 skin_vector_2 = vec2(dot(skin_way, skin_way_slope_dx),
-                dot(skin_way, skin_way_slope_dy));
+        vec2 skin_vector = vec2(dot(skin_way_dx, skin_way), dot(skin_way_dy, skin_way));
+        vec2 skin_vector_2 = vec2(dot(skin_way, skin_way_dx), dot(skin_way, skin_way_dy));
         vec2 skin_negated = -((skin_vector + skin_vector_2) * 1.5 / 0.5625);
         vec2 skin_choice = skin_difference_3 < 0.0 ? vec2(0.0) : skin_negated;
         vec2 skin_rim_slope = 1.0 < max(skin_difference_3, 0.0) ? vec2(0.0) : skin_choice;
