@@ -43,7 +43,8 @@ struct PointSet {
 };
 
 // One step of a program: an operation on a tile. Operands are scalars; dot (a, then b), cross and
-// normalize take two or three components of a vector at once, which saves passes over memory.
+// normalize take two or three components of a vector at once, which saves passes over memory. sin
+// has two outputs, the sine and the cosine.
 // Floats and whole numbers (is_whole_type(); bools are 0 or 1) are in two separate register files.
 struct CpuInst {
     enum class Kind : uint8_t {

@@ -36,6 +36,7 @@ private:
     Lanes leaf(const Inst& inst);
     Lanes rearranged(const Inst& inst, const std::vector<Lanes>& args) const;
     Lanes lanewise(const Inst& inst, Type operands, const std::vector<Lanes>& args);
+    Lanes sine_or_cosine(Op op, const Lanes& angles);
     Lanes vector_op(const Inst& inst, const std::vector<Lanes>& args);
     Lanes transformed(const std::vector<Lanes>& args);
     Lanes sampled(const Inst& inst, const std::vector<Lanes>& args);

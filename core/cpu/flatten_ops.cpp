@@ -54,6 +54,9 @@ Flattener::Lanes Flattener::made(const Inst& inst, const std::vector<Lanes>& arg
         case Op::sample_lod_:
         case Op::image_size_:
             return sampled(inst, args);
+        case Op::sin_:
+        case Op::cos_:
+            return sine_or_cosine(inst.op, args[0]);
         case Op::dot_:
         case Op::cross_:
         case Op::length_:
@@ -116,6 +119,14 @@ Flattener::Lanes Flattener::lanewise(const Inst& inst, Type operands,
             in.push_back(lane_of(arg, k));
         lanes.push_back(add(inst.op, component_type(operands), component_type(inst.type), in));
     }
+    return lanes;
+}
+
+// One step of the op `sin` has both.
+Flattener::Lanes Flattener::sine_or_cosine(Op op, const Lanes& angles) {
+    Lanes lanes;
+    for (const uint32_t angle : angles)
+        lanes.push_back(add_vector(Op::sin_, 2, {angle})[op == Op::sin_ ? 0 : 1]);
     return lanes;
 }
 

@@ -153,6 +153,18 @@ void dot(const CpuInst& step, const Registers<T>& registers, size_t n) {
     each_lane(n, sum, operand(0), operand(1), operand(2), operand(3), operand(4), operand(5));
 }
 
+// The sine and the cosine, which share the reduction of the angle and two series.
+template <class T>
+void sine_cosine(const CpuInst& step, const Registers<T>& registers, size_t n) {
+    T* sine = lanes_of<T>(registers, step.out[0]);
+    T* cosine = lanes_of<T>(registers, step.out[1]);
+    const auto both = [=](size_t k, T x) {
+        sine[k] = math::sin(x);
+        cosine[k] = math::cos(x);
+    };
+    each_lane(n, both, Operand<T>(step, registers, 0));
+}
+
 template <class T>
 void cross(const CpuInst& step, const Registers<T>& registers, size_t n) {
     T* x = lanes_of<T>(registers, step.out[0]);

@@ -70,6 +70,7 @@ uint32_t truncated(T x) {
 template <class T>
 InstKernel<T> on_floats(Op op) {
     if (op == Op::select_) return select<T, T>;
+    if (op == Op::sin_) return sine_cosine<T>;
     if (op == Op::to_int_) return kernel_for<T, T, uint32_t>([](T x) { return truncated(x); });
     if (const auto found = meaning::floats::find<InstKernel<T>>(op, kernel_for<T, T, T>))
         return found;

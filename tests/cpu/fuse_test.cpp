@@ -163,6 +163,16 @@ TEST(Fused, AConversionWithWhatReadsIt) {
                 3);
 }
 
+TEST(Steps, ASineAndACosineAreOne) {
+    Scene s(fuse_points);
+    const Id x = operand(s, 1);
+    s.output(s.m.add(Op::sin_, {x}));
+    s.output(s.m.add(Op::cos_, {x}));
+    std::string why;
+    EXPECT_EQ(compile_program(s.m, why).steps.size(), 1U);
+    expect_as_interpreted(s, 1e-15);
+}
+
 Id pcg_hash(Module& m, Id x) {
     const auto word = [&](double value) { return m.literal(Type::uint_, value); };
     const Id sum = m.add(Op::add_, {m.add(Op::mul_, {x, word(747796405)}), word(2891336453)});
