@@ -21,18 +21,21 @@ static vec4 read_cube(Image image, Arrangement arrangement, vec3 direction) {
     const CubeFace face = cube_face(direction, direction);
     const bool strip = arrangement == Arrangement::strip;
     const vec2 faces = strip ? vec2(6, 1) : vec2(3, 2);
-    const vec2 place = divide(face.place, face.depth) * 0.5 + vec2(0.5);
+    const vec2 place =
+        named("place", named("ratio", divide(face.place, face.depth)) * 0.5 + vec2(0.5));
     const vec2 column_row = strip ? vec2(face.index, 0)
                                   : vec2(select(face.index < 2.5, face.index, face.index - 3),
                                          select(face.index < 2.5, 1.0, 0.0));
-    const vec2 size = image.size() / faces;
+    const vec2 size = named("face_size", image.size() / faces);
     const vec2 x = ddx(place), y = ddy(place);
-    const Float footprint = max(max(length(x * size), length(y * size)), 0.5);
+    const Float extent = named("extent", max(length(x * size), length(y * size)));
+    const Float footprint = named("footprint", max(extent, 0.5));
     // Limits the footprint to a face: in the coarsest usable level a face is one texel.
-    const Float least = min(min(size.x(), size.y()) / footprint, 1);
-    const vec2 border = min(footprint / size, vec2(0.5));
-    const vec2 inside = min(max(place, border), vec2(1) - border);
-    return image.sample_grad((inside + column_row) / faces, x * least / faces, y * least / faces);
+    const Float least = named("limit", min(min(size.x(), size.y()) / footprint, 1));
+    const vec2 border = named("border", min(footprint / size, vec2(0.5)));
+    const vec2 inside = named("inside", min(max(place, border), vec2(1) - border));
+    return image.sample_grad(named("at", (inside + column_row) / faces),
+                             named("at_dx", x * least / faces), named("at_dy", y * least / faces));
 }
 
 static constinit Node cube_map_list[] = {
@@ -52,8 +55,8 @@ static constinit Node cube_map_list[] = {
             "normals: what a sphere round the origin lends to other surfaces; limited to 128")
         .body([](Image image, vec3 direction, Arrangement arrangement, Float strength, vec3 base) {
             const vec3 normal = read_cube(image, arrangement, direction).xyz();
-            const vec3 out = normalize(direction);
-            const Float outward = dot(out, normal);
+            const vec3 out = named("out", normalize(direction));
+            const Float outward = named("outward", dot(out, normal));
             // Limits slopes to 128, as in tangent-space maps.
             const Float steepest = max(length(normal) / 128, 1e-6);
             const vec3 volume = (out * outward - normal) / max(abs(outward), steepest) * strength;

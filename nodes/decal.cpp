@@ -64,8 +64,9 @@ static constinit Node decal_list[] = {
         .out<Float>("attenuation", attenuation_doc)
         .body([](DecalBox in) {
             const Axes axes = axes_of(-in.direction, in.up);
-            const vec3 place = into(axes, in.point - in.origin) / in.size;
-            const vec3 reached = abs(place) * 2;
+            const vec3 way = named("way", in.point - in.origin);
+            const vec3 place = named("place", named("turned", into(axes, way)) / in.size);
+            const vec3 reached = named("reached", abs(place) * 2);
             const Float within = inside(reached.x(), in.edge) * inside(reached.y(), in.edge) *
                                  inside(reached.z(), in.edge);
             return std::tuple{place.xy() + vec2(0.5),
@@ -89,11 +90,13 @@ static constinit Node decal_list[] = {
         .out<Float>("attenuation", attenuation_doc)
         .body([](DecalCone in) {
             const Axes axes = axes_of(-in.direction, in.up);
-            const vec3 way = in.point - in.origin;
+            const vec3 way = named("way", in.point - in.origin);
             const vec3 place = into(axes, way);
-            const Float ahead = -place.z();
-            const Float wide = max(ahead, 1e-6) * tan(radians(in.angle) * 0.5);
-            const vec2 across = place.xy() / wide;  // within the unit disc inside the cone
+            const vec2 side = named("side", place.xy());
+            const Float ahead = named("ahead", -place.z());
+            const Float wide = named("wide", max(ahead, 1e-6) * tan(radians(in.angle) * 0.5));
+            const vec2 across =
+                named("across", side / wide);  // within the unit disc inside the cone
             const Float within = inside(length(across), in.edge) *
                                  inside(ahead / in.range, in.edge) * step(1e-6, ahead);
             return std::tuple{across * 0.5 + vec2(0.5),
@@ -121,7 +124,7 @@ static constinit Node decal_list[] = {
         .out<vec3>("direction", "Out of the centre, unit, in object space")
         .out<Float>("attenuation", attenuation_doc)
         .body([](DecalSphere in) {
-            const vec3 way = in.point - in.origin, out = normalize(way);
+            const vec3 way = named("way", in.point - in.origin), out = normalize(way);
             const vec2 uv = longitude_latitude(round_place(way, in.axis, in.front));
             return std::tuple{uv, out,
                               inside(length(way) / in.radius, in.edge) *
@@ -147,9 +150,10 @@ static constinit Node decal_list[] = {
         .out<vec3>("direction", "Out of the line, unit, in object space")
         .out<Float>("attenuation", attenuation_doc)
         .body([](DecalCapsule in) {
-            const vec3 line = in.end - in.start, way = in.point - in.start;
-            const Float along = saturate(divide(dot(way, line), dot(line, line)));
-            const vec3 off = way - line * along, out = normalize(off);
+            const vec3 line = in.end - in.start, way = named("way", in.point - in.start);
+            const Float ratio = named("ratio", divide(dot(way, line), dot(line, line)));
+            const Float along = named("along", saturate(ratio));
+            const vec3 off = named("off", way - line * along), out = normalize(off);
             const vec2 uv(turns_of(round_place(off, line, in.front)), along);
             return std::tuple{uv, out,
                               inside(length(off) / in.radius, in.edge) *

@@ -29,10 +29,11 @@ static vec2 in_texture_space(vec3 direction, vec2 uv) {
     const auto tangential = [n](vec3 v) { return v - n * dot(n, v); };
     const vec3 x = tangential(ddx<vec3>(surface::position));
     const vec3 y = tangential(ddy<vec3>(surface::position));
-    const vec3 across_y = cross(y, n), across_x = cross(n, x);
-    const Float det = dot(x, across_y);
-    const Float inverse = sign_nonzero(det) / max(abs(det), min_area);
-    return (ddx(uv) * dot(direction, across_y) + ddy(uv) * dot(direction, across_x)) * inverse;
+    const vec3 across_y = named("across_y", cross(y, n)), across_x = named("across_x", cross(n, x));
+    const Float det = named("det", dot(x, across_y));
+    const Float inverse = named("inverse_det", sign_nonzero(det) / max(abs(det), min_area));
+    const vec2 along_x = ddx(uv) * dot(direction, across_y);
+    return (named("along_x", along_x) + ddy(uv) * dot(direction, across_x)) * inverse;
 }
 
 // Direction of the view ray below the surface, per length unit of depth.
@@ -44,10 +45,11 @@ struct Descent {
 
 static Descent descent(vec2 uv) {
     const vec3 n = surface::normal, view = surface::view;
-    const Float cosine = dot(n, view);
-    const vec3 sideways = view - n * cosine;
-    const Float per_depth = -1 / max(abs(cosine), lowest_view);
-    return {sideways * per_depth - n, in_texture_space(sideways, uv) * per_depth, length(sideways)};
+    const Float cosine = named("cosine", dot(n, view));
+    const vec3 sideways = named("sideways", view - n * cosine);
+    const Float per_depth = named("per_depth", -1 / max(abs(cosine), lowest_view));
+    return {named("descent", sideways * per_depth - n),
+            named("uv_descent", in_texture_space(sideways, uv) * per_depth), length(sideways)};
 }
 
 // The segment of the view ray that enters the relief: depth of the first end and how far the ray is
@@ -60,12 +62,12 @@ static Float meeting(Float depth0, Float under0, Float depth1, Float under1) {
 
 template <class Under>
 static Stretch march(Under under, Float deepest, Float sine, int steps) {
-    const Float step = deepest / max(steps * (0.25 + 0.75 * sine), 1);
-    const Float first = under(Float(0));
+    const Float step = named("depth_step", deepest / max(steps * (0.25 + 0.75 * sine), 1));
+    const Float first = named("first", under(Float(0)));
     return loop(
-        static_cast<uint32_t>(steps) + 1, std::tuple{Float(0), first, Float(0), first},
-        [&](Float, Float, Float depth, Float below) {
-            const Float next = min(depth + step, deepest);
+        "march(depth_before, under_before, depth, under)", static_cast<uint32_t>(steps) + 1,
+        std::tuple{Float(0), first, Float(0), first}, [&](Float, Float, Float depth, Float below) {
+            const Float next = named("next", min(depth + step, deepest));
             return std::tuple{below < 0 && depth < deepest, depth, below, next, under(next)};
         });
 }
@@ -73,11 +75,12 @@ static Stretch march(Under under, Float deepest, Float sine, int steps) {
 template <class Under>
 static Stretch narrowed(Under under, Stretch stretch, int times) {
     if (times == 0) return stretch;
-    return loop(static_cast<uint32_t>(times), stretch,
+    return loop("narrowed(depth_above, under_above, depth_below, under_below)",
+                static_cast<uint32_t>(times), stretch,
                 [&](Float depth0, Float under0, Float depth1, Float under1) {
-                    const Float depth = meeting(depth0, under0, depth1, under1);
-                    const Float here = under(depth);
-                    const Bool above = here < 0;
+                    const Float depth = named("meeting", meeting(depth0, under0, depth1, under1));
+                    const Float here = named("here", under(depth));
+                    const Bool above = named("above", here < 0);
                     return std::tuple{under1 > 0, select(above, depth, depth0),
                                       select(above, here, under0), select(above, depth1, depth),
                                       select(above, under1, here)};

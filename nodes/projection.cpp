@@ -12,7 +12,9 @@ Planes planes_at(vec3 point, vec3 side) {
 }
 
 vec3 side_of(vec3 direction) {
-    return {sign_nonzero(direction.x()), sign_nonzero(direction.y()), sign_nonzero(direction.z())};
+    return {named("side_x", sign_nonzero(direction.x())),
+            named("side_y", sign_nonzero(direction.y())),
+            named("side_z", sign_nonzero(direction.z()))};
 }
 
 vec3 front_of(vec3 normal) {
@@ -30,18 +32,19 @@ static constexpr double min_sum = 1e-36;
 
 // Precondition: `above` >= 0 and sharpness > 0. So the op is emitted without the guards of pow().
 static vec3 shares(vec3 above, Float sharpness) {
-    const vec3 weights(emit(WR_OP_pow, {above.id, vec3(sharpness).id}));
-    return detach(weights / max(weights.x() + weights.y() + weights.z(), min_sum));
+    const vec3 powers = named("powers", vec3(emit(WR_OP_pow, {above.id, vec3(sharpness).id})));
+    const Float sum = named("sum", powers.x() + powers.y() + powers.z());
+    return named("weights", detach(powers / max(sum, min_sum)));
 }
 
 static vec3 above_threshold(vec3 normal, Float threshold) {
-    return max(abs(normalize(normal)) - vec3(threshold), vec3(0));
+    return named("above", max(abs(normalize(normal)) - vec3(threshold), vec3(0)));
 }
 
 vec3 triplanar_weights(vec3 normal, Float sharpness, Float threshold) {
     const vec3 above = above_threshold(normal, threshold);
     // Near the threshold high powers of all three would underflow.
-    const Float most = max(max(above.x(), above.y()), above.z());
+    const Float most = named("most", max(max(above.x(), above.y()), above.z()));
     return shares(divide(above, most), sharpness);
 }
 
@@ -50,13 +53,14 @@ vec3 triplanar_weights(vec3 normal, Float sharpness) {
 }
 
 CubeFace cube_face(vec3 direction, vec3 point) {
-    const vec3 size = abs(direction), side = side_of(direction);
+    const vec3 size = named("size", abs(direction)), side = side_of(direction);
     const Planes planes = planes_at(point, side);
-    const Bool x = size.x() >= size.y() && size.x() >= size.z(), y = size.y() >= size.z();
-    const vec3 behind = (vec3(1) - side) * 0.5;
-    return {select(x, planes.x, select(y, planes.y, planes.z)),
-            select(x, size.x(), select(y, size.y(), size.z())),
-            select(x, behind.x(), select(y, 2 + behind.y(), 4 + behind.z()))};
+    const Bool x = named("on_x", size.x() >= size.y() && size.x() >= size.z());
+    const Bool y = named("on_y", size.y() >= size.z());
+    const vec3 behind = named("behind", (vec3(1) - side) * 0.5);
+    return {named("on_face", select(x, planes.x, select(y, planes.y, planes.z))),
+            named("face_depth", select(x, size.x(), select(y, size.y(), size.z()))),
+            named("face", select(x, behind.x(), select(y, 2 + behind.y(), 4 + behind.z())))};
 }
 
 Axes axes_of(vec3 z, vec3 up) {
@@ -73,7 +77,7 @@ vec3 into(const Axes& axes, vec3 v) {
 
 vec3 round_place(vec3 way, vec3 axis, vec3 front) {
     const Axes axes = axes_of(axis, front);  // z along the axis, y to the front
-    const vec3 place = into(axes, way);
+    const vec3 place = named("place", into(axes, way));
     return {-place.x(), place.z(), place.y()};
 }
 

@@ -123,7 +123,7 @@ Value GradientAlgebra::screen_gradient(Value slope) {
         surface_named("inverse_area", op(Op::sign_, area) / max(abs(area), min_area));
     Value factor = inverse;
     const Value change = without_factor(slope, factor);
-    const Value per_area = change * factor;
+    const Value per_area = named("per_area", change * factor);
     const Value p_x = screen_->position(Variant::dx), p_y = screen_->position(Variant::dy);
     return cross(n, p_x * per_area.y() - p_y * per_area.x());
 }
@@ -187,6 +187,7 @@ Value GradientAlgebra::resolve(const GradientSum& sum, Value facing, Value sign,
         factor = depth ? factor + gamma.along : factor - gamma.along;
     }
     const Value raised = factor ? n * factor : n;
+    if (depth) named("raised", raised);
     const Value bumped = depth ? raised + gamma.vec : raised - gamma.vec;
     const bool may_vanish =
         !on_base && std::any_of(slopes.slots.begin(), slopes.slots.end(), on_vertex_tangents);

@@ -120,13 +120,15 @@ Id tested_for_length(const Module& m, Id test) {
 }
 
 // Returns p ? a : b for p ? (q ? a : b) : b, if p and q are one test of a vector's length: the
-// derivative of a guarded normalize.
-Id without_inner_test(Module& m, Args a) {
-    const Inst inner = m[a[1]];
-    if (inner.op != Op::select_ || inner.arg[2] != a[2]) return no_id;
+// derivative of a guarded normalize. Returns v for dot(v, v) > 0 ? v : 0.
+Id simplify_test_of_length(Module& m, Args a) {
     const Id vector = tested_for_length(m, a[0]);
-    if (vector == no_id || vector != tested_for_length(m, inner.arg[0])) return no_id;
-    return m.add(Op::select_, {a[0], inner.arg[1], a[2]});
+    if (vector == no_id) return no_id;
+    if (a[1] == vector && m.is_literal(a[2], 0)) return vector;
+    const Inst inner = m[a[1]];
+    const bool twice = inner.op == Op::select_ && inner.arg[2] == a[2] &&
+                       tested_for_length(m, inner.arg[0]) == vector;
+    return twice ? m.add(Op::select_, {a[0], inner.arg[1], a[2]}) : no_id;
 }
 
 Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
@@ -165,7 +167,7 @@ Id simplify_arithmetic(Module& m, Op op, Args a, Type type) {
         case Op::select_:
             if (a[1] == a[2]) return a[1];
             if (m[a[0]].op == Op::literal_) return m[a[0]].value != 0 ? a[1] : a[2];
-            return without_inner_test(m, a);
+            return simplify_test_of_length(m, a);
         case Op::not_:
             return m[a[0]].op == Op::not_ ? m[a[0]].arg[0] : no_id;
         case Op::and_:
@@ -202,11 +204,17 @@ bool is_unit(const Module& m, Id id) {
     return false;
 }
 
+// Returns true for a guarded normalize: p ? unit : 0.
+bool is_unit_or_zero(const Module& m, Id id) {
+    const Inst& inst = m[id];
+    return inst.op == Op::select_ && is_unit(m, inst.arg[1]) && m.is_literal(inst.arg[2], 0);
+}
+
 // Simplifications by unit length and by `facing`, which is +1 or -1; they remove guards of normals.
 Id simplify_unit(Module& m, Op op, Args a) {
     switch (op) {
         case Op::normalize_:
-            return is_unit(m, a[0]) ? a[0] : no_id;
+            return is_unit(m, a[0]) || is_unit_or_zero(m, a[0]) ? a[0] : no_id;
         case Op::length_:
             return is_unit(m, a[0]) ? m.number(1) : no_id;
         case Op::dot_:

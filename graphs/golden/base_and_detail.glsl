@@ -21,11 +21,11 @@ WrinkleMaterial_base_and_detail wrinkle_base_and_detail(WrinkleSurface_base_and_
     vec3 detail_texel = texture(base_and_detail_detail_image, tile_uv).xyz - 0.5;
     float detail_least_depth = max(abs(detail_texel.x), abs(detail_texel.y)) * 0.0078125;
     float detail_depth = max(max(abs(detail_texel.z), detail_least_depth), 5e-07);
-    vec3 normal_product = s.normal * (base_depth * detail_depth * s.facing);  // normal: Resolve
+    vec3 normal_raised = s.normal * (base_depth * detail_depth * s.facing);  // normal: Resolve
     vec2 normal_slope = base_texel.xy * detail_depth + detail_texel.xy * 0.5 * base_depth;
     float normal_slope_v = normal_slope.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * normal_slope_v;
-    vec3 normal_bumped = normal_product + (s.tangent.xyz * normal_slope.x + normal_along_v);
+    vec3 normal_bumped = normal_raised + (s.tangent.xyz * normal_slope.x + normal_along_v);
     WrinkleMaterial_base_and_detail m;
     m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
     return m;

@@ -95,8 +95,8 @@ WrinkleMaterial_carved_ball wrinkle_carved_ball(WrinkleSurface_carved_ball s) {
             0.004;
     vec3 normal_product = grain_slope * -carving_greatest;  // normal: Resolve
     float normal_difference = -carving_dot_product - dot(normal, normal_product);
-    vec3 normal_product_2 = normal * (carving_greatest * s.facing + normal_difference);
+    vec3 normal_raised = normal * (carving_greatest * s.facing + normal_difference);
     WrinkleMaterial_carved_ball m;
-    m.normal = normalize(normal_product_2 + (carving_texel + normal_product));
+    m.normal = normalize(normal_raised + (carving_texel + normal_product));
     return m;
 }

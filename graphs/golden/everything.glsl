@@ -159,9 +159,8 @@ WrinkleMaterial_everything wrinkle_everything(WrinkleSurface_everything s) {
     vec3 normal_along_u = cross(uv1_bitangent, normal) * normal_slope_u;
     float normal_slope_v = normal_slope.y * (uv1_scale * (screen_area < 0.0 ? -1.0 : 1.0));
     vec3 normal_sum = normal_along_u + uv1_bitangent * normal_slope_v;
-    vec2 normal_product_3 = bricks_slope_3 * normal_negated * inverse_area;
-    vec3 normal_cross_product = cross(normal, dpdx * normal_product_3.y -
-            dpdy * normal_product_3.x);
+    vec2 normal_per_area = bricks_slope_3 * normal_negated * inverse_area;
+    vec3 normal_cross_product = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     vec3 normal_sum_2 = carving_texel * cloth_depth + normal_sum + normal_cross_product;
     vec3 normal_sum_3 = normal_sum_2 + normal_product_2;
     vec3 normal_sum_4 = normal * (normal_product * s.facing + normal_difference) + normal_sum_3;

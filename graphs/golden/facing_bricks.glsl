@@ -54,8 +54,8 @@ WrinkleMaterial_facing_bricks wrinkle_facing_bricks(WrinkleSurface_facing_bricks
     // bumped: Resolve
     vec2 bumped_vector = vec2(bricks_dot_product_2, dot(bricks_slope_2, bricks_texels_dy));
     float bumped_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.12;
-    vec2 bumped_product_2 = bumped_vector * bumped_product;
-    vec3 bumped_gradient = cross(normal, dpdx * bumped_product_2.y - dpdy * bumped_product_2.x);
+    vec2 bumped_per_area = bumped_vector * bumped_product;
+    vec3 bumped_gradient = cross(normal, dpdx * bumped_per_area.y - dpdy * bumped_per_area.x);
     vec3 bumped_normal = normalize(normal * s.facing - bumped_gradient);
     WrinkleMaterial_facing_bricks m;
     // facing: Face the viewer

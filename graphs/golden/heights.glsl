@@ -157,8 +157,8 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     vec2 fitted_choice_2 = 1.0 < max(fitted_quotient, 0.0) ? vec2(0.0) : fitted_choice;
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.06;
-    vec2 normal_product_2 = fitted_choice_2 * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = fitted_choice_2 * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_heights m;
     m.normal = normalize(normal * s.facing - normal_gradient);
     m.height = 0.06 * clamp(fitted_quotient, 0.0, 1.0);  // fitted: Remap height (continued)

@@ -266,9 +266,8 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
     vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (grain_sum_4.y * normal_product);
     vec3 normal_sum = s.tangent.xyz * (grain_sum_4.x * inverse_normal_length) + normal_along_v;
-    vec2 normal_product_2 = pebbles_vector_14 * (sign(screen_area) / max(abs(screen_area), 1e-36));
-    vec3 normal_cross_product = cross(normal, dpdx * normal_product_2.y -
-            dpdy * normal_product_2.x);
+    vec2 normal_per_area = pebbles_vector_14 * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec3 normal_cross_product = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     vec3 normal_gradient = normal_sum + normal_cross_product;
     vec3 normal_bumped = normal * s.facing - normal_gradient;
     // tint: Hex-tiled colour

@@ -35,20 +35,18 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
     vec3 bricks_product = normal * s.facing;  // bricks: Height map
     vec2 bricks_size = vec2(textureSize(parallax_bricks_bricks_image, 0));
     vec2 march_uv_dx = dFdx(s.uv0);  // march: Parallax occlusion
-    float march_dot_product = dot(bricks_product, s.view);
-    vec3 march_difference = s.view - bricks_product * march_dot_product;
-    vec3 march_difference_2 = dpdy - bricks_product * dot(bricks_product, dpdy);
-    vec3 march_cross_product = cross(march_difference_2, bricks_product);
-    vec2 march_product = march_uv_dx * dot(march_difference, march_cross_product);
+    float march_cosine = dot(bricks_product, s.view);
+    vec3 march_sideways = s.view - bricks_product * march_cosine;
+    vec3 march_across_y = cross(dpdy - bricks_product * dot(bricks_product, dpdy), bricks_product);
+    vec2 march_along_x = march_uv_dx * dot(march_sideways, march_across_y);
     vec2 march_uv_dy = dFdy(s.uv0);
-    vec3 march_difference_3 = dpdx - bricks_product * dot(bricks_product, dpdx);
-    float march_dot_product_2 = dot(march_difference, cross(bricks_product, march_difference_3));
-    vec2 march_sum = march_product + march_uv_dy * march_dot_product_2;
-    float march_dot_product_3 = dot(march_difference_3, march_cross_product);
-    float march_sign = march_dot_product_3 < 0.0 ? -1.0 : 1.0;
-    vec2 march_product_2 = march_sum * (march_sign / max(abs(march_dot_product_3), 1e-36));
-    vec2 march_product_3 = march_product_2 * (-1.0 / max(abs(march_dot_product), 0.1));
-    float march_quotient = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
+    vec3 march_difference = dpdx - bricks_product * dot(bricks_product, dpdx);
+    float march_dot_product = dot(march_sideways, cross(bricks_product, march_difference));
+    float march_det = dot(march_difference, march_across_y);
+    float march_inverse_det = (march_det < 0.0 ? -1.0 : 1.0) / max(abs(march_det), 1e-36);
+    vec2 march_product = (march_along_x + march_uv_dy * march_dot_product) * march_inverse_det;
+    vec2 march_uv_descent = march_product * (-1.0 / max(abs(march_cosine), 0.1));
+    float march_depth_step = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_sideways)), 1.0);
     vec2 tile_uv = vec2(s.uv0.x * 2.0, s.uv0.y);  // tile: UV transform
     vec2 tile_uv_dx = vec2(march_uv_dx.x * 2.0, march_uv_dx.y);
     vec2 tile_uv_dy = vec2(march_uv_dy.x * 2.0, march_uv_dy.y);
@@ -62,54 +60,54 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
     vec2 bricks_texel_step = bricks_footprint / bricks_size;
     float bricks_magnified = clamp((0.5 - log2(bricks_footprint)) / 0.45, 0.0, 1.0);
     // march: Parallax occlusion (continued)
-    float march_state = 0.0;
-    float march_state_2 = bricks_height;
-    float march_state_3 = 0.0;
-    float march_state_4 = bricks_height;
+    float march_depth_before = 0.0;
+    float march_under_before = bricks_height;
+    float march_depth = 0.0;
+    float march_under = bricks_height;
     for (int i = 0; i < 33; ++i) {
-        if (!(march_state_4 < 0.0 && march_state_3 < 0.03)) break;
-        float march_least = min(march_state_3 + march_quotient, 0.03);
-        vec2 march_sum_2 = s.uv0 + march_product_3 * march_least;
-        // tile: UV transform (continued)
-        vec2 tile_vector = vec2(march_sum_2.x * 2.0, march_sum_2.y);
+        if (!(march_under < 0.0 && march_depth < 0.03)) break;
+        float march_next = min(march_depth + march_depth_step, 0.03);
+        vec2 march_sum = s.uv0 + march_uv_descent * march_next;
+        vec2 tile_vector = vec2(march_sum.x * 2.0, march_sum.y);  // tile: UV transform (continued)
         // bricks: Height map (continued)
         vec4 bricks_texel = textureGrad(parallax_bricks_bricks_image, tile_vector, tile_uv_dx,
                 tile_uv_dy);
-        march_state = march_state_3;
-        march_state_2 = march_state_4;
-        march_state_3 = march_least;
-        march_state_4 = (bricks_texel.x - 1.0) * 0.03 + march_least;
+        march_depth_before = march_depth;
+        march_under_before = march_under;
+        march_depth = march_next;
+        march_under = (bricks_texel.x - 1.0) * 0.03 + march_next;
     }
     // march: Parallax occlusion (continued)
-    float march_state_5 = march_state;
-    float march_state_6 = march_state_2;
-    float march_state_7 = march_state_3;
-    float march_state_8 = march_state_4;
+    float march_depth_above = march_depth_before;
+    float march_under_above = march_under_before;
+    float march_depth_below = march_depth;
+    float march_under_below = march_under;
     for (int i_2 = 0; i_2 < 3; ++i_2) {
-        if (!(march_state_8 > 0.0)) break;
-        float march_difference_4 = march_state_6 - march_state_8;
-        float march_sum_3 = march_state_5 +
-                (march_state_7 - march_state_5) *
-                (march_difference_4 != 0.0 ? march_state_6 / march_difference_4 : 0.0);
-        vec2 march_sum_4 = s.uv0 + march_product_3 * march_sum_3;
+        if (!(march_under_below > 0.0)) break;
+        float march_difference_2 = march_under_above - march_under_below;
+        float march_meeting = march_depth_above +
+                (march_depth_below - march_depth_above) *
+                (march_difference_2 != 0.0 ? march_under_above / march_difference_2 : 0.0);
+        vec2 march_sum_2 = s.uv0 + march_uv_descent * march_meeting;
         // tile: UV transform (continued)
-        vec2 tile_vector_2 = vec2(march_sum_4.x * 2.0, march_sum_4.y);
+        vec2 tile_vector_2 = vec2(march_sum_2.x * 2.0, march_sum_2.y);
         // bricks: Height map (continued)
         vec4 bricks_texel_2 = textureGrad(parallax_bricks_bricks_image, tile_vector_2, tile_uv_dx,
                 tile_uv_dy);
         // march: Parallax occlusion (continued)
-        float march_sum_5 = (bricks_texel_2.x - 1.0) * 0.03 + march_sum_3;
-        bool march_test = march_sum_5 < 0.0;
-        march_state_5 = march_test ? march_sum_3 : march_state_5;
-        march_state_6 = march_test ? march_sum_5 : march_state_6;
-        march_state_7 = march_test ? march_state_7 : march_sum_3;
-        march_state_8 = march_test ? march_state_8 : march_sum_5;
+        float march_here = (bricks_texel_2.x - 1.0) * 0.03 + march_meeting;
+        bool march_above = march_here < 0.0;
+        march_depth_above = march_above ? march_meeting : march_depth_above;
+        march_under_above = march_above ? march_here : march_under_above;
+        march_depth_below = march_above ? march_depth_below : march_meeting;
+        march_under_below = march_above ? march_under_below : march_here;
     }
-    float march_difference_5 = march_state_6 - march_state_8;
-    float march_choice = march_difference_5 != 0.0 ? march_state_6 / march_difference_5 : 0.0;
-    float march_sum_6 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
-    vec2 march_product_4 = march_product_3 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
-    vec2 march_uv = s.uv0 + march_product_4;
+    float march_difference_3 = march_under_above - march_under_below;
+    float march_choice = march_difference_3 != 0.0 ? march_under_above / march_difference_3 : 0.0;
+    float march_sum_3 = march_depth_above + (march_depth_below - march_depth_above) * march_choice;
+    vec2 march_product_2 = march_uv_descent *
+            (march_under_below < 0.0 ? march_depth_below : march_sum_3);
+    vec2 march_uv = s.uv0 + march_product_2;
     float tile_product = march_uv.x * 2.0;  // tile: UV transform (continued)
     vec2 tile_vector_3 = vec2(tile_product, march_uv.y);
     // bricks: Height map (continued)
@@ -129,8 +127,8 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
     // normal: Resolve
     vec2 normal_vector = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_texels_dy));
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
-    vec2 normal_product_2 = normal_vector * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = normal_vector * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_parallax_bricks m;
     m.normal = normalize(bricks_product - normal_gradient);
     m.height = (bricks_texel_5.x - 1.0) * 0.03;  // march: Parallax occlusion (continued)

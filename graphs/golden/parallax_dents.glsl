@@ -106,23 +106,22 @@ WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_de
     vec2 pebbles_size = vec2(textureSize(parallax_dents_pebbles_image, 0));
     vec3 march_position_dx = dFdx(s.position_relative);  // march: Parallax occlusion
     vec2 march_uv_dx = dFdx(s.uv0);
-    float march_dot_product = dot(pebbles_product, s.view);
-    vec3 march_difference = s.view - pebbles_product * march_dot_product;
+    float march_cosine = dot(pebbles_product, s.view);
+    vec3 march_sideways = s.view - pebbles_product * march_cosine;
     vec3 march_position_dy = dFdy(s.position_relative);
     vec3 march_product = pebbles_product * dot(pebbles_product, march_position_dy);
-    vec3 march_cross_product = cross(march_position_dy - march_product, pebbles_product);
-    vec2 march_product_2 = march_uv_dx * dot(march_difference, march_cross_product);
+    vec3 march_across_y = cross(march_position_dy - march_product, pebbles_product);
+    vec2 march_along_x = march_uv_dx * dot(march_sideways, march_across_y);
     vec2 march_uv_dy = dFdy(s.uv0);
-    vec3 march_product_3 = pebbles_product * dot(pebbles_product, march_position_dx);
-    vec3 march_difference_2 = march_position_dx - march_product_3;
-    float march_dot_product_2 = dot(march_difference, cross(pebbles_product, march_difference_2));
-    vec2 march_sum = march_product_2 + march_uv_dy * march_dot_product_2;
-    float march_dot_product_3 = dot(march_difference_2, march_cross_product);
-    float march_sign = march_dot_product_3 < 0.0 ? -1.0 : 1.0;
-    vec2 march_product_4 = march_sum * (march_sign / max(abs(march_dot_product_3), 1e-36));
-    float march_quotient = -1.0 / max(abs(march_dot_product), 0.1);
-    vec2 march_product_5 = march_product_4 * march_quotient;
-    float march_quotient_2 = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
+    vec3 march_product_2 = pebbles_product * dot(pebbles_product, march_position_dx);
+    vec3 march_difference = march_position_dx - march_product_2;
+    float march_dot_product = dot(march_sideways, cross(pebbles_product, march_difference));
+    float march_det = dot(march_difference, march_across_y);
+    float march_inverse_det = (march_det < 0.0 ? -1.0 : 1.0) / max(abs(march_det), 1e-36);
+    vec2 march_product_3 = (march_along_x + march_uv_dy * march_dot_product) * march_inverse_det;
+    float march_per_depth = -1.0 / max(abs(march_cosine), 0.1);
+    vec2 march_uv_descent = march_product_3 * march_per_depth;
+    float march_depth_step = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_sideways)), 1.0);
     float screen_area = dot(normal, cross(march_position_dx, march_position_dy));
     vec2 tile_uv = s.uv0 * 2.0;  // tile: UV transform
     vec2 tile_uv_dx = march_uv_dx * 2.0;
@@ -137,55 +136,56 @@ WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_de
     vec2 pebbles_texel_step = pebbles_footprint / pebbles_size;
     float pebbles_magnified = clamp((0.5 - log2(pebbles_footprint)) / 0.45, 0.0, 1.0);
     // march: Parallax occlusion (continued)
-    float march_state = 0.0;
-    float march_state_2 = pebbles_height;
-    float march_state_3 = 0.0;
-    float march_state_4 = pebbles_height;
+    float march_depth_before = 0.0;
+    float march_under_before = pebbles_height;
+    float march_depth = 0.0;
+    float march_under = pebbles_height;
     for (int i = 0; i < 33; ++i) {
-        if (!(march_state_4 < 0.0 && march_state_3 < 0.03)) break;
-        float march_least = min(march_state_3 + march_quotient_2, 0.03);
+        if (!(march_under < 0.0 && march_depth < 0.03)) break;
+        float march_next = min(march_depth + march_depth_step, 0.03);
         // tile: UV transform (continued)
-        vec2 tile_product = (s.uv0 + march_product_5 * march_least) * 2.0;
+        vec2 tile_product = (s.uv0 + march_uv_descent * march_next) * 2.0;
         // pebbles: Height map (continued)
         vec4 pebbles_texel = textureGrad(parallax_dents_pebbles_image, tile_product, tile_uv_dx,
                 tile_uv_dy);
         float pebbles_texel_2 = (pebbles_texel.x - 1.0) * 0.03;
-        march_state = march_state_3;
-        march_state_2 = march_state_4;
-        march_state_3 = march_least;
-        march_state_4 = pebbles_texel_2 + march_least;
+        march_depth_before = march_depth;
+        march_under_before = march_under;
+        march_depth = march_next;
+        march_under = pebbles_texel_2 + march_next;
     }
     // march: Parallax occlusion (continued)
-    float march_state_5 = march_state;
-    float march_state_6 = march_state_2;
-    float march_state_7 = march_state_3;
-    float march_state_8 = march_state_4;
+    float march_depth_above = march_depth_before;
+    float march_under_above = march_under_before;
+    float march_depth_below = march_depth;
+    float march_under_below = march_under;
     for (int i_2 = 0; i_2 < 3; ++i_2) {
-        if (!(march_state_8 > 0.0)) break;
-        float march_difference_3 = march_state_6 - march_state_8;
-        float march_sum_2 = march_state_5 +
-                (march_state_7 - march_state_5) *
-                (march_difference_3 != 0.0 ? march_state_6 / march_difference_3 : 0.0);
+        if (!(march_under_below > 0.0)) break;
+        float march_difference_2 = march_under_above - march_under_below;
+        float march_meeting = march_depth_above +
+                (march_depth_below - march_depth_above) *
+                (march_difference_2 != 0.0 ? march_under_above / march_difference_2 : 0.0);
         // tile: UV transform (continued)
-        vec2 tile_product_2 = (s.uv0 + march_product_5 * march_sum_2) * 2.0;
+        vec2 tile_product_2 = (s.uv0 + march_uv_descent * march_meeting) * 2.0;
         // pebbles: Height map (continued)
         vec4 pebbles_texel_3 = textureGrad(parallax_dents_pebbles_image, tile_product_2,
                 tile_uv_dx, tile_uv_dy);
         float pebbles_texel_4 = (pebbles_texel_3.x - 1.0) * 0.03;
-        float march_sum_3 = pebbles_texel_4 + march_sum_2;  // march: Parallax occlusion (continued)
-        bool march_test = march_sum_3 < 0.0;
-        march_state_5 = march_test ? march_sum_2 : march_state_5;
-        march_state_6 = march_test ? march_sum_3 : march_state_6;
-        march_state_7 = march_test ? march_state_7 : march_sum_2;
-        march_state_8 = march_test ? march_state_8 : march_sum_3;
+        // march: Parallax occlusion (continued)
+        float march_here = pebbles_texel_4 + march_meeting;
+        bool march_above = march_here < 0.0;
+        march_depth_above = march_above ? march_meeting : march_depth_above;
+        march_under_above = march_above ? march_here : march_under_above;
+        march_depth_below = march_above ? march_depth_below : march_meeting;
+        march_under_below = march_above ? march_under_below : march_here;
     }
-    float march_difference_4 = march_state_6 - march_state_8;
-    float march_choice = march_difference_4 != 0.0 ? march_state_6 / march_difference_4 : 0.0;
-    float march_sum_4 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
-    float march_choice_2 = march_state_8 < 0.0 ? march_state_7 : march_sum_4;
-    vec2 march_uv = s.uv0 + march_product_5 * march_choice_2;
-    vec3 march_product_6 = (march_difference * march_quotient - pebbles_product) * march_choice_2;
-    vec3 march_position = s.position + march_product_6;
+    float march_difference_3 = march_under_above - march_under_below;
+    float march_choice = march_difference_3 != 0.0 ? march_under_above / march_difference_3 : 0.0;
+    float march_sum = march_depth_above + (march_depth_below - march_depth_above) * march_choice;
+    float march_choice_2 = march_under_below < 0.0 ? march_depth_below : march_sum;
+    vec2 march_uv = s.uv0 + march_uv_descent * march_choice_2;
+    vec3 march_product_4 = (march_sideways * march_per_depth - pebbles_product) * march_choice_2;
+    vec3 march_position = s.position + march_product_4;
     vec2 tile_product_3 = march_uv * 2.0;  // tile: UV transform (continued)
     // pebbles: Height map (continued)
     vec2 pebbles_vector = vec2(tile_product_3.x + pebbles_texel_step.x, tile_product_3.y);
@@ -204,9 +204,9 @@ WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_de
     // relief: Resolve
     vec2 relief_vector = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_texels_dy));
     float relief_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
-    vec2 relief_product_2 = relief_vector * relief_product;
-    vec3 relief_product_3 = march_position_dx * relief_product_2.y;
-    vec3 relief_gradient = cross(normal, relief_product_3 - march_position_dy * relief_product_2.x);
+    vec2 relief_per_area = relief_vector * relief_product;
+    vec3 relief_product_2 = march_position_dx * relief_per_area.y;
+    vec3 relief_gradient = cross(normal, relief_product_2 - march_position_dy * relief_per_area.x);
     vec3 relief_normal = normalize(pebbles_product - relief_gradient);
     // dents: Gradient noise
     float dents_width = max(length(march_position_dx), length(march_position_dy));

@@ -96,81 +96,80 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     vec3 point_vector = vec3(s.uv0, 0.37);  // point: Combine vec3
     vec3 march_product = normal * s.facing;  // march: Parallax occlusion
     vec2 march_uv_dx = dFdx(s.uv0);
-    float march_dot_product = dot(march_product, s.view);
-    vec3 march_difference = s.view - march_product * march_dot_product;
-    vec3 march_difference_2 = dpdy - march_product * dot(march_product, dpdy);
-    vec3 march_cross_product = cross(march_difference_2, march_product);
-    vec2 march_product_2 = march_uv_dx * dot(march_difference, march_cross_product);
+    float march_cosine = dot(march_product, s.view);
+    vec3 march_sideways = s.view - march_product * march_cosine;
+    vec3 march_across_y = cross(dpdy - march_product * dot(march_product, dpdy), march_product);
+    vec2 march_along_x = march_uv_dx * dot(march_sideways, march_across_y);
     vec2 march_uv_dy = dFdy(s.uv0);
-    vec3 march_difference_3 = dpdx - march_product * dot(march_product, dpdx);
-    float march_dot_product_2 = dot(march_difference, cross(march_product, march_difference_3));
-    vec2 march_sum = march_product_2 + march_uv_dy * march_dot_product_2;
-    float march_dot_product_3 = dot(march_difference_3, march_cross_product);
-    float march_sign = march_dot_product_3 < 0.0 ? -1.0 : 1.0;
-    vec2 march_product_3 = march_sum * (march_sign / max(abs(march_dot_product_3), 1e-36));
-    float march_magnitude = abs(march_dot_product);
-    vec2 march_product_4 = march_product_3 * (-1.0 / max(march_magnitude, 0.1));
-    float march_quotient = 0.08 / max(32.0 * (0.25 + 0.75 * length(march_difference)), 1.0);
+    vec3 march_difference = dpdx - march_product * dot(march_product, dpdx);
+    float march_dot_product = dot(march_sideways, cross(march_product, march_difference));
+    float march_det = dot(march_difference, march_across_y);
+    float march_inverse_det = (march_det < 0.0 ? -1.0 : 1.0) / max(abs(march_det), 1e-36);
+    vec2 march_product_2 = (march_along_x + march_uv_dy * march_dot_product) * march_inverse_det;
+    float march_magnitude = abs(march_cosine);
+    vec2 march_uv_descent = march_product_2 * (-1.0 / max(march_magnitude, 0.1));
+    float march_depth_step = 0.08 / max(32.0 * (0.25 + 0.75 * length(march_sideways)), 1.0);
     float dunes_extent = length(vec3(march_uv_dx, 0.0));  // dunes: Gradient noise
     float dunes_width = max(dunes_extent, length(vec3(march_uv_dy, 0.0)));
     float dunes_height = wrinkle_parallax_detail_fbm(point_vector, dunes_width, 7.0, 2, 2.0,
             0.5).w * 0.08;
-    float march_difference_4 = dunes_height - 0.04;  // march: Parallax occlusion (continued)
-    float march_state = 0.0;
-    float march_state_2 = march_difference_4;
-    float march_state_3 = 0.0;
-    float march_state_4 = march_difference_4;
+    float march_first = dunes_height - 0.04;  // march: Parallax occlusion (continued)
+    float march_depth_before = 0.0;
+    float march_under_before = march_first;
+    float march_depth = 0.0;
+    float march_under = march_first;
     for (int i = 0; i < 33; ++i) {
-        if (!(march_state_4 < 0.0 && march_state_3 < 0.08)) break;
-        float march_least = min(march_state_3 + march_quotient, 0.08);
-        vec2 march_sum_2 = s.uv0 + march_product_4 * march_least;
+        if (!(march_under < 0.0 && march_depth < 0.08)) break;
+        float march_next = min(march_depth + march_depth_step, 0.08);
+        vec2 march_sum = s.uv0 + march_uv_descent * march_next;
         // dunes: Gradient noise (continued)
-        vec4 dunes = wrinkle_parallax_detail_fbm(vec3(march_sum_2, 0.37), dunes_width, 7.0, 2, 2.0,
+        vec4 dunes = wrinkle_parallax_detail_fbm(vec3(march_sum, 0.37), dunes_width, 7.0, 2, 2.0,
                 0.5);
-        march_state = march_state_3;
-        march_state_2 = march_state_4;
-        march_state_3 = march_least;
-        march_state_4 = dunes.w * 0.08 - 0.04 + march_least;
+        march_depth_before = march_depth;
+        march_under_before = march_under;
+        march_depth = march_next;
+        march_under = dunes.w * 0.08 - 0.04 + march_next;
     }
     // march: Parallax occlusion (continued)
-    float march_state_5 = march_state;
-    float march_state_6 = march_state_2;
-    float march_state_7 = march_state_3;
-    float march_state_8 = march_state_4;
+    float march_depth_above = march_depth_before;
+    float march_under_above = march_under_before;
+    float march_depth_below = march_depth;
+    float march_under_below = march_under;
     for (int i_2 = 0; i_2 < 3; ++i_2) {
-        if (!(march_state_8 > 0.0)) break;
-        float march_difference_5 = march_state_6 - march_state_8;
-        float march_sum_3 = march_state_5 +
-                (march_state_7 - march_state_5) *
-                (march_difference_5 != 0.0 ? march_state_6 / march_difference_5 : 0.0);
-        vec2 march_sum_4 = s.uv0 + march_product_4 * march_sum_3;
+        if (!(march_under_below > 0.0)) break;
+        float march_difference_2 = march_under_above - march_under_below;
+        float march_meeting = march_depth_above +
+                (march_depth_below - march_depth_above) *
+                (march_difference_2 != 0.0 ? march_under_above / march_difference_2 : 0.0);
+        vec2 march_sum_2 = s.uv0 + march_uv_descent * march_meeting;
         // dunes: Gradient noise (continued)
-        vec4 dunes_2 = wrinkle_parallax_detail_fbm(vec3(march_sum_4, 0.37), dunes_width, 7.0, 2,
+        vec4 dunes_2 = wrinkle_parallax_detail_fbm(vec3(march_sum_2, 0.37), dunes_width, 7.0, 2,
                 2.0, 0.5);
         // march: Parallax occlusion (continued)
-        float march_sum_5 = dunes_2.w * 0.08 - 0.04 + march_sum_3;
-        bool march_test = march_sum_5 < 0.0;
-        march_state_5 = march_test ? march_sum_3 : march_state_5;
-        march_state_6 = march_test ? march_sum_5 : march_state_6;
-        march_state_7 = march_test ? march_state_7 : march_sum_3;
-        march_state_8 = march_test ? march_state_8 : march_sum_5;
+        float march_here = dunes_2.w * 0.08 - 0.04 + march_meeting;
+        bool march_above = march_here < 0.0;
+        march_depth_above = march_above ? march_meeting : march_depth_above;
+        march_under_above = march_above ? march_here : march_under_above;
+        march_depth_below = march_above ? march_depth_below : march_meeting;
+        march_under_below = march_above ? march_under_below : march_here;
     }
-    float march_difference_6 = march_state_6 - march_state_8;
-    float march_choice = march_difference_6 != 0.0 ? march_state_6 / march_difference_6 : 0.0;
-    float march_sum_6 = march_state_5 + (march_state_7 - march_state_5) * march_choice;
-    vec2 march_product_5 = march_product_4 * (march_state_8 < 0.0 ? march_state_7 : march_sum_6);
-    vec2 march_uv = s.uv0 + march_product_5;
+    float march_difference_3 = march_under_above - march_under_below;
+    float march_choice = march_difference_3 != 0.0 ? march_under_above / march_difference_3 : 0.0;
+    float march_sum_3 = march_depth_above + (march_depth_below - march_depth_above) * march_choice;
+    vec2 march_product_3 = march_uv_descent *
+            (march_under_below < 0.0 ? march_depth_below : march_sum_3);
+    vec2 march_uv = s.uv0 + march_product_3;
     // dunes: Gradient noise (continued)
     vec4 dunes_3 = wrinkle_parallax_detail_fbm(vec3(march_uv, 0.37), dunes_width, 7.0, 2, 2.0, 0.5);
     vec2 dunes_product = dunes_3.x * vec2(march_uv_dx.x, march_uv_dy.x);
     vec2 dunes_sum = dunes_product + dunes_3.y * vec2(march_uv_dx.y, march_uv_dy.y);
     // march: Parallax occlusion (continued)
-    vec2 march_product_6 = dunes_sum * (sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08);
-    vec3 march_gradient = cross(normal, dpdx * march_product_6.y - dpdy * march_product_6.x);
+    vec2 march_per_area = dunes_sum * (sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08);
+    vec3 march_gradient = cross(normal, dpdx * march_per_area.y - dpdy * march_per_area.x);
     vec3 relief_normal = normalize(march_product - march_gradient);  // relief: Resolve
     // march: Parallax occlusion (continued)
-    float march_quotient_2 = march_magnitude / max(abs(dot(relief_normal, s.view)), 1.19e-15);
-    float march_logarithm = log2(max(march_quotient_2, 9.536743e-07));
+    float march_quotient = march_magnitude / max(abs(dot(relief_normal, s.view)), 1.19e-15);
+    float march_logarithm = log2(max(march_quotient, 9.536743e-07));
     float march_lod = 0.5 * march_logarithm;
     float march_exponential = exp2(march_lod);
     vec2 tile_uv = march_uv * 4.0;  // tile: UV transform

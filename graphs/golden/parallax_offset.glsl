@@ -36,14 +36,13 @@ WrinkleMaterial_parallax_offset wrinkle_parallax_offset(WrinkleSurface_parallax_
     vec2 pebbles_size = vec2(textureSize(parallax_offset_pebbles_image, 0));
     vec2 shift_uv_dx = dFdx(s.uv0);  // shift: Parallax offset
     vec3 shift_difference = dpdy - pebbles_product * dot(pebbles_product, dpdy);
-    vec3 shift_cross_product = cross(shift_difference, pebbles_product);
+    vec3 shift_across_y = cross(shift_difference, pebbles_product);
     vec2 shift_uv_dy = dFdy(s.uv0);
     vec3 shift_difference_2 = dpdx - pebbles_product * dot(pebbles_product, dpdx);
     vec2 shift_product = shift_uv_dy * dot(s.view, cross(pebbles_product, shift_difference_2));
-    vec2 shift_sum = shift_uv_dx * dot(s.view, shift_cross_product) + shift_product;
-    float shift_dot_product = dot(shift_difference_2, shift_cross_product);
-    float shift_sign = shift_dot_product < 0.0 ? -1.0 : 1.0;
-    vec2 shift_product_2 = shift_sum * (shift_sign / max(abs(shift_dot_product), 1e-36));
+    vec2 shift_sum = shift_uv_dx * dot(s.view, shift_across_y) + shift_product;
+    float shift_det = dot(shift_difference_2, shift_across_y);
+    float shift_inverse_det = (shift_det < 0.0 ? -1.0 : 1.0) / max(abs(shift_det), 1e-36);
     vec2 tile_uv = s.uv0 * 2.0;  // tile: UV transform
     vec2 tile_uv_dx = shift_uv_dx * 2.0;
     vec2 tile_uv_dy = shift_uv_dy * 2.0;
@@ -57,7 +56,7 @@ WrinkleMaterial_parallax_offset wrinkle_parallax_offset(WrinkleSurface_parallax_
     vec2 pebbles_texel_step = pebbles_footprint / pebbles_size;
     float pebbles_magnified = clamp((0.5 - log2(pebbles_footprint)) / 0.45, 0.0, 1.0);
     // shift: Parallax offset (continued)
-    vec2 shift_uv = s.uv0 - shift_product_2 * -pebbles_height;
+    vec2 shift_uv = s.uv0 - shift_sum * shift_inverse_det * -pebbles_height;
     vec2 tile_product = shift_uv * 2.0;  // tile: UV transform (continued)
     // pebbles: Height map (continued)
     vec2 pebbles_vector = vec2(tile_product.x + pebbles_texel_step.x, tile_product.y);
@@ -76,8 +75,8 @@ WrinkleMaterial_parallax_offset wrinkle_parallax_offset(WrinkleSurface_parallax_
     // normal: Resolve
     vec2 normal_vector = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_texels_dy));
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
-    vec2 normal_product_2 = normal_vector * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = normal_vector * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_parallax_offset m;
     m.normal = normalize(pebbles_product - normal_gradient);
     m.height = (pebbles_texel_3.x - 0.5) * 0.03;  // shift: Parallax offset (continued)

@@ -53,8 +53,8 @@ WrinkleMaterial_plain_height wrinkle_plain_height(WrinkleSurface_plain_height s)
     // normal: Resolve
     vec2 normal_vector = vec2(bricks_dot_product_2, dot(bricks_slope_2, bricks_texels_dy));
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.04;
-    vec2 normal_product_2 = normal_vector * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = normal_vector * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_plain_height m;
     m.normal = normalize(normal * s.facing - normal_gradient);
     m.height = (bricks_here.x - 0.5) * 0.04;  // bricks: Height map (continued)

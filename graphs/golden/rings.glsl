@@ -71,8 +71,8 @@ WrinkleMaterial_rings wrinkle_rings(WrinkleSurface_rings s) {
     // sum: Add heights
     vec2 sum_slope = waves_slope * 0.01 * edge_result + bend_slope * (1.0 - odd_result) * 0.01;
     // normal: Resolve
-    vec2 normal_product = sum_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
-    vec3 normal_gradient = cross(normal, dpdx * normal_product.y - dpdy * normal_product.x);
+    vec2 normal_per_area = sum_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     float relief_result = waves_result * 0.01;  // relief: Multiply
     float ringed_result = relief_result * edge_result;  // ringed: Multiply
     float spokes_result = mix(bend_result, 0.2, odd_result);  // spokes: Mix

@@ -242,8 +242,8 @@ WrinkleMaterial_rusty_steel wrinkle_rusty_steel(WrinkleSurface_rusty_steel s) {
     vec2 dusty_product = rusted_slope * (1.0 - dust_mask_result);  // dusty: Mix heights
     vec2 dusty_slope = dusty_product + dust_edge_slope * 0.6 * (0.004 - rusted_height);
     // normal: Resolve
-    vec2 normal_product = dusty_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
-    vec3 normal_gradient = cross(normal, dpdx * normal_product.y - dpdy * normal_product.x);
+    vec2 normal_per_area = dusty_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     float tone_result = (bends.w + 0.6) / 1.2;  // tone: Remap
     // steel_color: Mix vec3
     vec3 steel_color_vector = mix(vec3(0.45, 0.46, 0.48), vec3(0.6, 0.6, 0.62), tone_result);

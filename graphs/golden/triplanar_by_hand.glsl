@@ -30,23 +30,21 @@ vec2 wrinkle_triplanar_by_hand_smooth_slope(vec2 at, vec2 texel) {
 
 WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_triplanar_by_hand s) {
     vec3 normal = normalize(s.normal);  // the surface point
+    float normal_side_z = normal.z < 0.0 ? -1.0 : 1.0;
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float side_negated = -(normal.x < 0.0 ? -1.0 : 1.0);  // side: Planar UV
     vec2 side_uv = vec2(side_negated * s.position.z, s.position.y) * 2.0;
     float side_negated_2 = -(normal.y < 0.0 ? -1.0 : 1.0);
-    float side_sign = normal.z < 0.0 ? -1.0 : 1.0;
     vec2 top_uv = vec2(s.position.x, side_negated_2 * s.position.z) * 4.0;  // top: Planar UV
-    vec3 weights_greatest = max(abs(normal) - 0.2, vec3(0.0));  // weights: Triplanar weights
-    float weights_greatest_2 = max(weights_greatest.x, weights_greatest.y);
-    float weights_greatest_3 = max(weights_greatest_2, weights_greatest.z);
-    vec3 weights_quotient = weights_greatest / weights_greatest_3;
-    vec3 weights_choice = weights_greatest_3 != 0.0 ? weights_quotient : vec3(0.0);
+    vec3 weights_above = max(abs(normal) - 0.2, vec3(0.0));  // weights: Triplanar weights
+    float weights_most = max(max(weights_above.x, weights_above.y), weights_above.z);
+    vec3 weights_choice = weights_most != 0.0 ? weights_above / weights_most : vec3(0.0);
     vec3 weights_product = weights_choice * weights_choice;
-    vec3 weights_product_2 = weights_product * weights_product;
-    float weights_sum = weights_product_2.x + weights_product_2.y + weights_product_2.z;
-    vec3 weights_weights = weights_product_2 / max(weights_sum, 1e-36);
-    vec2 front_uv = vec2(side_sign * s.position.x, s.position.y) * 2.0;  // front: Planar UV
+    vec3 weights_powers = weights_product * weights_product;
+    float weights_sum = weights_powers.x + weights_powers.y + weights_powers.z;
+    vec3 weights_weights = weights_powers / max(weights_sum, 1e-36);
+    vec2 front_uv = vec2(normal_side_z * s.position.x, s.position.y) * 2.0;  // front: Planar UV
     // rivets: Tangent normal map
     vec3 rivets_texel = texture(triplanar_by_hand_rivets_image, side_uv).xyz - 0.5;
     float rivets_product = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
@@ -64,9 +62,9 @@ WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_tripl
     vec3 rivets_greatest_2 = max(rivets_magnitude_2, abs(vec3(rivets_texel.y, weave_texel.yy)));
     vec3 rivets_depth = max(max(rivets_magnitude, rivets_greatest_2 * 0.0078125), 5e-07);
     vec2 bricks_size = vec2(textureSize(triplanar_by_hand_bricks_image, 0));  // bricks: Height map
-    vec2 bricks_texels_dx = vec2(dpdx.x * side_sign, dpdx.y) * 2.0 * bricks_size;
+    vec2 bricks_texels_dx = vec2(dpdx.x * normal_side_z, dpdx.y) * 2.0 * bricks_size;
     float bricks_dot_product = dot(bricks_texels_dx, bricks_texels_dx);
-    vec2 bricks_texels_dy = vec2(dpdy.x * side_sign, dpdy.y) * 2.0 * bricks_size;
+    vec2 bricks_texels_dy = vec2(dpdy.x * normal_side_z, dpdy.y) * 2.0 * bricks_size;
     float bricks_greatest = max(bricks_dot_product, dot(bricks_texels_dy, bricks_texels_dy));
     float bricks_footprint = sqrt(max(bricks_greatest, 1.0));
     vec2 bricks_texel_step = bricks_footprint / bricks_size;
@@ -80,7 +78,7 @@ WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_tripl
     vec2 bricks_slope = wrinkle_triplanar_by_hand_smooth_slope(front_uv, 1.0 / bricks_size);
     float bricks_magnified = clamp((0.5 - log2(bricks_footprint)) / 0.45, 0.0, 1.0);
     vec2 bricks_slope_2 = mix(bricks_coarse, bricks_slope, bricks_magnified);
-    vec2 bricks_product = bricks_slope_2 * (vec2(side_sign * 2.0, 2.0) * bricks_size);
+    vec2 bricks_product = bricks_slope_2 * (vec2(normal_side_z * 2.0, 2.0) * bricks_size);
     vec3 bricks_vector_3 = vec3(bricks_product, weave_texel_2.y);
     vec3 bricks_product_2 = bricks_vector_3 * vec3(0.02, 0.02, side_negated_2 * 4.0);
     // normal: Resolve
@@ -89,8 +87,8 @@ WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_tripl
     vec3 normal_vector = vec3(normal_negated, normal_negated, rivets_greatest);
     vec3 normal_product_2 = bricks_product_2 * weights_weights.zzy * normal_vector;
     vec3 normal_sum = weave_product_2 * weights_weights.yxx * rivets_depth + normal_product_2;
-    vec3 normal_product_3 = normal * (normal_product * s.facing - dot(normal, normal_sum));
+    vec3 normal_raised = normal * (normal_product * s.facing - dot(normal, normal_sum));
     WrinkleMaterial_triplanar_by_hand m;
-    m.normal = normalize(normal_product_3 + normal_sum);
+    m.normal = normalize(normal_raised + normal_sum);
     return m;
 }

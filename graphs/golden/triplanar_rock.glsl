@@ -48,11 +48,13 @@ vec2 wrinkle_triplanar_rock_smooth_slope_2(vec2 at, vec2 texel) {
 WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_rock s) {
     vec3 normal = normalize(s.normal);  // the surface point
     vec3 dpdx = dFdx(s.position_relative);
+    float normal_side_y = normal.y < 0.0 ? -1.0 : 1.0;
     vec3 dpdy = dFdy(s.position_relative);
+    float normal_side_x = normal.x < 0.0 ? -1.0 : 1.0;
+    float normal_side_z = normal.z < 0.0 ? -1.0 : 1.0;
     vec3 pebbles_product = s.position * 1.5;  // pebbles: Triplanar height map
     vec3 pebbles_product_2 = dpdx * 1.5;
-    float pebbles_sign = normal.y < 0.0 ? -1.0 : 1.0;
-    float pebbles_negated = -pebbles_sign;
+    float pebbles_negated = -normal_side_y;
     vec2 pebbles_vector = vec2(pebbles_product_2.x, pebbles_product_2.z * pebbles_negated);
     vec2 pebbles_size = vec2(textureSize(triplanar_rock_pebbles_image, 0));
     vec2 pebbles_texels_dx = pebbles_vector * pebbles_size;
@@ -76,8 +78,7 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec2 pebbles_slope = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_5, pebbles_quotient);
     float pebbles_magnified = clamp((0.5 - log2(pebbles_footprint)) / 0.45, 0.0, 1.0);
     vec2 pebbles_slope_2 = mix(pebbles_coarse, pebbles_slope, pebbles_magnified);
-    float pebbles_sign_2 = normal.x < 0.0 ? -1.0 : 1.0;
-    float pebbles_negated_2 = -pebbles_sign_2;
+    float pebbles_negated_2 = -normal_side_x;
     float pebbles_product_5 = pebbles_negated_2 * pebbles_product.z;
     vec2 pebbles_vector_6 = vec2(pebbles_product_2.z * pebbles_negated_2, pebbles_product_2.y);
     vec2 pebbles_texels_dx_2 = pebbles_vector_6 * pebbles_size;
@@ -103,64 +104,62 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     float pebbles_product_7 = 1.5 * pebbles_negated_2 * pebbles_size.x;
     vec3 pebbles_vector_11 = vec3(1.5 * pebbles_size.x, pebbles_product_6, pebbles_product_7);
     vec3 pebbles_product_8 = vec3(pebbles_slope_2.x, pebbles_slope_4.yx) * pebbles_vector_11;
-    vec3 pebbles_greatest_3 = max(abs(normal) - 0.2, vec3(0.0));
-    vec3 pebbles_product_9 = pebbles_greatest_3 * pebbles_greatest_3 * pebbles_greatest_3;
-    float pebbles_sum = pebbles_product_9.x + pebbles_product_9.y + pebbles_product_9.z;
-    vec3 pebbles_quotient_2 = pebbles_product_9 / max(pebbles_sum, 1e-36);
-    vec3 pebbles_product_10 = pebbles_product_8 * pebbles_quotient_2.yxx;
-    float pebbles_sign_3 = normal.z < 0.0 ? -1.0 : 1.0;
-    float pebbles_product_11 = pebbles_sign_3 * pebbles_product.x;
-    vec2 pebbles_vector_12 = vec2(pebbles_product_2.x * pebbles_sign_3, pebbles_product_2.y);
+    vec3 pebbles_above_3 = max(abs(normal) - 0.2, vec3(0.0));
+    vec3 pebbles_powers = pebbles_above_3 * pebbles_above_3 * pebbles_above_3;
+    float pebbles_sum = pebbles_powers.x + pebbles_powers.y + pebbles_powers.z;
+    vec3 pebbles_weights = pebbles_powers / max(pebbles_sum, 1e-36);
+    vec3 pebbles_product_9 = pebbles_product_8 * pebbles_weights.yxx;
+    float pebbles_product_10 = normal_side_z * pebbles_product.x;
+    vec2 pebbles_vector_12 = vec2(pebbles_product_2.x * normal_side_z, pebbles_product_2.y);
     vec2 pebbles_texels_dx_3 = pebbles_vector_12 * pebbles_size;
     float pebbles_dot_product_3 = dot(pebbles_texels_dx_3, pebbles_texels_dx_3);
-    vec2 pebbles_vector_13 = vec2(pebbles_product_3.x * pebbles_sign_3, pebbles_product_3.y);
+    vec2 pebbles_vector_13 = vec2(pebbles_product_3.x * normal_side_z, pebbles_product_3.y);
     vec2 pebbles_texels_dy_3 = pebbles_vector_13 * pebbles_size;
-    float pebbles_greatest_4 = max(pebbles_dot_product_3,
+    float pebbles_greatest_3 = max(pebbles_dot_product_3,
             dot(pebbles_texels_dy_3, pebbles_texels_dy_3));
-    float pebbles_footprint_3 = sqrt(max(pebbles_greatest_4, 1.0));
+    float pebbles_footprint_3 = sqrt(max(pebbles_greatest_3, 1.0));
     vec2 pebbles_texel_step_3 = pebbles_footprint_3 / pebbles_size;
-    vec2 pebbles_vector_14 = vec2(pebbles_product_11 + pebbles_texel_step_3.x, pebbles_product.y);
+    vec2 pebbles_vector_14 = vec2(pebbles_product_10 + pebbles_texel_step_3.x, pebbles_product.y);
     vec4 pebbles_right_3 = texture(triplanar_rock_pebbles_image, pebbles_vector_14);
-    vec2 pebbles_vector_15 = vec2(pebbles_product_11, pebbles_product.y + pebbles_texel_step_3.y);
-    vec4 pebbles_above_3 = texture(triplanar_rock_pebbles_image, pebbles_vector_15);
-    vec2 pebbles_vector_16 = vec2(pebbles_product_11, pebbles_product.y);
+    vec2 pebbles_vector_15 = vec2(pebbles_product_10, pebbles_product.y + pebbles_texel_step_3.y);
+    vec4 pebbles_above_4 = texture(triplanar_rock_pebbles_image, pebbles_vector_15);
+    vec2 pebbles_vector_16 = vec2(pebbles_product_10, pebbles_product.y);
     vec4 pebbles_here_3 = texture(triplanar_rock_pebbles_image, pebbles_vector_16);
-    vec2 pebbles_difference_3 = vec2(pebbles_right_3.x, pebbles_above_3.x) - pebbles_here_3.x;
+    vec2 pebbles_difference_3 = vec2(pebbles_right_3.x, pebbles_above_4.x) - pebbles_here_3.x;
     vec2 pebbles_coarse_3 = pebbles_difference_3 * (1.0 / pebbles_footprint_3);
     vec2 pebbles_slope_5 = wrinkle_triplanar_rock_smooth_slope(pebbles_vector_16, pebbles_quotient);
     float pebbles_magnified_3 = clamp((0.5 - log2(pebbles_footprint_3)) / 0.45, 0.0, 1.0);
     vec2 pebbles_slope_6 = mix(pebbles_coarse_3, pebbles_slope_5, pebbles_magnified_3);
-    float pebbles_product_12 = 1.5 * pebbles_sign_3 * pebbles_size.x;
-    float pebbles_product_13 = 1.5 * pebbles_negated * pebbles_size.y;
-    vec3 pebbles_vector_17 = vec3(pebbles_product_12, pebbles_product_6, pebbles_product_13);
-    vec3 pebbles_product_14 = vec3(pebbles_slope_6, pebbles_slope_2.y) * pebbles_vector_17;
-    vec3 pebbles_slope_7 = (pebbles_product_10 + pebbles_product_14 * pebbles_quotient_2.zzy) *
-            0.05;
+    float pebbles_product_11 = 1.5 * normal_side_z * pebbles_size.x;
+    float pebbles_product_12 = 1.5 * pebbles_negated * pebbles_size.y;
+    vec3 pebbles_vector_17 = vec3(pebbles_product_11, pebbles_product_6, pebbles_product_12);
+    vec3 pebbles_product_13 = vec3(pebbles_slope_6, pebbles_slope_2.y) * pebbles_vector_17;
+    vec3 pebbles_slope_7 = (pebbles_product_9 + pebbles_product_13 * pebbles_weights.zzy) * 0.05;
     vec3 weave_product = s.position * 6.0;  // weave: Triplanar normal map
     vec2 weave_vector = vec2(weave_product.x, pebbles_negated * weave_product.z);
     vec3 weave_texel = texture(triplanar_rock_weave_image, weave_vector).xyz - 0.5;
-    vec3 weave_power = pow(pebbles_greatest_3, vec3(8.0));
-    float weave_greatest = max(weave_power.x + weave_power.y + weave_power.z, 1e-36);
-    vec3 weave_product_2 = weave_power / weave_greatest * 0.5;
+    vec3 weave_powers = pow(pebbles_above_3, vec3(8.0));
+    float weave_greatest = max(weave_powers.x + weave_powers.y + weave_powers.z, 1e-36);
+    vec3 weave_product_2 = weave_powers / weave_greatest * 0.5;
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
     float weave_quotient = -weave_product_2.y / weave_depth;
     vec2 weave_product_3 = weave_texel.xy * weave_quotient;
-    vec2 weave_vector_2 = vec2(pebbles_sign_3 * weave_product.x, weave_product.y);
+    vec2 weave_vector_2 = vec2(normal_side_z * weave_product.x, weave_product.y);
     vec3 weave_texel_2 = texture(triplanar_rock_weave_image, weave_vector_2).xyz - 0.5;
     float weave_least_depth_2 = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
     float weave_depth_2 = max(max(abs(weave_texel_2.z), weave_least_depth_2), 5e-07);
     float weave_quotient_2 = -weave_product_2.z / weave_depth_2;
     vec2 weave_product_4 = weave_texel_2.xy * weave_quotient_2;
-    float weave_sum = weave_product_3.x + weave_product_4.x * pebbles_sign_3;
+    float weave_sum = weave_product_3.x + weave_product_4.x * normal_side_z;
     vec2 weave_vector_3 = vec2(pebbles_negated_2 * weave_product.z, weave_product.y);
     vec3 weave_texel_3 = texture(triplanar_rock_weave_image, weave_vector_3).xyz - 0.5;
     float weave_least_depth_3 = max(abs(weave_texel_3.x), abs(weave_texel_3.y)) * 0.0078125;
     float weave_depth_3 = max(max(abs(weave_texel_3.z), weave_least_depth_3), 5e-07);
     float weave_quotient_3 = -weave_product_2.x / weave_depth_3;
     vec2 weave_product_5 = weave_texel_3.xy * weave_quotient_3;
-    float weave_negated = -(weave_product_5.x * pebbles_sign_2 + weave_product_3.y * pebbles_sign);
-    vec3 weave_volume = vec3(weave_sum, weave_product_5.y + weave_product_4.y, weave_negated);
+    float weave_sum_2 = weave_product_5.x * normal_side_x + weave_product_3.y * normal_side_y;
+    vec3 weave_volume = vec3(weave_sum, weave_product_5.y + weave_product_4.y, -weave_sum_2);
     vec3 a_sum = pebbles_slope_7 + weave_volume;  // a: Add bumps
     vec3 tint_product = s.position * 0.7;  // tint: Triplanar colour
     vec2 tint_vector = vec2(pebbles_negated_2 * tint_product.z, tint_product.y);
@@ -177,8 +176,8 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec3 tint_edge_2 = step(vec3(0.04045), tint_texel_2.xyz);
     vec3 tint_mixed_2 = mix(tint_texel_2.xyz / 12.92, tint_power_2, tint_edge_2);
     vec4 tint_vector_4 = vec4(tint_mixed_2, tint_texel_2.w);
-    vec4 tint_sum = tint_vector_2 * pebbles_quotient_2.x + tint_vector_4 * pebbles_quotient_2.y;
-    vec2 tint_vector_5 = vec2(pebbles_sign_3 * tint_product.x, tint_product.y);
+    vec4 tint_sum = tint_vector_2 * pebbles_weights.x + tint_vector_4 * pebbles_weights.y;
+    vec2 tint_vector_5 = vec2(normal_side_z * tint_product.x, tint_product.y);
     vec4 tint_texel_3 = texture(triplanar_rock_tint_image, tint_vector_5);
     vec3 tint_quotient_3 = (max(tint_texel_3.xyz, 0.0) + 0.055) / 1.055;
     vec3 tint_power_3 = pow(tint_quotient_3, vec3(2.4));
@@ -187,7 +186,7 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec4 tint_vector_6 = vec4(tint_mixed_3, tint_texel_3.w);
     vec3 slopes_product = s.position * 2.0;  // slopes: Triplanar slopes
     vec2 slopes_vector = vec2(slopes_product.x, pebbles_negated * slopes_product.z);
-    vec2 slopes_vector_2 = vec2(pebbles_sign_3 * slopes_product.x, slopes_product.y);
+    vec2 slopes_vector_2 = vec2(normal_side_z * slopes_product.x, slopes_product.y);
     vec2 slopes_vector_3 = vec2(pebbles_negated_2 * slopes_product.z, slopes_product.y);
     // rivets: Tangent normal map
     vec3 rivets_texel = texture(triplanar_rock_rivets_image, slopes_vector).xyz - 0.5;
@@ -198,13 +197,13 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     float rivets_least_depth_3 = max(abs(rivets_texel_3.x), abs(rivets_texel_3.y)) * 0.0078125;
     // slopes: Triplanar slopes (continued)
     float slopes_quotient = -1.0 / max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
-    vec2 slopes_product_2 = rivets_texel.xy * slopes_quotient * pebbles_quotient_2.y;
+    vec2 slopes_product_2 = rivets_texel.xy * slopes_quotient * pebbles_weights.y;
     float slopes_quotient_2 = -1.0 / max(max(abs(rivets_texel_2.z), rivets_least_depth_2), 5e-07);
-    vec2 slopes_product_3 = rivets_texel_2.xy * slopes_quotient_2 * pebbles_quotient_2.z;
-    float slopes_sum = slopes_product_2.x + slopes_product_3.x * pebbles_sign_3;
+    vec2 slopes_product_3 = rivets_texel_2.xy * slopes_quotient_2 * pebbles_weights.z;
+    float slopes_sum = slopes_product_2.x + slopes_product_3.x * normal_side_z;
     float slopes_quotient_3 = -1.0 / max(max(abs(rivets_texel_3.z), rivets_least_depth_3), 5e-07);
-    vec2 slopes_product_4 = rivets_texel_3.xy * slopes_quotient_3 * pebbles_quotient_2.x;
-    float slopes_sum_2 = slopes_product_4.x * pebbles_sign_2 + slopes_product_2.y * pebbles_sign;
+    vec2 slopes_product_4 = rivets_texel_3.xy * slopes_quotient_3 * pebbles_weights.x;
+    float slopes_sum_2 = slopes_product_4.x * normal_side_x + slopes_product_2.y * normal_side_y;
     vec3 slopes_volume = vec3(slopes_sum, slopes_product_4.y + slopes_product_3.y, -slopes_sum_2);
     vec2 bricks_size = vec2(textureSize(triplanar_rock_bricks_image, 0));  // bricks: Height map
     vec2 bricks_product = vec2(dpdx.x, dpdx.z * pebbles_negated) * bricks_size;
@@ -225,21 +224,21 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec2 bricks_quotient_3 = bricks_root_2 / bricks_size;
     float bricks_clamped_2 = clamp((0.5 - log2(bricks_root_2)) / 0.45, 0.0, 1.0);
     vec3 bricks_vector = vec3(bricks_size, pebbles_negated_2 * bricks_size.x);
-    vec2 bricks_product_5 = vec2(dpdx.x * pebbles_sign_3, dpdx.y) * bricks_size;
+    vec2 bricks_product_5 = vec2(dpdx.x * normal_side_z, dpdx.y) * bricks_size;
     float bricks_dot_product_3 = dot(bricks_product_5, bricks_product_5);
-    vec2 bricks_product_6 = vec2(dpdy.x * pebbles_sign_3, dpdy.y) * bricks_size;
+    vec2 bricks_product_6 = vec2(dpdy.x * normal_side_z, dpdy.y) * bricks_size;
     float bricks_greatest_3 = max(max(bricks_dot_product_3,
             dot(bricks_product_6, bricks_product_6)), 1.0);
     float bricks_root_3 = sqrt(bricks_greatest_3);
     vec2 bricks_quotient_4 = bricks_root_3 / bricks_size;
     float bricks_clamped_3 = clamp((0.5 - log2(bricks_root_3)) / 0.45, 0.0, 1.0);
     float bricks_product_7 = pebbles_negated * bricks_size.y;
-    vec3 bricks_vector_2 = vec3(pebbles_sign_3 * bricks_size.x, bricks_size.y, bricks_product_7);
+    vec3 bricks_vector_2 = vec3(normal_side_z * bricks_size.x, bricks_size.y, bricks_product_7);
     float relief_product = pebbles_negated * s.position.z;  // relief: Triplanar height
     vec2 relief_vector = vec2(s.position.x, relief_product);
     float relief_product_2 = pebbles_negated_2 * s.position.z;
     vec2 relief_vector_2 = vec2(relief_product_2, s.position.y);
-    float relief_product_3 = pebbles_sign_3 * s.position.x;
+    float relief_product_3 = normal_side_z * s.position.x;
     vec2 relief_vector_3 = vec2(relief_product_3, s.position.y);
     // bricks: Height map (continued)
     vec2 bricks_vector_3 = vec2(s.position.x + bricks_quotient.x, relief_product);
@@ -272,14 +271,14 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec2 bricks_mixed_3 = mix(bricks_product_11, bricks_slope_3, bricks_clamped_3);
     vec3 bricks_product_12 = vec3(bricks_mixed_3, bricks_mixed.y) * bricks_vector_2 * 0.02;
     // relief: Triplanar height (continued)
-    vec3 relief_slope = bricks_product_10 * pebbles_quotient_2.yxx +
-            bricks_product_12 * pebbles_quotient_2.zzy;
+    vec3 relief_slope = bricks_product_10 * pebbles_weights.yxx +
+            bricks_product_12 * pebbles_weights.zzy;
     vec3 g_gradient = (slopes_volume + relief_slope) * 0.3;  // g: Mix bumps
     vec3 g_gradient_2 = a_sum * 0.7 + g_gradient;
     WrinkleMaterial_triplanar_rock m;
     // normal: Resolve
     m.normal = normalize(normal * (s.facing + dot(normal, g_gradient_2)) - g_gradient_2);
     // tint: Triplanar colour (continued)
-    m.color = (tint_sum + tint_vector_6 * pebbles_quotient_2.z).xyz;
+    m.color = (tint_sum + tint_vector_6 * pebbles_weights.z).xyz;
     return m;
 }

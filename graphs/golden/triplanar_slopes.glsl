@@ -92,24 +92,23 @@ WrinkleMaterial_triplanar_slopes wrinkle_triplanar_slopes(WrinkleSurface_triplan
     vec3 base_normal = normalize(normal * (s.facing + dot(normal, noise_slope)) - noise_slope);
     vec3 g_product = s.position * 3.0;  // g: Triplanar derivative map
     vec3 g_product_2 = base_normal * s.facing;
-    float g_sign = g_product_2.y < 0.0 ? -1.0 : 1.0;
-    vec2 g_vector = vec2(g_product.x, -g_sign * g_product.z);
-    vec3 g_greatest = max(abs(base_normal) - 0.2, vec3(0.0));
-    vec3 g_product_3 = g_greatest * g_greatest * g_greatest;
-    vec3 g_quotient = g_product_3 / max(g_product_3.x + g_product_3.y + g_product_3.z, 1e-36);
-    vec3 g_product_4 = g_quotient * 0.1;
-    vec2 g_product_5 = (texture(triplanar_slopes_g_image, g_vector).xy - 0.5) * 2.0 * g_product_4.y;
-    float g_sign_2 = g_product_2.z < 0.0 ? -1.0 : 1.0;
-    vec2 g_vector_2 = vec2(g_sign_2 * g_product.x, g_product.y);
-    vec2 g_product_6 = (texture(triplanar_slopes_g_image, g_vector_2).xy - 0.5) * 2.0 *
-            g_product_4.z;
-    float g_sum = g_product_5.x + g_product_6.x * g_sign_2;
-    float g_sign_3 = g_product_2.x < 0.0 ? -1.0 : 1.0;
-    vec2 g_vector_3 = vec2(-g_sign_3 * g_product.z, g_product.y);
-    vec2 g_product_7 = (texture(triplanar_slopes_g_image, g_vector_3).xy - 0.5) * 2.0 *
-            g_product_4.x;
-    float g_negated = -(g_product_7.x * g_sign_3 + g_product_5.y * g_sign);
-    vec3 g_volume = vec3(g_sum, g_product_7.y + g_product_6.y, g_negated) * 3.0;
+    float g_side_y = g_product_2.y < 0.0 ? -1.0 : 1.0;
+    vec2 g_vector = vec2(g_product.x, -g_side_y * g_product.z);
+    vec3 g_above = max(abs(base_normal) - 0.2, vec3(0.0));
+    vec3 g_powers = g_above * g_above * g_above;
+    vec3 g_product_3 = g_powers / max(g_powers.x + g_powers.y + g_powers.z, 1e-36) * 0.1;
+    vec2 g_product_4 = (texture(triplanar_slopes_g_image, g_vector).xy - 0.5) * 2.0 * g_product_3.y;
+    float g_side_z = g_product_2.z < 0.0 ? -1.0 : 1.0;
+    vec2 g_vector_2 = vec2(g_side_z * g_product.x, g_product.y);
+    vec2 g_product_5 = (texture(triplanar_slopes_g_image, g_vector_2).xy - 0.5) * 2.0 *
+            g_product_3.z;
+    float g_sum = g_product_4.x + g_product_5.x * g_side_z;
+    float g_side_x = g_product_2.x < 0.0 ? -1.0 : 1.0;
+    vec2 g_vector_3 = vec2(-g_side_x * g_product.z, g_product.y);
+    vec2 g_product_6 = (texture(triplanar_slopes_g_image, g_vector_3).xy - 0.5) * 2.0 *
+            g_product_3.x;
+    float g_negated = -(g_product_6.x * g_side_x + g_product_4.y * g_side_y);
+    vec3 g_volume = vec3(g_sum, g_product_6.y + g_product_5.y, g_negated) * 3.0;
     WrinkleMaterial_triplanar_slopes m;
     // normal: Resolve
     m.normal = normalize(base_normal * (1.0 + dot(base_normal, g_volume)) - g_volume);

@@ -17,10 +17,10 @@ vec3 wrinkle_strap(WrinkleSurface_strap s) {
     vec3 weave_texel = texture(strap_weave_image, tile_uv).xyz * 2.0 - 1.0;
     float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
     float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
-    vec3 normal_product = s.normal * (base_depth * weave_depth * s.facing);  // normal: Resolve
+    vec3 normal_raised = s.normal * (base_depth * weave_depth * s.facing);  // normal: Resolve
     vec2 normal_slope = base_texel.xy * weave_depth + weave_texel.xy * 0.6 * base_depth;
     float normal_slope_v = normal_slope.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * normal_slope_v;
-    vec3 normal_bumped = normal_product + (s.tangent.xyz * normal_slope.x + normal_along_v);
+    vec3 normal_bumped = normal_raised + (s.tangent.xyz * normal_slope.x + normal_along_v);
     return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
 }

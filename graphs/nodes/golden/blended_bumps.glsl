@@ -112,8 +112,8 @@ WrinkleMaterial_blended_bumps wrinkle_blended_bumps(WrinkleSurface_blended_bumps
     float normal_dot_product = dot(normal, grain_slope);  // normal: Resolve
     vec3 normal_product = normal * (s.facing + normal_dot_product);
     float normal_product_2 = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08;
-    vec2 normal_product_3 = knobs_quotient * knobs_fade * normal_product_2;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_3.y - dpdy * normal_product_3.x);
+    vec2 normal_per_area = knobs_quotient * knobs_fade * normal_product_2;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     // blend: Wrong: bumps blended as normals
     vec3 blend_along_u = s.tangent.xyz * inverse_normal_length;
     float blend_negated = -dot(blend_along_u, normal_gradient);

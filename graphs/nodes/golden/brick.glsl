@@ -39,8 +39,8 @@ WrinkleMaterial_brick wrinkle_brick(WrinkleSurface_brick s) {
     float relief_value = mix(0.72364, relief_difference_2, relief_fade);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    vec2 normal_product_2 = -relief_choice_2 * relief_fade * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = -relief_choice_2 * relief_fade * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_brick m;
     m.normal = normalize(normal * s.facing - normal_gradient);
     m.height = relief_value * 0.02;  // relief: Bricks (continued)

@@ -39,8 +39,8 @@ WrinkleMaterial_checker wrinkle_checker(WrinkleSurface_checker s) {
     float relief_value = 0.5 + relief_product_2 * relief_side.y;
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    vec2 normal_product_2 = relief_slope * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = relief_slope * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_checker m;
     m.normal = normalize(normal * s.facing - normal_gradient);
     m.height = relief_value * 0.02;  // relief: Checker (continued)

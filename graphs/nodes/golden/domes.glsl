@@ -34,8 +34,8 @@ WrinkleMaterial_domes wrinkle_domes(WrinkleSurface_domes s) {
     float relief_value = mix(0.20845777, (relief_cap - 0.6) / 0.4, relief_fade);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
-    vec2 normal_product_2 = relief_quotient * relief_fade * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = relief_quotient * relief_fade * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_domes m;
     m.normal = normalize(normal * s.facing - normal_gradient);
     m.height = relief_value * 0.05;  // relief: Domes (continued)

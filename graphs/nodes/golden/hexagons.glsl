@@ -45,8 +45,8 @@ WrinkleMaterial_hexagons wrinkle_hexagons(WrinkleSurface_hexagons s) {
     float relief_value = mix(0.6561, 1.0 - clamp(relief_covered, 0.0, relief_deepest), relief_fade);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    vec2 normal_product_2 = -relief_choice_3 * relief_fade * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = -relief_choice_3 * relief_fade * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_hexagons m;
     m.normal = normalize(normal * s.facing - normal_gradient);
     m.height = relief_value * 0.02;  // relief: Hexagons (continued)

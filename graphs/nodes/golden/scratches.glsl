@@ -89,8 +89,8 @@ WrinkleMaterial_scratches wrinkle_scratches(WrinkleSurface_scratches s) {
     float relief_value = -relief.z;
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.006;
-    vec2 normal_product_2 = relief_slope * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = relief_slope * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_scratches m;
     m.normal = normalize(normal * s.facing - normal_gradient);
     m.height = relief_value * 0.006;  // relief: Scratches (continued)

@@ -130,10 +130,9 @@ WrinkleMaterial_tangent_space_normal wrinkle_tangent_space_normal(WrinkleSurface
     vec2 cloth_slope = cloth_choice * (1.0 - smoothstep(0.25, 0.75, cloth_width)) * 0.02;
     vec2 sum_slope = dents_slope * 0.15 + cloth_slope;  // sum: Add heights
     vec3 resolved_product = normal * s.facing;  // resolved: Resolve
-    vec2 resolved_product_2 = sum_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
-    vec3 resolved_gradient = cross(normal, dpdx * resolved_product_2.y -
-            dpdy * resolved_product_2.x);
-    vec3 resolved_normal = normalize(resolved_product - resolved_gradient);
+    vec2 resolved_per_area = sum_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec3 resolved_difference = dpdx * resolved_per_area.y - dpdy * resolved_per_area.x;
+    vec3 resolved_normal = normalize(resolved_product - cross(normal, resolved_difference));
     // map: Normal in tangent space
     float map_slope_v = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
     vec3 map_along_v = cross(s.normal, s.tangent.xyz) * map_slope_v;

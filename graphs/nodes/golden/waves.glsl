@@ -121,8 +121,8 @@ WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {
     float relief_value = (relief_sum_14 + sin(relief_product_36) * relief_product_37) / 3.68928;
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    vec2 normal_product_2 = relief_sum_10 / 3.68928 * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = relief_sum_10 / 3.68928 * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_waves m;
     m.normal = normalize(normal * s.facing - normal_gradient);
     m.height = relief_value * 0.02;  // relief: Waves (continued)

@@ -43,8 +43,8 @@ WrinkleMaterial_weave wrinkle_weave(WrinkleSurface_weave s) {
     float relief_value = mix(0.60579, max(relief.z, relief_2.z), relief_fade);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
-    vec2 normal_product_2 = relief_slope * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = relief_slope * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_weave m;
     m.normal = normalize(normal * s.facing - normal_gradient);
     m.height = relief_value * 0.05;  // relief: Weave (continued)

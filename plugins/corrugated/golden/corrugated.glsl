@@ -20,8 +20,8 @@ WrinkleMaterial_corrugated wrinkle_corrugated(WrinkleSurface_corrugated s) {
     vec2 iron_wave_slope = -(iron_vector * 16.0 * 6.2831855 * sin(iron_product));
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
-    vec2 normal_product_2 = iron_wave_slope * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = iron_wave_slope * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_corrugated m;
     m.normal = normalize(normal * s.facing - normal_gradient);
     m.height = 0.02 * cos(iron_product);  // iron: Corrugated (continued)

@@ -132,8 +132,8 @@ WrinkleMaterial_height_blend wrinkle_height_blend(WrinkleSurface_height_blend s)
     vec3 both_gradient = (dunes.xyz * 0.03 + grain.xyz * 0.0015) * both_weight;
     vec2 both_product = -stones_choice_3 * stones_fade * 0.05 * (1.0 - both_weight);
     vec3 normal_product = normal * (s.facing + dot(normal, both_gradient));  // normal: Resolve
-    vec2 normal_product_2 = both_product * (sign(screen_area) / max(abs(screen_area), 1e-36));
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = both_product * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_height_blend m;
     m.normal = normalize(normal_product - (normal_gradient + both_gradient));
     m.color = mix(vec3(0.3, 0.32, 0.36), vec3(0.75, 0.6, 0.38), both_weight);  // colour: Mix vec3

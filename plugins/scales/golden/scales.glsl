@@ -53,8 +53,8 @@ WrinkleMaterial_scales wrinkle_scales(WrinkleSurface_scales s) {
     }
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
-    vec2 normal_product_2 = state_3 * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = state_3 * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_scales m;
     m.normal = normalize(normal * s.facing - normal_gradient);
     m.height = 0.05 * state_2;  // skin: Scales (continued)

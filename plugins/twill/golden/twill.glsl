@@ -138,8 +138,8 @@ WrinkleMaterial_twill wrinkle_twill(WrinkleSurface_twill s) {
             max(length(cloth_product_4), length(cloth_product_5)));
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * (1.0 - cloth_ramp);
-    vec2 normal_product_2 = cloth_choice * normal_product;
-    vec3 normal_gradient = cross(normal, dpdx * normal_product_2.y - dpdy * normal_product_2.x);
+    vec2 normal_per_area = cloth_choice * normal_product;
+    vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_twill m;
     m.normal = normalize(normal * s.facing - normal_gradient);
     m.height = mix(max(cloth_sum_2, cloth_sum_4), 0.0066, cloth_ramp);  // cloth: Twill (continued)

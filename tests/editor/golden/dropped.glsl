@@ -25,12 +25,12 @@ WrinkleMaterial_graph wrinkle_graph(WrinkleSurface_graph s) {
             weave_normal_greatest * 0.0078125);
     float weave_normal_depth = max(weave_normal_greatest_2, 5e-07);
     // resolve: Resolve
-    vec3 resolve_product = s.normal * (rivets_normal_depth * weave_normal_depth * s.facing);
+    vec3 resolve_raised = s.normal * (rivets_normal_depth * weave_normal_depth * s.facing);
     vec2 resolve_slope = weave_normal_texel.xy * AMOUNT * rivets_normal_depth;
     vec2 resolve_slope_2 = rivets_normal_texel.xy * weave_normal_depth + resolve_slope;
     float resolve_slope_v = resolve_slope_2.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec3 resolve_along_v = cross(s.normal, s.tangent.xyz) * resolve_slope_v;
-    vec3 resolve_bumped = resolve_product + (s.tangent.xyz * resolve_slope_2.x + resolve_along_v);
+    vec3 resolve_bumped = resolve_raised + (s.tangent.xyz * resolve_slope_2.x + resolve_along_v);
     WrinkleMaterial_graph m;
     m.normal = normalize(vec3(resolve_bumped.xy, resolve_bumped.z + 1e-18));
     return m;
