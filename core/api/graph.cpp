@@ -23,6 +23,7 @@ EmitOptions emit_options(const CompileOptions& wanted, const std::string& file,
     options.differentials = wanted.differentials == CompileOptions::Differentials::given
                                 ? Differentials::given
                                 : Differentials::screen;
+    if (wanted.uv_origin == CompileOptions::UvOrigin::top) options.uv_origin = UvOrigin::top;
     options.name = wanted.name.empty() ? material_name(file) : wanted.name;
     options.set = wanted.descriptor_set;
     options.first_binding = wanted.first_binding;

@@ -93,6 +93,7 @@ std::string cache_key(const Project& project, const Types& types, const std::str
                      options.form,
                      options.params,
                      options.srgb,
+                     options.uv_origin,
                      options.differentials,
                      name,
                      with.common.no_tangents ? "derived" : "vertex",

@@ -72,6 +72,8 @@ void declare_text(CLI::App& sub, TextOptions& text) {
     add_choice(sub, "--srgb", text.srgb, {"sampler", "shader"},
                "The decoder of images of encoding srgb: the sampler, or the text for hosts without "
                "sRGB textures");
+    add_choice(sub, "--uv-origin", text.uv_origin, uv_origin_names,
+               "Where v is 0, and which row of an image is uploaded first");
     sub.add_option("--descriptor-set", text.set, "The descriptor set of the blocks and images")
         ->check(CLI::Range(0, max_descriptor_set))
         ->capture_default_str();
@@ -101,6 +103,7 @@ ShaderOptions shader_options(const std::string& file, const Compilation& with) {
     options.emit.max_bytes /= with.sharing;
     options.emit.form = form_of(wanted);
     options.emit.differentials = differentials_of(wanted);
+    if (wanted.uv_origin == "top") options.emit.uv_origin = UvOrigin::top;
     options.emit.name = name_for(file, wanted);
     options.emit.target = find_target(wanted.target);
     options.emit.set = wanted.set;

@@ -21,6 +21,7 @@ struct TextOptions {
     std::string form;  // "": the target's default
     std::string params = "baked";
     std::string srgb = "sampler";
+    std::string uv_origin = "bottom";
     std::string differentials;         // "": screen, or none if `outputs` is the displacement
     std::vector<std::string> outputs;  // empty: all
     std::string name;                  // "": from the file name

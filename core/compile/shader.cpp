@@ -123,6 +123,7 @@ MadeShader make_shader(const Project& project, const Registry& registry, ShaderO
     options.emit.bare_result = options.outputs.size() == 1;
     if (options.emit.differentials == Differentials::none)
         module = without_differentials(std::move(module));
+    if (options.emit.uv_origin == UvOrigin::top) module = with_uv_origin_top(std::move(module));
     module = nest_loops(std::move(module));
     made.shader = write_shader(made.compiled.module, options.emit);
     report_emit(made.shader, made.compiled, project, diagnostics);

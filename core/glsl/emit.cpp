@@ -14,7 +14,7 @@ void write_function_form(const EmitAnalysis& analysis, const EmitOptions& option
     assign_bindings(options, face.reflection);
     set_resource_uses(analysis, language, face);
     Text text = reserve_text(analysis, options.max_bytes);
-    std::string title = title_of(analysis.module(), face.reflection.name);
+    std::string title = title_of(analysis.module(), face.reflection);
     if (analysis.implicit) title += " Call in uniform control flow.";
     text.line(0, title);
     write_precision(*options.target, text);

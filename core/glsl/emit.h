@@ -24,7 +24,7 @@
 // Differentials: `screen` takes dFdx and dFdy of the struct's members. `given` expects additional
 // members uv0_dx, uv0_dy, ..., and a module in which samples have an explicit lod (explicit_lod()
 // in ir/rewrite.h). `none` expects a module without_differentials(), as for a vertex stage. The
-// shader form accepts only `screen`.
+// shader form accepts only `screen`. UvOrigin::top expects a module with_uv_origin_top().
 //
 // If a target numbers its resources, the uniforms of the shader form are in the block WrinkleFrame,
 // the others in WrinkleParameters_NAME. Blocks, then images, are numbered from `first_binding` on
@@ -54,6 +54,7 @@ struct EmitOptions {
     Differentials differentials = Differentials::screen;
     std::string name = "material";  // NAME; converted to an identifier
     const Target* target = &targets().front();
+    UvOrigin uv_origin = UvOrigin::bottom;
     int set = 0, first_binding = 0;
     bool bare_result = false;  // return the value of the only output, not a struct with it
     uint64_t max_bytes = limit_of(Limit::text_bytes);  // size of a stage; if exceeded, a problem

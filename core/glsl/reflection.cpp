@@ -73,18 +73,18 @@ std::string uniform_text(const UniformInfo& u) {
 
 // Formats to upload, by the type of the file's values. In the color space srgb, values of more than
 // 8 bits are decoded first, because no such format is sRGB.
-std::string upload_text(const TextureOptions& options) {
+std::string upload_text(const TextureOptions& options, UvOrigin origin) {
     const bool srgb = options.decodes_texels();
     return object({{"color_space", srgb ? "\"srgb\"" : "\"linear\""},
                    {"u8", srgb ? "\"srgb8_alpha8\"" : "\"rgba8\""},
                    {"u16", "\"rgba16\""},
                    {"half", "\"rgba16f\""},
                    {"float", "\"rgba32f\""},
-                   {"first_row", "\"bottom\""},
+                   {"first_row", json_quoted(name_of(origin))},
                    {"mips", "true"}});
 }
 
-std::string sampler_text(const SamplerInfo& s, bool sets) {
+std::string sampler_text(const SamplerInfo& s, UvOrigin origin, bool sets) {
     std::string readers = "[";
     for (const SamplerInfo::Reader& reader : s.readers)
         readers += (readers.size() > 1 ? ", " : "") +
@@ -94,7 +94,7 @@ std::string sampler_text(const SamplerInfo& s, bool sets) {
                      {"encoding", json_quoted(name_of(s.options.encoding))},
                      {"wrap", json_quoted(name_of(s.options.wrap))},
                      {"filter", json_quoted(name_of(s.options.filter))},
-                     {"upload", upload_text(s.options)},
+                     {"upload", upload_text(s.options, origin)},
                      {"readers", readers + "]"}};
     add_binding(s.binding, sets, fields);
     if (s.sampler_binding >= 0)
@@ -208,11 +208,14 @@ std::string to_json(const Reflection& r) {
     field("struct", json_quoted(r.struct_name));
     field("result", json_quoted(r.result_name));
     field("result_form", json_quoted(result_forms[static_cast<size_t>(r.result_form)]));
+    field("uv_origin", json_quoted(name_of(r.uv_origin)));
     field("uniform_control_flow", r.uniform_control_flow ? "true" : "false");
     field("outputs", list(r.outputs, output_json));
     field("members", list(r.members, member_text));
     field("uniforms", list(r.uniforms, uniform_text));
-    field("samplers", list(r.samplers, [&](const auto& s) { return sampler_text(s, sets); }));
+    field("samplers", list(r.samplers, [&](const auto& sampler) {
+              return sampler_text(sampler, r.uv_origin, sets);
+          }));
     if (const std::vector<Block> blocks = blocks_of(r); !blocks.empty())
         field("blocks", list(blocks, [&](const auto& b) { return block_text(b, sets); }));
     field("attributes", list(r.attributes, attribute_text));

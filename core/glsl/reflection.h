@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/texture_options.h"
+#include "glsl/conventions.h"
 
 namespace wrinkle {
 
@@ -107,7 +108,8 @@ enum class ResultForm : uint8_t {
 };
 
 struct Reflection {
-    std::string target;       // "glsl330"
+    std::string target;  // "glsl330"
+    UvOrigin uv_origin = UvOrigin::bottom;
     std::string name;         // NAME
     std::string function;     // "wrinkle_NAME"
     std::string struct_name;  // "WrinkleSurface_NAME"; "" if the function takes no struct

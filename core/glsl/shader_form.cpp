@@ -161,7 +161,7 @@ std::string vertex_text(const Stage& stage) {
                       out = stage.patterns.structs ? "o." : "";
     Text text;
     write_lines(stage.options.target->version, text);
-    text.line(0, title_of(stage.analysis.module(), r.name));
+    text.line(0, title_of(stage.analysis.module(), r));
     begin_struct(stage, "Vertex", text);
     for (const AttributeInfo& attribute : r.attributes)
         write_place(stage, stage.patterns.attribute, attribute.type, attribute.name,
@@ -263,7 +263,7 @@ Text fragment_text(const Stage& stage) {
     const Module& module = stage.analysis.module();
     Text text = reserve_text(stage.analysis, stage.options.max_bytes);
     write_lines(stage.options.target->version, text);
-    text.line(0, title_of(module, r.name));
+    text.line(0, title_of(module, r));
     write_precision(*stage.options.target, text);
     write_varyings(stage, stage.patterns.varying_in, text);
     begin_struct(stage, "Targets", text);

@@ -50,6 +50,12 @@ Module without_differentials(Module source);
 // Replaces mod(x, y) by x - y floor(x / y), for languages without it.
 Module without_mod(Module source);
 
+// Changes the origin of uv sets and images from the bottom to the top: each uv input (u, v) is read
+// as (u, 1 - v), its differentials as (du, -dv), and images are sampled at the flipped uv. Values
+// between them stay in the convention of the bottom. Tangents do not change: sign(w) cross(N, T)
+// points up in the image, so against the new v. Run after explicit_lod().
+Module with_uv_origin_top(Module source);
+
 // Splits each loop into a loop of loops if the outputs run more than 8 loops in a row, those of
 // called functions included. LLVM's loop strength reduction takes time exponential in the number of
 // loops in a row: in llvmpipe 16 loops took 25 s to compile, and 1 s as loops of loops.

@@ -98,11 +98,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Written{"glsl330",
                             "",
                             Form::function,
-                            {"--differentials", "given", "--no-tangents", "--srgb", "shader"},
+                            {"--differentials", "given", "--no-tangents", "--srgb", "shader",
+                             "--uv-origin", "top"},
                             changed([](CompileOptions& o) {
                                 o.differentials = CompileOptions::Differentials::given;
                                 o.vertex_tangents = false;
                                 o.srgb = CompileOptions::Srgb::shader;
+                                o.uv_origin = CompileOptions::UvOrigin::top;
                             })},
                     Written{"glsl450",
                             "",

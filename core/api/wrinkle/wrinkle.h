@@ -62,12 +62,14 @@ struct CompileOptions {
     enum class Parameters { baked, uniform };         // numbers as literals, or as uniforms
     enum class Differentials { screen, given };       // from the screen, or passed by the caller
     enum class Srgb { sampler, shader };              // decoder of images of encoding srgb
+    enum class UvOrigin { bottom, top };              // v = 0, and an image's first row
 
     std::string target = "glsl330";
     Form form = Form::of_target;
     Parameters parameters = Parameters::baked;
     Differentials differentials = Differentials::screen;
     Srgb srgb = Srgb::sampler;
+    UvOrigin uv_origin = UvOrigin::bottom;
     std::string name;             // NAME in the text; "": the stem of the graph's file
     bool vertex_tangents = true;  // false: frames of uv0 are derived
     bool strict = false;          // exceeding a guaranteed limit is an error
