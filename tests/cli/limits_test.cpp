@@ -91,17 +91,20 @@ TEST_F(LimitsTest, ARowOfSlopesOfSlopesIsRefusedAtANode) {
     }
 }
 
-TEST_F(LimitsTest, ARowOfReliefsInReliefsIsRefusedAtANode) {
+// Each relief is a function of the one before, so the text is short; to run it would take too long.
+TEST_F(LimitsTest, ARowOfReliefsInReliefsIsATextButDoesNotRun) {
     LIMITED_MEMORY;
     memory = 1'000'000'000;
     for (const int n : {8, 40}) {
         put("g.json", row_of("parallax_occlusion", "height", "height", n));
         const Ran ran = run({"compile", "g.json"});
-        EXPECT_EQ(ran.code, 1) << n << ": " << ran.err;
-        EXPECT_EQ(ran.out, "") << n;
-        EXPECT_TRUE(says(ran.err, ": error: node 'n")) << n;
-        EXPECT_TRUE(says(ran.err, "the graph becomes more than")) << n;
+        EXPECT_EQ(ran.code, 0) << n << ": " << ran.err;
+        EXPECT_LT(ran.out.size(), 20'000U * static_cast<unsigned>(n)) << n;
     }
+    const Ran ran = run({"eval", "g.json", "--at", "{}"});
+    EXPECT_EQ(ran.code, 1) << ran.err;
+    EXPECT_TRUE(says(ran.err, ": error: node 'n"));
+    EXPECT_TRUE(says(ran.err, "eval would make more than 4000000 operations"));
 }
 
 TEST_F(LimitsTest, AVariableRaisesOrLowersALimit) {
