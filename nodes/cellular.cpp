@@ -21,7 +21,7 @@ static vec3 random3(Uint bits) {
 // `middle` its index and a half, which guards against inexact division.
 template <class V>
 static V offset(Float middle, V stride) {
-    return named("offset", floor(mod(middle / stride, 3)) - 1);
+    return floor(mod(middle / stride, 3)) - 1;
 }
 static Float middle_of(Int index) {
     return Float(index) + 0.5;
@@ -46,7 +46,7 @@ static Float worley(vec3 point, Float scale, Float jitter, Distance which) {
     const auto search = [](vec3 cell, vec3 from, Float jitter) {
         using State = std::tuple<Int, Float, Float, vec3, vec3>;
         const auto each = [&](Int k, Float first, Float second, vec3 nearest, vec3 next) {
-            const vec3 step = offset(middle_of(k), vec3(1, 3, 9));
+            const vec3 step = named("offset", offset(middle_of(k), vec3(1, 3, 9)));
             const vec3 way = named("way", step + feature(cell + step, jitter) - from);
             const Float square = named("square", dot(way, way));
             const Bool closer = square < first, close = square < second;
@@ -120,7 +120,7 @@ static Float strokes(const Scratches& in) {
         "scratches(uv, width, scale, layers, density, size, angles)",
         [&](vec2 uv, Float width, Float scale, Int layers, Float density, vec2 size, vec2 angles) {
             const vec2 p = named("p", uv * scale), here = detach(p);
-            const Int count = named("count", layers * 9);
+            const Int count = layers * 9;
             const auto each = [&](Int k, Float deepest, Int found) {
                 const Float depth = named("stroke", stroke(here, k, density, size, angles));
                 return std::tuple{k < count, k + 1, max(deepest, depth),

@@ -72,7 +72,18 @@ Value smaller_wins(const Operands& x, Value low, Value high, Value second, Value
     });
 }
 
+// Between constant limits the derivative is that of `a`, beyond them zero.
+Value derive_constant_clamp(const Operands& x) {
+    return by_lanes(x, [&](uint32_t k) {
+        const Value below = op(Op::lt_, lane(x.a, k), lane(x.b, k));
+        const Value above = op(Op::lt_, lane(x.c, k), lane(x.a, k));
+        return select(op(Op::or_, below, above), constant(x, 0), lane(x.ta, k));
+    });
+}
+
 Value derive_clamp(const Operands& x) {
+    const bool constant_limits = x.m->is_constant(x.b.id) && x.m->is_constant(x.c.id);
+    if (constant_limits && x.ta) return derive_constant_clamp(x);
     const Value ta = or_zero(x, x.ta, x.a), tb = or_zero(x, x.tb, x.b), tc = or_zero(x, x.tc, x.c);
     const Value inner = max(x.a, x.b);
     return by_lanes(x, [&](uint32_t k) {

@@ -288,20 +288,19 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float scratch_difference_2 = scratch_way.z - 0.45 * scratch_along;
     vec3 scratch_off = vec3(scratch_difference, scratch_way.y, scratch_difference_2);
     float scratch_extent = length(scratch_off);
-    bool scratch_test = 1.0 < max(scratch_ratio, 0.0);
-    bool scratch_test_2 = scratch_ratio < 0.0;
-    float scratch_along_slope = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : 1.0666667;
+    bool scratch_test = scratch_ratio < 0.0 || 1.0 < scratch_ratio;
+    float scratch_along_slope = scratch_test ? 0.0 : 1.0666667;
     float scratch_product = scratch_difference * (1.0 - scratch_along_slope * 0.6);
     float scratch_sum = scratch_product + scratch_difference_2 * -(scratch_along_slope * 0.45);
-    float scratch_along_slope_2 = scratch_test ? 0.0 : scratch_test_2 ? 0.0 : 0.8;
+    float scratch_along_slope_2 = scratch_test ? 0.0 : 0.8;
     float scratch_product_2 = scratch_difference_2 * (1.0 - scratch_along_slope_2 * 0.45);
     float scratch_sum_2 = scratch_difference * -(scratch_along_slope_2 * 0.6) + scratch_product_2;
     vec3 scratch_quotient = vec3(scratch_sum, scratch_way.y, scratch_sum_2) / scratch_extent;
     vec3 scratch_quotient_2 = (scratch_extent > 0.0 ? scratch_quotient : vec3(0.0)) / 0.15;
     float scratch_t = clamp((scratch_extent / 0.15 - 0.7) / 0.3, 0.0, 1.0);
     vec3 scratch_negated = -(scratch_quotient_2 * (scratch_t * (1.0 - scratch_t) * 6.0) / 0.3);
-    bool scratch_test_3 = dot(scratch_off, scratch_off) > 0.0;
-    vec3 scratch_direction = scratch_test_3 ? normalize(scratch_off) : vec3(0.0);
+    bool scratch_test_2 = dot(scratch_off, scratch_off) > 0.0;
+    vec3 scratch_direction = scratch_test_2 ? normalize(scratch_off) : vec3(0.0);
     float scratch_clamped = clamp(dot(slide_product_2, scratch_direction), 0.0, 1.0);
     float scratch_choice = scratch_clamped > 0.0 ? pow(scratch_clamped, 0.0) : 1.0;
     // g: Add bumps

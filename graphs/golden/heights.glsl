@@ -153,11 +153,11 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     vec2 cut_sum_2 = cut_choice + cut_choice_2 * cut_greatest * 2.0 / 0.04;
     float carved_height = cut_height - low_height;  // carved: Subtract heights
     float fitted_quotient = (carved_height + 0.02) / 0.1;  // fitted: Remap height
-    vec2 fitted_choice = fitted_quotient < 0.0 ? vec2(0.0) : (-cut_sum_2 + sand_slope_2) / 0.1;
-    vec2 fitted_choice_2 = 1.0 < max(fitted_quotient, 0.0) ? vec2(0.0) : fitted_choice;
+    bool fitted_test = fitted_quotient < 0.0 || 1.0 < fitted_quotient;
+    vec2 fitted_choice = fitted_test ? vec2(0.0) : (-cut_sum_2 + sand_slope_2) / 0.1;
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.06;
-    vec2 normal_per_area = fitted_choice_2 * normal_product;
+    vec2 normal_per_area = fitted_choice * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_heights m;
     m.normal = normalize(normal * s.facing - normal_gradient);

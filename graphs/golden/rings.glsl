@@ -40,11 +40,10 @@ WrinkleMaterial_rings wrinkle_rings(WrinkleSurface_rings s) {
     float most_result = max(least_result, 0.1);  // most: Maximum
     vec2 most_slope = least_result < 0.1 ? vec2(0.0) : least_slope;
     float inside_result = clamp(most_result, 0.1, 0.9);  // inside: Clamp
-    vec2 inside_choice = most_result < 0.1 ? vec2(0.0) : most_slope;
+    vec2 inside_slope = most_result < 0.1 || 0.9 < most_result ? vec2(0.0) : most_slope;
     bool curve_test = inside_result > 0.0;  // curve: Power
     float curve_power = pow(inside_result, 1.5);
-    float curve_choice = curve_test ? 1.5 * curve_power / inside_result : 0.0;
-    vec2 curve_product = (0.9 < most_result ? vec2(0.0) : inside_choice) * curve_choice;
+    vec2 curve_product = inside_slope * (curve_test ? 1.5 * curve_power / inside_result : 0.0);
     float curve_result = curve_test ? curve_power : 0.0;
     float phase_result = curve_result * 40.0;  // phase: Multiply
     // waves: Sine

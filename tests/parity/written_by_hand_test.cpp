@@ -36,7 +36,8 @@ size_t lines_of_code(const std::string& text) {
 TEST_F(WrittenByHand, IsAboutAsLongAndGivesTheSameNumbers) {
     const std::filesystem::path graphs = WRINKLE_SOURCE_DIR "/graphs";
     const PointSet points = certify::random_points(2000, 7, {0, 1});
-    for (const char* graph : {"noise_rock", "nodes/brick", "rusty_steel"}) {
+    for (const char* graph : {"noise_rock", "nodes/brick", "rusty_steel", "displaced_rock",
+                              "nodes/worley_noise", "nodes/scratches", "nodes/pyramids"}) {
         SCOPED_TRACE(graph);
         Diagnostics diagnostics;
         const Project project =

@@ -92,15 +92,15 @@ WrinkleMaterial_dents wrinkle_dents(WrinkleSurface_dents s) {
     float relief_quotient = (relief.w - 0.15) / 0.85;
     float relief_clamped = clamp(relief_quotient, 0.0, 1.0);
     bool relief_test = relief_clamped > 0.0;
-    vec3 relief_choice = relief_quotient < 0.0 ? vec3(0.0) : relief.xyz / 0.85;
-    vec3 relief_choice_2 = 1.0 < max(relief_quotient, 0.0) ? vec3(0.0) : relief_choice;
+    bool relief_test_2 = relief_quotient < 0.0 || 1.0 < relief_quotient;
     float relief_power = pow(relief_clamped, 1.5);
-    float relief_choice_3 = relief_test ? 1.5 * relief_power / relief_clamped : 0.0;
-    vec3 relief_choice_4 = relief_test ? relief_choice_2 * relief_choice_3 : vec3(0.0);
+    float relief_choice = relief_test ? 1.5 * relief_power / relief_clamped : 0.0;
+    vec3 relief_product = (relief_test_2 ? vec3(0.0) : relief.xyz / 0.85) * relief_choice;
+    vec3 relief_choice_2 = relief_test ? relief_product : vec3(0.0);
     float relief_value = -(relief_test ? relief_power : 0.0);
     // normal: Resolve
-    vec3 normal_product = normal * (s.facing + dot(normal, -relief_choice_4 * 0.08));
-    vec3 normal_sum = normal_product + relief_choice_4 * 0.08;
+    vec3 normal_product = normal * (s.facing + dot(normal, -relief_choice_2 * 0.08));
+    vec3 normal_sum = normal_product + relief_choice_2 * 0.08;
     WrinkleMaterial_dents m;
     m.normal = normalize(normal_sum);
     m.height = relief_value * 0.08;  // relief: Dents (continued)

@@ -19,6 +19,7 @@ WrinkleMaterial_pyramids wrinkle_pyramids(WrinkleSurface_pyramids s) {
     vec2 relief_way = relief_p - floor(relief_p) - 0.5;
     vec2 relief_side = abs(relief_way);
     float relief_rise = 1.0 - 2.0 * max(relief_side.x, relief_side.y) / 0.5;
+    bool relief_test = relief_rise < 0.0 || 1.0 < relief_rise;
     vec2 relief_p_dx = dFdx(s.uv0) * 6.0;
     vec2 relief_sign = sign(relief_way);
     vec2 relief_side_dx = relief_p_dx * relief_sign;
@@ -27,13 +28,12 @@ WrinkleMaterial_pyramids wrinkle_pyramids(WrinkleSurface_pyramids s) {
     vec2 relief_vector = vec2(relief_side_dx.y, relief_side_dy.y);
     vec2 relief_vector_2 = vec2(relief_side_dx.x, relief_side_dy.x);
     vec2 relief_choice = relief_side.x < relief_side.y ? relief_vector : relief_vector_2;
-    vec2 relief_choice_2 = relief_rise < 0.0 ? vec2(0.0) : -(relief_choice * 2.0 / 0.5);
-    vec2 relief_choice_3 = 1.0 < max(relief_rise, 0.0) ? vec2(0.0) : relief_choice_2;
+    vec2 relief_choice_2 = relief_test ? vec2(0.0) : -(relief_choice * 2.0 / 0.5);
     float relief_fade = 1.0 - smoothstep(0.25, 0.75, max(length(relief_p_dx), length(relief_p_dy)));
     float relief_value = mix(0.083333336, clamp(relief_rise, 0.0, 1.0), relief_fade);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
-    vec2 normal_per_area = relief_choice_3 * relief_fade * normal_product;
+    vec2 normal_per_area = relief_choice_2 * relief_fade * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_pyramids m;
     m.normal = normalize(normal * s.facing - normal_gradient);

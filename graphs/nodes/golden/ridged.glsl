@@ -83,8 +83,9 @@ vec4 wrinkle_ridged_ridges(vec3 point, float width, float scale, int octaves, fl
         float clamped = clamp(product, 0.0, 1.0);
         float product_2 = mixed * clamped;
         vec3 product_3 = -(noise.xyz * frequency * sign(noise.w)) * difference * 2.0 * fade;
-        vec3 choice = product < 0.0 ? vec3(0.0) : previous_slope * 2.0;
-        vec3 sum_2 = product_3 * clamped + (1.0 < max(product, 0.0) ? vec3(0.0) : choice) * mixed;
+        vec3 product_4 = (product < 0.0 || 1.0 < product ? vec3(0.0) : previous_slope * 2.0) *
+                mixed;
+        vec3 sum_2 = product_3 * clamped + product_4;
         frequency *= lacunarity;
         previous = product_2;
         total += weight;

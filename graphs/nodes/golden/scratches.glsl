@@ -32,8 +32,7 @@ vec3 wrinkle_scratches_scratch(vec2 p, int index, float density, vec2 size, vec2
     float middle = float(index) + 0.5;
     float layer = floor(middle / 9.0);
     vec2 moved = p + vec2(0.37, 0.61) * layer;
-    vec2 offset = floor(mod(middle / vec2(1.0, 3.0), 3.0)) - 1.0;
-    vec2 cell = floor(moved) + offset;
+    vec2 cell = floor(moved) + (floor(mod(middle / vec2(1.0, 3.0), 3.0)) - 1.0);
     uint bits = wrinkle_scratches_hash3(vec3(cell, layer));
     uint more = wrinkle_scratches_hash(bits ^ 2654435769u);
     bool drawn = float(wrinkle_scratches_hash(more) >> 8u) / 16777216.0 < density;
@@ -61,10 +60,10 @@ vec3 wrinkle_scratches_scratch(vec2 p, int index, float density, vec2 size, vec2
 vec3 wrinkle_scratches_scratches(vec2 uv, float width, float scale, int layers, float density,
         vec2 size, vec2 angles) {
     vec2 p = uv * scale;
-    int count = layers * 9;
+    int product = layers * 9;
     float deepest = 0.0;
     int found = 0;
-    for (int i = 0; i < min(count, 36); ++i) {
+    for (int i = 0; i < min(product, 36); ++i) {
         vec3 stroke = wrinkle_scratches_scratch(p, i, density, size, angles);
         found = deepest < stroke.z ? i : found;
         deepest = max(deepest, stroke.z);

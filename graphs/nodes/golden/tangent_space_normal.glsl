@@ -110,13 +110,13 @@ WrinkleMaterial_tangent_space_normal wrinkle_tangent_space_normal(WrinkleSurface
     float dents_quotient = (dents.w - 0.15) / 0.85;
     float dents_clamped = clamp(dents_quotient, 0.0, 1.0);
     bool dents_test = dents_clamped > 0.0;
+    bool dents_test_2 = dents_quotient < 0.0 || 1.0 < dents_quotient;
     float dents_dot_product = dot(dents.xyz, dpdx - normal * dot(normal, dpdx));
     float dents_dot_product_2 = dot(dents.xyz, dpdy - normal * dot(normal, dpdy));
     vec2 dents_quotient_2 = vec2(dents_dot_product, dents_dot_product_2) / 0.85;
-    vec2 dents_choice = dents_quotient < 0.0 ? vec2(0.0) : dents_quotient_2;
-    vec2 dents_choice_2 = 1.0 < max(dents_quotient, 0.0) ? vec2(0.0) : dents_choice;
-    float dents_choice_3 = dents_test ? 1.5 * pow(dents_clamped, 1.5) / dents_clamped : 0.0;
-    vec2 dents_slope = -(dents_test ? dents_choice_2 * dents_choice_3 : vec2(0.0));
+    float dents_choice = dents_test ? 1.5 * pow(dents_clamped, 1.5) / dents_clamped : 0.0;
+    vec2 dents_product = (dents_test_2 ? vec2(0.0) : dents_quotient_2) * dents_choice;
+    vec2 dents_slope = -(dents_test ? dents_product : vec2(0.0));
     vec2 cloth_product = s.uv0 * 12.0;  // cloth: Weave
     vec3 cloth = wrinkle_tangent_space_normal_thread(cloth_product, 1.0, 0.9);
     vec3 cloth_2 = wrinkle_tangent_space_normal_thread(cloth_product.yx, -1.0, 0.9);
