@@ -5,6 +5,15 @@
 namespace wrinkle::api {
 namespace {
 
+// The enumerators after of_form have the order of the compiler's.
+static_assert(static_cast<int>(CompileOptions::NormalSpace::tangent) ==
+              static_cast<int>(NormalSpace::tangent) + 1);
+
+std::optional<NormalSpace> normal_space_of(const CompileOptions& wanted) {
+    if (wanted.normal_space == CompileOptions::NormalSpace::of_form) return std::nullopt;
+    return static_cast<NormalSpace>(static_cast<int>(wanted.normal_space) - 1);
+}
+
 // Returns the emitter's options and reports invalid ones.
 EmitOptions emit_options(const CompileOptions& wanted, const std::string& file,
                          Diagnostics& diagnostics) {
@@ -34,8 +43,10 @@ EmitOptions emit_options(const CompileOptions& wanted, const std::string& file,
     };
     within("descriptor_set", options.set, max_descriptor_set);
     within("first_binding", options.first_binding, max_first_binding);
+    const std::optional<NormalSpace> normal_space = normal_space_of(wanted);
+    options.normal_space = normal_space.value_or(NormalSpace::object);
     const std::string conflict =
-        form_conflict(*options.target, options.form, options.differentials);
+        form_conflict(*options.target, options.form, options.differentials, normal_space);
     if (!conflict.empty()) diagnostics.error(conflict);
     return options;
 }

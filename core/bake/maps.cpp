@@ -11,6 +11,7 @@
 #include "base/transcendental.h"
 #include "image/writer.h"
 #include "ir/covariance.h"
+#include "ir/tangent_space.h"
 
 namespace wrinkle {
 namespace {

@@ -94,6 +94,7 @@ std::string cache_key(const Project& project, const Types& types, const std::str
                      options.params,
                      options.srgb,
                      options.uv_origin,
+                     options.normal_space,
                      options.differentials,
                      name,
                      with.common.no_tangents ? "derived" : "vertex",

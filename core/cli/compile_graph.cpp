@@ -53,6 +53,10 @@ Differentials differentials_of(const TextOptions& options) {
                                              : Differentials::screen;
 }
 
+std::optional<NormalSpace> normal_space_of(const TextOptions& options) {
+    return enumerator_named<NormalSpace>(normal_space_names, options.normal_space);
+}
+
 }  // namespace
 
 void declare_text(CLI::App& sub, TextOptions& text) {
@@ -74,6 +78,9 @@ void declare_text(CLI::App& sub, TextOptions& text) {
                "sRGB textures");
     add_choice(sub, "--uv-origin", text.uv_origin, uv_origin_names,
                "Where v is 0, and which row of an image is uploaded first");
+    add_choice(sub, "--normal-space", text.normal_space, normal_space_names,
+               "The space of the function's normals; default: object. Those of a pair are in world "
+               "space");
     sub.add_option("--descriptor-set", text.set, "The descriptor set of the blocks and images")
         ->check(CLI::Range(0, max_descriptor_set))
         ->capture_default_str();
@@ -87,7 +94,8 @@ std::string wrong_text(const TextOptions& text) {
     const Target* target = find_target(text.target);
     if (!target) return "there is no target '" + text.target + "'; --list-targets lists them";
     const Form form = form_of(text);
-    const std::string why = form_conflict(*target, form, differentials_of(text));
+    const std::string why =
+        form_conflict(*target, form, differentials_of(text), normal_space_of(text));
     if (why.empty() || supports(*target, form)) return why;
     return why + "; --form " + (form == Form::shader ? "function" : "shader");
 }
@@ -104,6 +112,7 @@ ShaderOptions shader_options(const std::string& file, const Compilation& with) {
     options.emit.form = form_of(wanted);
     options.emit.differentials = differentials_of(wanted);
     if (wanted.uv_origin == "top") options.emit.uv_origin = UvOrigin::top;
+    options.emit.normal_space = normal_space_of(wanted).value_or(NormalSpace::object);
     options.emit.name = name_for(file, wanted);
     options.emit.target = find_target(wanted.target);
     options.emit.set = wanted.set;

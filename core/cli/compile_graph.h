@@ -22,6 +22,7 @@ struct TextOptions {
     std::string params = "baked";
     std::string srgb = "sampler";
     std::string uv_origin = "bottom";
+    std::string normal_space;          // "": object, or world in the shader form
     std::string differentials;         // "": screen, or none if `outputs` is the displacement
     std::vector<std::string> outputs;  // empty: all
     std::string name;                  // "": from the file name

@@ -11,6 +11,7 @@
 #include "graph/subgraph.h"
 #include "image/formats.h"
 #include "ir/rewrite.h"
+#include "ir/tangent_space.h"
 #include "lower/check.h"
 #include "spirv/spirv.h"
 
@@ -73,12 +74,15 @@ bool select_outputs(Module& module, const std::vector<std::string>& names, const
 
 }  // namespace
 
-std::string form_conflict(const Target& target, Form form, Differentials differentials) {
+std::string form_conflict(const Target& target, Form form, Differentials differentials,
+                          std::optional<NormalSpace> normal_space) {
     if (!supports(target, form))
         return "the target '" + std::string(target.name) + "' is only written as a " +
                (form == Form::function ? "complete pair" : "function");
     if (form == Form::shader && differentials != Differentials::screen)
         return "the shader form takes its differentials from the screen";
+    if (form == Form::shader && normal_space.value_or(NormalSpace::world) != NormalSpace::world)
+        return "the shader form writes normals in world space";
     return {};
 }
 
@@ -121,6 +125,8 @@ MadeShader make_shader(const Project& project, const Registry& registry, ShaderO
     Module& module = made.compiled.module;
     if (!select_outputs(module, options.outputs, project, diagnostics)) return made;
     options.emit.bare_result = options.outputs.size() == 1;
+    if (options.emit.normal_space == NormalSpace::tangent)
+        module = with_tangent_space_normals(std::move(module), options.material.vertex_tangents);
     if (options.emit.differentials == Differentials::none)
         module = without_differentials(std::move(module));
     if (options.emit.uv_origin == UvOrigin::top) module = with_uv_origin_top(std::move(module));

@@ -3,6 +3,7 @@
 // messages are identical.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "glsl/emit.h"
@@ -16,8 +17,10 @@ struct Document;
 // Largest descriptor set and first binding that a caller may choose.
 inline constexpr int max_descriptor_set = 31, max_first_binding = 4095;
 
-// Returns the reason, as a clause, if target, form and differentials are incompatible; else "".
-std::string form_conflict(const Target& target, Form form, Differentials differentials);
+// Returns the reason, as a clause, if target, form, differentials and a chosen space of normals are
+// incompatible; else "".
+std::string form_conflict(const Target& target, Form form, Differentials differentials,
+                          std::optional<NormalSpace> normal_space);
 
 // Applies glTF's `doubleSided`, which flips the normals of back faces: if the graph does not set
 // "back_faces", sets BackFaces::flip and reports a warning at the file `mesh`. Call before

@@ -23,6 +23,12 @@ std::string result_name(const Region& region, size_t index) {
     return "result_" + std::to_string(index + 1);
 }
 
+// Returns true for a normal that is multiplied by the member normal_matrix.
+bool is_by_matrix(const Reflection& reflection, const OutputInfo& output) {
+    return output.port_type == WR_PORT_normal && !reflection.members.empty() &&
+           reflection.members.back().normal_matrix;
+}
+
 // Returns "// weave gives height, normal" for a sub-graph; "" for a region without result names.
 std::string comment_on(const Region& region) {
     std::string text;
@@ -54,7 +60,7 @@ void Body::material_function(const Reflection& reflection) {
                : ids.empty()      ? no_node
                                   : group_of(analysis_, values_, ids.back()));
     if (bare)
-        result("return ", roots[0]);
+        result("return ", roots[0], is_by_matrix(reflection, reflection.outputs[0]));
     else
         material_results(reflection, roots);
     text_.line(0, "}");
@@ -89,7 +95,8 @@ void Body::material_results(const Reflection& r, std::span<const Id> roots) {
     const bool structure = r.result_form == ResultForm::structure;
     if (structure) text_.line(1, filled(language_.unset, {{'t', r.result_name}, {'n', "m"}}));
     for (size_t k = 0; k < roots.size(); ++k)
-        result((structure ? "m." : "") + r.outputs[k].member + " = ", roots[k]);
+        result((structure ? "m." : "") + r.outputs[k].member + " = ", roots[k],
+               is_by_matrix(r, r.outputs[k]));
     if (structure) text_.line(1, "return m;");
 }
 
@@ -100,13 +107,30 @@ Id Body::without_views(Id id) const {
     return id;
 }
 
+// Appends normalize(normal_matrix * value) to the line.
+void Body::write_by_matrix(Id root) {
+    const bool structs = language_.arguments == Arguments::structs;
+    const std::string_view matrix = structs ? "s.normal_matrix" : "normal_matrix";
+    const std::string_view transform = language_.op(Op::transform_);
+    line_.append(language_.op(Op::normalize_)).append("(");
+    if (language_.is_pattern(Op::transform_))
+        append_filled(line_, transform, {{'0', matrix}, {'1', text_of(context_, root)}});
+    else
+        line_.append(matrix).append(" ").append(transform).append(" ").append(
+            text_of(context_, root, info(Op::transform_).precedence + 1));
+    line_.append(")");
+}
+
 // Writes the line that assigns or returns a result.
-void Body::result(std::string_view target, Id root) {
+void Body::result(std::string_view target, Id root, bool by_matrix) {
     const Id value = without_views(root);
     const uint32_t group =
         analysis_.role(value) == Role::leaf ? no_node : group_of(analysis_, values_, value);
     line_ = target;
-    write(context_, root, line_);
+    if (by_matrix)
+        write_by_matrix(root);
+    else
+        write(context_, root, line_);
     line_.append(";");
     if (is_folded(value))
         commented_line(1, line_, group, true);

@@ -34,7 +34,8 @@ private:
         return analysis_.role(id) == Role::value && !values_.state[id].statement;
     }
     Id without_views(Id id) const;
-    void result(std::string_view target, Id root);
+    void result(std::string_view target, Id root, bool by_matrix);
+    void write_by_matrix(Id root);
     std::vector<std::string> name_parameters(const Region& region);
     std::string declared(std::string_view pattern, Type type, std::string_view name,
                          std::string_view value = {}) const;

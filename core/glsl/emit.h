@@ -7,7 +7,7 @@
 //            shader. The result has a member per output. Unused members, uniforms and helper
 //            functions are not emitted; the argument is omitted if no output depends on it.
 //            Every global name contains NAME, so materials of several names share one shader.
-//            Inputs and results are in object space.
+//            Inputs are in object space, results in `normal_space`.
 // shader     Attributes position, normal, tangent, uv0 ... color0 (locations in glsl/attributes.h).
 //            Uniforms, where used:
 //              wrinkle_object_to_clip   mat4, into the clip space of the target's own API
@@ -24,7 +24,8 @@
 // Differentials: `screen` takes dFdx and dFdy of the struct's members. `given` expects additional
 // members uv0_dx, uv0_dy, ..., and a module in which samples have an explicit lod (explicit_lod()
 // in ir/rewrite.h). `none` expects a module without_differentials(), as for a vertex stage. The
-// shader form accepts only `screen`. UvOrigin::top expects a module with_uv_origin_top().
+// shader form accepts only `screen`. UvOrigin::top expects a module with_uv_origin_top(),
+// NormalSpace::tangent a module with_tangent_space_normals().
 //
 // If a target numbers its resources, the uniforms of the shader form are in the block WrinkleFrame,
 // the others in WrinkleParameters_NAME. Blocks, then images, are numbered from `first_binding` on
@@ -55,6 +56,7 @@ struct EmitOptions {
     std::string name = "material";  // NAME; converted to an identifier
     const Target* target = &targets().front();
     UvOrigin uv_origin = UvOrigin::bottom;
+    NormalSpace normal_space = NormalSpace::object;  // function form
     int set = 0, first_binding = 0;
     bool bare_result = false;  // return the value of the only output, not a struct with it
     uint64_t max_bytes = limit_of(Limit::text_bytes);  // size of a stage; if exceeded, a problem

@@ -98,6 +98,11 @@ void add_members(const EmitAnalysis& analysis, bool given, Reflection& reflectio
         for (const Variant variant : {Variant::dx, Variant::dy})
             if (given && used(variant)) reflection.members.push_back(member(input, variant));
     }
+    const bool world_or_view = reflection.normal_space == NormalSpace::world ||
+                               reflection.normal_space == NormalSpace::view;
+    if (world_or_view && has_normals(reflection))
+        reflection.members.push_back(
+            {.name = "normal_matrix", .type = Type::mat3_, .normal_matrix = true});
 }
 
 void add_functions(const EmitAnalysis& analysis, const EmitOptions& options, Interface& face) {
@@ -124,9 +129,14 @@ void add_functions(const EmitAnalysis& analysis, const EmitOptions& options, Int
             face.globals.unique(r.function + "_" + m.region(region).name);
 }
 
-void write_doc(const MemberInfo& member, UvOrigin origin, std::string& line) {
+void write_doc(const MemberInfo& member, const Reflection& reflection, std::string& line) {
     const std::string_view doc = info(member.input).doc;
-    if (member.relative)
+    const bool top = reflection.uv_origin == UvOrigin::top;
+    if (member.normal_matrix)
+        line.append("transposed inverse of the matrix from object to ")
+            .append(name_of(reflection.normal_space))
+            .append(" space");
+    else if (member.relative)
         line.append("position seen from the eye, object axes, length units");
     else if (member.variant != Variant::value)
         line.append("change of ")
@@ -137,14 +147,24 @@ void write_doc(const MemberInfo& member, UvOrigin origin, std::string& line) {
         line.append("interpolated normal, object space, of any length but zero");
     else if (member.input == SurfaceInput::tangent_)
         line.append("interpolated tangent of uv0, object space; ")
-            .append(origin == UvOrigin::top ? "w N x T points up in images"
-                                            : "w: sign of the bitangent");
-    else if (member.input == SurfaceInput::uv0_ && origin == UvOrigin::top)
+            .append(top ? "w N x T points up in images" : "w: sign of the bitangent");
+    else if (member.input == SurfaceInput::uv0_ && top)
         line.append("first uv set, origin at the top left");
     else if (!doc.empty() && doc[0] >= 'A' && doc[0] <= 'Z')
         line.append(1, static_cast<char>(doc[0] - 'A' + 'a')).append(doc.substr(1));
     else
         line.append(doc);
+}
+
+// Returns the comment of an output; "" for one without a standard name.
+std::string output_doc(const OutputInfo& output, const Reflection& reflection) {
+    const StandardOutput* standard = find_standard_output(output.output);
+    if (!standard) return {};
+    std::string doc(standard->doc);
+    constexpr std::string_view object = "object space";
+    if (const size_t at = doc.find(object); at != doc.npos)
+        doc.replace(at, object.size(), std::string(name_of(reflection.normal_space)) + " space");
+    return doc;
 }
 
 constexpr size_t max_comment_column = 48;
@@ -200,6 +220,7 @@ Interface make_interface(const EmitAnalysis& analysis, const EmitOptions& option
     NameSet plain(&language.reserved);
     face.reflection.target = options.target->name;
     face.reflection.uv_origin = options.uv_origin;
+    if (options.form == Form::function) face.reflection.normal_space = options.normal_space;
     face.reflection.name = plain.unique(without_underscores(identifier(options.name)));
     for (const std::string kind :
          {"Surface_", "Material_", "Parameters_", "Vertex_", "Varyings_", "Targets_"})
@@ -231,13 +252,13 @@ Text reserve_text(const EmitAnalysis& analysis, uint64_t most) {
 static void write_parameter_docs(const Reflection& reflection, Text& text) {
     for (const MemberInfo& member : reflection.members) {
         std::string doc;
-        write_doc(member, reflection.uv_origin, doc);
+        write_doc(member, reflection, doc);
         text.line(0, {"//   ", member.name, ": ", doc});
     }
     if (reflection.result_form != ResultForm::parameters) return;
     for (const OutputInfo& output : reflection.outputs) {
-        const StandardOutput* standard = find_standard_output(output.output);
-        if (standard) text.line(0, {"//   ", output.member, ": ", standard->doc});
+        const std::string doc = output_doc(output, reflection);
+        if (!doc.empty()) text.line(0, {"//   ", output.member, ": ", doc});
     }
 }
 
@@ -246,7 +267,7 @@ void write_structs(const Language& language, const Reflection& reflection, Text&
     for (const MemberInfo& member : reflection.members) {
         append_filled(lines.code, language.member,
                       {{'t', language.type(member.type)}, {'n', member.name}});
-        write_doc(member, reflection.uv_origin, lines.comments);
+        write_doc(member, reflection, lines.comments);
         lines.end_line();
     }
     write_struct(language, reflection.struct_name, lines, text);
@@ -255,8 +276,7 @@ void write_structs(const Language& language, const Reflection& reflection, Text&
     for (const OutputInfo& output : reflection.outputs) {
         append_filled(lines.code, language.member,
                       {{'t', language.type(output.type)}, {'n', output.member}});
-        if (const StandardOutput* standard = find_standard_output(output.output))
-            lines.comments.append(standard->doc);
+        lines.comments.append(output_doc(output, reflection));
         lines.end_line();
     }
     write_struct(language, reflection.result_name, lines, text);
@@ -319,11 +339,19 @@ void write_functions(const EmitAnalysis& analysis, const Interface& face, const 
     Body(analysis, values, face.globals, target, text).material_function(face.reflection);
 }
 
+bool has_normals(const Reflection& reflection) {
+    return std::ranges::any_of(reflection.outputs, [](const OutputInfo& output) {
+        return output.port_type == WR_PORT_normal;
+    });
+}
+
 std::string title_of(const Module& module, const Reflection& reflection) {
     const std::string& title = module.titles[module.nodes[0].title];
     std::string line =
         "// " + comment_text(title.empty() ? reflection.name : title) + ". Generated by Wrinkle.";
     if (reflection.uv_origin == UvOrigin::top) line += " UV origin: top.";
+    if (reflection.normal_space != NormalSpace::object)
+        line.append(" Normals: ").append(name_of(reflection.normal_space)).append(" space.");
     return line;
 }
 

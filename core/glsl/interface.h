@@ -32,6 +32,9 @@ void set_resource_uses(const EmitAnalysis& analysis, const Language& language,
 void write_functions(const EmitAnalysis& analysis, const Interface& interface, const Target& target,
                      Text& text);
 
+// Returns true if an output is of type normal.
+bool has_normals(const Reflection& reflection);
+
 // Returns the title comment: the graph's title, or NAME if it has none, and the conventions of the
 // text where they differ from the defaults.
 std::string title_of(const Module& module, const Reflection& reflection);

@@ -106,7 +106,7 @@ std::string member_text(const MemberInfo& m) {
     constexpr std::string_view variants[] = {"value", "dx", "dy"};
     return object({{"name", json_quoted(m.name)},
                    {"type", quoted_type(m.type)},
-                   {"surface", json_quoted(info(m.input).name)},
+                   {"surface", json_quoted(m.normal_matrix ? m.name : info(m.input).name)},
                    {"variant", json_quoted(variants[static_cast<size_t>(m.variant)])},
                    {"relative", m.relative ? "true" : "false"}});
 }
@@ -209,6 +209,7 @@ std::string to_json(const Reflection& r) {
     field("result", json_quoted(r.result_name));
     field("result_form", json_quoted(result_forms[static_cast<size_t>(r.result_form)]));
     field("uv_origin", json_quoted(name_of(r.uv_origin)));
+    field("normal_space", json_quoted(r.attributes.empty() ? name_of(r.normal_space) : "world"));
     field("uniform_control_flow", r.uniform_control_flow ? "true" : "false");
     field("outputs", list(r.outputs, output_json));
     field("members", list(r.members, member_text));

@@ -62,13 +62,15 @@ struct SamplerInfo {
 
 // A member of the struct that the function takes. With screen differentials, the position's are
 // taken of `position_relative`: the position minus the eye, in object axes, for precision far
-// from the origin. The `input` of that member is `position`.
+// from the origin. The `input` of that member is `position`. The member `normal_matrix` is the
+// last; it has no input.
 struct MemberInfo {
     std::string name;  // "uv0", "position_relative"; with given differentials also "uv0_dx"
     Type type{};
     SurfaceInput input{};
     Variant variant{};
     bool relative = false;
+    bool normal_matrix = false;
 };
 
 // An output of the graph: a member of the result.
@@ -110,8 +112,9 @@ enum class ResultForm : uint8_t {
 struct Reflection {
     std::string target;  // "glsl330"
     UvOrigin uv_origin = UvOrigin::bottom;
-    std::string name;         // NAME
-    std::string function;     // "wrinkle_NAME"
+    NormalSpace normal_space = NormalSpace::object;  // function form
+    std::string name;                                // NAME
+    std::string function;                            // "wrinkle_NAME"
     std::string struct_name;  // "WrinkleSurface_NAME"; "" if the function takes no struct
     std::string result_name;  // "WrinkleMaterial_NAME"; "" without a struct
     ResultForm result_form = ResultForm::structure;

@@ -66,9 +66,7 @@ void find_varyings(Stage& stage) {
         for (AttributeInfo& attribute : r.attributes)
             attribute.semantic = semantic_of(attribute.name);
     if (stage.relative) r.varyings.push_back("wrinkle_position_relative");
-    stage.world = std::any_of(r.outputs.begin(), r.outputs.end(), [](const auto& output) {
-        return output.port_type == WR_PORT_normal;
-    });
+    stage.world = has_normals(r);
     r.frame_uniforms.push_back({"wrinkle_object_to_clip", "mat4", "object space to clip space"});
     if (stage.relative)
         r.frame_uniforms.push_back({"wrinkle_eye", "vec3", "the eye in object space"});

@@ -99,12 +99,13 @@ INSTANTIATE_TEST_SUITE_P(
                             "",
                             Form::function,
                             {"--differentials", "given", "--no-tangents", "--srgb", "shader",
-                             "--uv-origin", "top"},
+                             "--uv-origin", "top", "--normal-space", "tangent"},
                             changed([](CompileOptions& o) {
                                 o.differentials = CompileOptions::Differentials::given;
                                 o.vertex_tangents = false;
                                 o.srgb = CompileOptions::Srgb::shader;
                                 o.uv_origin = CompileOptions::UvOrigin::top;
+                                o.normal_space = CompileOptions::NormalSpace::tangent;
                             })},
                     Written{"glsl450",
                             "",

@@ -71,10 +71,11 @@ protected:
 // An entry shows the difference: a hit leaves it unchanged, a miss writes a new one.
 TEST_F(CacheTest, AHitWritesWhatAMissWrites) {
     put("g.json", tilt_graph());
-    for (const Names& more : {Names{}, Names{"--form", "shader"}, Names{"--params", "uniform"},
-                              Names{"--srgb", "shader"}, Names{"--uv-origin", "top"},
-                              Names{"--differentials", "given"}, Names{"--name", "other"},
-                              Names{"--no-tangents"}, Names{"--set", "tilt.volume=[0.5, 0, 0]"}}) {
+    for (const Names& more :
+         {Names{}, Names{"--form", "shader"}, Names{"--params", "uniform"},
+          Names{"--srgb", "shader"}, Names{"--uv-origin", "top"}, Names{"--normal-space", "view"},
+          Names{"--differentials", "given"}, Names{"--name", "other"}, Names{"--no-tangents"},
+          Names{"--set", "tilt.volume=[0.5, 0, 0]"}}) {
         Names args = more;
         args.insert(args.end(), {"--reflect", "out/r.json", "-MD"});
         const size_t before = entries().size();

@@ -1,4 +1,5 @@
-// Tests of the conventions of generated text: wrinkle compile --uv-origin.
+// Tests of the conventions of generated text: wrinkle compile --uv-origin and
+// --normal-space.
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -51,7 +52,63 @@ TEST_F(TextConventionsTest, FlipTheUvsOfTheShaderFormToo) {
     EXPECT_TRUE(says(ran.out, "1.0 - s.uv1.y")) << ran.out;
 }
 
+TEST_F(TextConventionsTest, OfNormalsAreInTheTitleTheStructsAndTheReflection) {
+    for (const char* space : {"world", "view"}) {
+        const Ran ran = compile({"--normal-space", space});
+        const std::string name = space;
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        EXPECT_TRUE(says(ran.out, ". Normals: " + name + " space. Call")) << ran.out;
+        EXPECT_TRUE(says(ran.out, "mat3 normal_matrix;")) << ran.out;
+        EXPECT_TRUE(says(ran.out, "from object to " + name + " space")) << ran.out;
+        EXPECT_TRUE(says(ran.out, "// unit normal, " + name + " space")) << ran.out;
+        EXPECT_TRUE(says(ran.out, "m.normal = normalize(s.normal_matrix * ")) << ran.out;
+        EXPECT_EQ(reflection().find("normal_space").as_string(), space);
+        const json::Value members = reflection().find("members");
+        EXPECT_EQ(members.at(members.size() - 1).find("surface").as_string(), "normal_matrix");
+    }
+    EXPECT_EQ(compile({"--normal-space", "object"}).out, compile().out);
+    EXPECT_EQ(reflection().find("normal_space").as_string(), "object");
+}
+
+TEST_F(TextConventionsTest, OfNormalsAreSpelledByTheLanguage) {
+    for (const auto& [target, line] :
+         {std::pair("hlsl", "s.normal_matrix));"), std::pair("hlsl", "normalize(mul("),
+          std::pair("msl", "normalize(s.normal_matrix * "),
+          std::pair("wgsl", "normal_matrix: mat3x3f,"),
+          std::pair("godot3", "out_normal = normalize(normal_matrix * "),
+          std::pair("godot3", "mat3 normal_matrix, out vec3 out_normal)")}) {
+        const Ran ran = compile({"--normal-space", "world", "--target", target});
+        EXPECT_TRUE(says(ran.out, line)) << target << line << ran.out;
+    }
+}
+
+TEST_F(TextConventionsTest, TangentSpaceReadsTheFrameOfUv0) {
+    const Ran ran = compile({"--normal-space", "tangent"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_TRUE(says(ran.out, "// unit normal, tangent space")) << ran.out;
+    EXPECT_FALSE(says(ran.out, "normal_matrix")) << ran.out;
+    EXPECT_TRUE(says(ran.out, "s.tangent")) << ran.out;
+    const Ran derived = compile({"--normal-space", "tangent", "--no-tangents"});
+    EXPECT_FALSE(says(derived.out, "s.tangent")) << derived.out;
+    EXPECT_TRUE(says(derived.out, "dFdx(s.uv0)")) << derived.out;
+}
+
+TEST_F(TextConventionsTest, TheShaderFormHasNormalsInWorldSpaceOnly) {
+    const Names pair{"--form", "shader", "--stage", "fragment"};
+    const Ran plain = compile(pair);
+    EXPECT_EQ(reflection().find("normal_space").as_string(), "world");
+    for (const char* space : {"object", "view", "tangent"}) {
+        const Ran ran = compile({"--form", "shader", "--normal-space", space});
+        EXPECT_EQ(ran.code, 2);
+        EXPECT_TRUE(says(ran.err, "the shader form writes normals in world space")) << ran.err;
+    }
+    Names world = pair;
+    world.insert(world.end(), {"--normal-space", "world"});
+    EXPECT_EQ(compile(world).out, plain.out);
+}
+
 TEST_F(TextConventionsTest, OfOtherNamesAreWrongUsage) {
+    EXPECT_EQ(compile({"--normal-space", "eye"}).code, 2);
     EXPECT_EQ(compile({"--uv-origin", "left"}).code, 2);
 }
 

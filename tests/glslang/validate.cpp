@@ -136,7 +136,10 @@ std::string wrapped_glsl(std::span<const Shader> shaders, const Target& target) 
     size_t location = 0;
     for (const auto& [name, type] : inputs_of(shaders)) {
         if (target.bindings != Bindings::by_name)
-            text += "layout(location = " + std::to_string(location++) + ") ";
+            text +=
+                "layout(location = " +
+                std::to_string(std::exchange(location, location + (type == Type::mat3_ ? 3 : 1))) +
+                ") ";
         text += "in " + std::string(info(type).name) + " WrTest_" + name + ";\n";
     }
     return text + "layout(location = 0) out vec4 WrTest_sum;\nvoid main() {\n" +

@@ -10,6 +10,7 @@
 #include "certify/points.h"
 #include "gpu/point_runner.h"
 #include "ir/rewrite.h"
+#include "ir/tangent_space.h"
 #include "parity/compare.h"
 #include "parity/context.h"
 #include "parity/node_graph.h"
@@ -59,18 +60,23 @@ Module module_of(const std::filesystem::path& graph, bool given, bool vertex_tan
     return std::move(compiled.module);
 }
 
+void expect_same_values(const Module& bottom, const PointSet& points) {
+    const Module top = with_uv_origin_top(Module(bottom));
+    const Reference reference = make_reference(bottom, points, test_image);
+    const Values values = on_cpu<double>(top, flipped(points), flipped_image);
+    const Comparison found = reference.compare(reference.precise, values);
+    EXPECT_EQ(found.different, 0U) << found.first->a << " and " << found.first->b;
+    EXPECT_LT(found.unstable, found.values / 2);
+}
+
 TEST(UvOriginAtTheTop, GivesTheValuesOfTheBottomForEverySample) {
     const PointSet points = certify::random_points(300, 11);
     for (const std::filesystem::path& path : sample_graphs())
         for (const bool tangents : {true, false}) {
             SCOPED_TRACE(path.string() + (tangents ? "" : ", no tangents"));
-            const Module bottom = module_of(path, true, tangents);
-            const Module top = with_uv_origin_top(Module(bottom));
-            const Reference reference = make_reference(bottom, points, test_image);
-            const Values values = on_cpu<double>(top, flipped(points), flipped_image);
-            const Comparison found = reference.compare(reference.precise, values);
-            EXPECT_EQ(found.different, 0U) << found.first->a << " and " << found.first->b;
-            EXPECT_LT(found.unstable, found.values / 2);
+            const Module object = module_of(path, true, tangents);
+            expect_same_values(object, points);
+            expect_same_values(with_tangent_space_normals(Module(object), tangents), points);
         }
 }
 

@@ -62,7 +62,8 @@ struct CompileOptions {
     enum class Parameters { baked, uniform };         // numbers as literals, or as uniforms
     enum class Differentials { screen, given };       // from the screen, or passed by the caller
     enum class Srgb { sampler, shader };              // decoder of images of encoding srgb
-    enum class UvOrigin { bottom, top };              // v = 0, and an image's first row
+    enum class NormalSpace { of_form, object, world, view, tangent };  // of_form: object, world
+    enum class UvOrigin { bottom, top };  // v = 0, and an image's first row
 
     std::string target = "glsl330";
     Form form = Form::of_target;
@@ -70,6 +71,7 @@ struct CompileOptions {
     Differentials differentials = Differentials::screen;
     Srgb srgb = Srgb::sampler;
     UvOrigin uv_origin = UvOrigin::bottom;
+    NormalSpace normal_space = NormalSpace::of_form;
     std::string name;             // NAME in the text; "": the stem of the graph's file
     bool vertex_tangents = true;  // false: frames of uv0 are derived
     bool strict = false;          // exceeding a guaranteed limit is an error
