@@ -25,7 +25,7 @@ WrinkleMaterial_box_crate wrinkle_box_crate(WrinkleSurface_box_crate s) {
     vec2 sides_vector_2 = vec2(s.position.x, sides_negated_2 * s.position.z);
     float sides_side_z = normal.z < 0.0 ? -1.0 : 1.0;
     vec2 sides_vector_3 = vec2(sides_side_z * s.position.x, s.position.y);
-    vec2 sides_on_face = sides_on_x ? sides_vector : sides_on_y ? sides_vector_2 : sides_vector_3;
+    vec2 sides_on_face = sides_on_x ? sides_vector : (sides_on_y ? sides_vector_2 : sides_vector_3);
     vec2 sides_uv = sides_on_face * 2.0;
     vec2 sides_vector_4 = vec2(dpdx.x, dpdx.z * sides_negated_2);
     vec2 sides_choice = sides_on_y ? sides_vector_4 : vec2(dpdx.x * sides_side_z, dpdx.y);
@@ -38,14 +38,14 @@ WrinkleMaterial_box_crate wrinkle_box_crate(WrinkleSurface_box_crate s) {
     vec2 sides_vector_6 = vec2(surface_dpdy.z * sides_negated, surface_dpdy.y);
     vec2 sides_vector_7 = vec2(surface_dpdy.x, surface_dpdy.z * sides_negated_2);
     vec2 sides_vector_8 = vec2(surface_dpdy.x * sides_side_z, surface_dpdy.y);
-    vec2 sides_on_face_dy_2 = sides_on_x ? sides_vector_6 : sides_on_y ? sides_vector_7 :
-            sides_vector_8;
+    vec2 sides_on_face_dy_2 = sides_on_x ? sides_vector_6 :
+            (sides_on_y ? sides_vector_7 : sides_vector_8);
     vec2 sides_uv_dy_2 = sides_on_face_dy_2 * 2.0;
     vec2 sides_vector_9 = vec2(surface_dpdx.z * sides_negated, surface_dpdx.y);
     vec2 sides_vector_10 = vec2(surface_dpdx.x, surface_dpdx.z * sides_negated_2);
     vec2 sides_vector_11 = vec2(surface_dpdx.x * sides_side_z, surface_dpdx.y);
-    vec2 sides_on_face_dx_2 = sides_on_x ? sides_vector_9 : sides_on_y ? sides_vector_10 :
-            sides_vector_11;
+    vec2 sides_on_face_dx_2 = sides_on_x ? sides_vector_9 :
+            (sides_on_y ? sides_vector_10 : sides_vector_11);
     vec2 sides_uv_dx_2 = sides_on_face_dx_2 * 2.0;
     // g: Tangent normal map
     vec4 g_texel = textureGrad(box_crate_g_image, sides_uv, sides_uv_dx, sides_uv_dy);

@@ -17,7 +17,7 @@ WrinkleMaterial_cube_ball wrinkle_cube_ball(WrinkleSurface_cube_ball s) {
     vec3 g_size = abs(s.position);  // g: Cube normal map
     bool g_on_x = g_size.x >= g_size.y && g_size.x >= g_size.z;
     bool g_on_y = g_size.y >= g_size.z;
-    float g_face_depth = g_on_x ? g_size.x : g_on_y ? g_size.y : g_size.z;
+    float g_face_depth = g_on_x ? g_size.x : (g_on_y ? g_size.y : g_size.z);
     bool g_test = g_face_depth != 0.0;
     float g_side_x = s.position.x < 0.0 ? -1.0 : 1.0;
     float g_negated = -g_side_x;
@@ -33,7 +33,7 @@ WrinkleMaterial_cube_ball wrinkle_cube_ball(WrinkleSurface_cube_ball s) {
     vec2 g_on_face_dx = g_on_x ? vec2(dpdx.z * g_negated, dpdx.y) : g_choice_2;
     vec3 g_sign = sign(s.position);
     vec3 g_size_dx = dpdx * g_sign;
-    float g_face_depth_slope_dx = g_on_x ? g_size_dx.x : g_on_y ? g_size_dx.y : g_size_dx.z;
+    float g_face_depth_slope_dx = g_on_x ? g_size_dx.x : (g_on_y ? g_size_dx.y : g_size_dx.z);
     vec2 g_quotient_2 = (g_on_face_dx - g_face_depth_slope_dx * g_quotient) / g_face_depth;
     vec2 g_place_dx = (g_test ? g_quotient_2 : vec2(0.0)) * 0.5;
     vec2 g_face_size = vec2(textureSize(cube_ball_g_image, 0)) / vec2(6.0, 1.0);
@@ -41,7 +41,7 @@ WrinkleMaterial_cube_ball wrinkle_cube_ball(WrinkleSurface_cube_ball s) {
     vec2 g_choice_3 = g_on_y ? g_vector_3 : vec2(dpdy.x * g_side_z, dpdy.y);
     vec2 g_on_face_dy = g_on_x ? vec2(dpdy.z * g_negated, dpdy.y) : g_choice_3;
     vec3 g_size_dy = dpdy * g_sign;
-    float g_face_depth_slope_dy = g_on_x ? g_size_dy.x : g_on_y ? g_size_dy.y : g_size_dy.z;
+    float g_face_depth_slope_dy = g_on_x ? g_size_dy.x : (g_on_y ? g_size_dy.y : g_size_dy.z);
     vec2 g_quotient_3 = (g_on_face_dy - g_face_depth_slope_dy * g_quotient) / g_face_depth;
     vec2 g_place_dy = (g_test ? g_quotient_3 : vec2(0.0)) * 0.5;
     float g_extent = max(length(g_place_dx * g_face_size), length(g_place_dy * g_face_size));
@@ -50,7 +50,7 @@ WrinkleMaterial_cube_ball wrinkle_cube_ball(WrinkleSurface_cube_ball s) {
     vec2 g_greatest = max((g_test ? g_quotient : vec2(0.0)) * 0.5 + 0.5, g_border);
     vec2 g_inside = min(g_greatest, 1.0 - g_border);
     vec3 g_behind = (1.0 - vec3(g_side_x, g_side_y, g_side_z)) * 0.5;
-    float g_face = g_on_x ? g_behind.x : g_on_y ? 2.0 + g_behind.y : 4.0 + g_behind.z;
+    float g_face = g_on_x ? g_behind.x : (g_on_y ? 2.0 + g_behind.y : 4.0 + g_behind.z);
     vec2 g_at = vec2(g_inside.x + g_face, g_inside.y) / vec2(6.0, 1.0);
     float g_limit = min(min(g_face_size.x, g_face_size.y) / g_footprint, 1.0);
     vec2 g_at_dx = g_place_dx * g_limit / vec2(6.0, 1.0);

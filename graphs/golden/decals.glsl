@@ -14,8 +14,8 @@ uniform sampler2D decals_ball_image;    // textures/ball_cube.png (normal_gl, re
 
 uint wrinkle_decals_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
-    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
-    return word >> 22u ^ word;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
 }
 
 uint wrinkle_decals_hash3(vec3 cell) {
@@ -27,7 +27,7 @@ uint wrinkle_decals_hash3(vec3 cell) {
 vec4 wrinkle_decals_gradient_corner(vec3 corner, vec3 way) {
     uint bits = wrinkle_decals_hash3(corner);
     float a = 1.0 - 2.0 * float(bits & 1u);
-    uint axis = (bits >> 8u) * 3u >> 24u;
+    uint axis = ((bits >> 8u) * 3u) >> 24u;
     float first = axis == 0u ? a : 0.0;
     float x = a - first;
     float b = 1.0 - float(bits & 2u);
@@ -230,7 +230,7 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec3 ball_size = abs(hit_direction);  // ball: Cube normal map
     bool ball_on_x = ball_size.x >= ball_size.y && ball_size.x >= ball_size.z;
     bool ball_on_y = ball_size.y >= ball_size.z;
-    float ball_face_depth = ball_on_x ? ball_size.x : ball_on_y ? ball_size.y : ball_size.z;
+    float ball_face_depth = ball_on_x ? ball_size.x : (ball_on_y ? ball_size.y : ball_size.z);
     bool ball_test = ball_face_depth != 0.0;
     float ball_side_x = hit_direction.x < 0.0 ? -1.0 : 1.0;
     float ball_negated = -ball_side_x;
@@ -240,13 +240,13 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec2 ball_vector_2 = vec2(hit_direction.x, ball_negated_2 * hit_direction.z);
     float ball_side_z = hit_direction.z < 0.0 ? -1.0 : 1.0;
     vec2 ball_vector_3 = vec2(ball_side_z * hit_direction.x, hit_direction.y);
-    vec2 ball_on_face = ball_on_x ? ball_vector : ball_on_y ? ball_vector_2 : ball_vector_3;
+    vec2 ball_on_face = ball_on_x ? ball_vector : (ball_on_y ? ball_vector_2 : ball_vector_3);
     vec2 ball_quotient = ball_on_face / ball_face_depth;
     vec2 ball_place = (ball_test ? ball_quotient : vec2(0.0)) * 0.5 + 0.5;
     vec2 ball_vector_4 = vec2(hit_direction_dx.z * ball_negated, hit_direction_dx.y);
     vec2 ball_vector_5 = vec2(hit_direction_dx.x, hit_direction_dx.z * ball_negated_2);
     vec2 ball_vector_6 = vec2(hit_direction_dx.x * ball_side_z, hit_direction_dx.y);
-    vec2 ball_on_face_dx = ball_on_x ? ball_vector_4 : ball_on_y ? ball_vector_5 : ball_vector_6;
+    vec2 ball_on_face_dx = ball_on_x ? ball_vector_4 : (ball_on_y ? ball_vector_5 : ball_vector_6);
     vec3 ball_sign = sign(hit_direction);
     vec3 ball_size_dx = hit_direction_dx * ball_sign;
     float ball_choice = ball_on_y ? ball_size_dx.y : ball_size_dx.z;
@@ -258,7 +258,7 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec2 ball_vector_7 = vec2(hit_direction_dy.z * ball_negated, hit_direction_dy.y);
     vec2 ball_vector_8 = vec2(hit_direction_dy.x, hit_direction_dy.z * ball_negated_2);
     vec2 ball_vector_9 = vec2(hit_direction_dy.x * ball_side_z, hit_direction_dy.y);
-    vec2 ball_on_face_dy = ball_on_x ? ball_vector_7 : ball_on_y ? ball_vector_8 : ball_vector_9;
+    vec2 ball_on_face_dy = ball_on_x ? ball_vector_7 : (ball_on_y ? ball_vector_8 : ball_vector_9);
     vec3 ball_size_dy = hit_direction_dy * ball_sign;
     float ball_choice_2 = ball_on_y ? ball_size_dy.y : ball_size_dy.z;
     vec2 ball_product_2 = (ball_on_x ? ball_size_dy.x : ball_choice_2) * ball_quotient;

@@ -12,8 +12,8 @@ struct WrinkleMaterial_displaced_rock {
 
 uint wrinkle_displaced_rock_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
-    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
-    return word >> 22u ^ word;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
 }
 
 uint wrinkle_displaced_rock_hash3(vec3 cell) {
@@ -25,7 +25,7 @@ uint wrinkle_displaced_rock_hash3(vec3 cell) {
 vec4 wrinkle_displaced_rock_gradient_corner(vec3 corner, vec3 way) {
     uint bits = wrinkle_displaced_rock_hash3(corner);
     float a = 1.0 - 2.0 * float(bits & 1u);
-    uint axis = (bits >> 8u) * 3u >> 24u;
+    uint axis = ((bits >> 8u) * 3u) >> 24u;
     float first = axis == 0u ? a : 0.0;
     float x = a - first;
     float b = 1.0 - float(bits & 2u);

@@ -13,8 +13,8 @@ struct WrinkleMaterial_heights {
 
 uint wrinkle_heights_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
-    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
-    return word >> 22u ^ word;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
 }
 
 uint wrinkle_heights_hash3(vec3 cell) {
@@ -26,7 +26,7 @@ uint wrinkle_heights_hash3(vec3 cell) {
 vec4 wrinkle_heights_gradient_corner(vec3 corner, vec3 way) {
     uint bits = wrinkle_heights_hash3(corner);
     float a = 1.0 - 2.0 * float(bits & 1u);
-    uint axis = (bits >> 8u) * 3u >> 24u;
+    uint axis = ((bits >> 8u) * 3u) >> 24u;
     float first = axis == 0u ? a : 0.0;
     float x = a - first;
     float b = 1.0 - float(bits & 2u);

@@ -31,8 +31,8 @@ vec3 wrinkle_hex_pebbles_hex_grid(vec2 at, out vec2 result_2, out vec2 result_3,
 
 uint wrinkle_hex_pebbles_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
-    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
-    return word >> 22u ^ word;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
 }
 
 vec4 wrinkle_hex_pebbles_hex_copy(vec2 uv, vec2 corner, float size, float rotation) {

@@ -13,7 +13,7 @@ uniform sampler2D triplanar_rock_pebbles_image;  // textures/pebbles_height.png 
 uniform sampler2D triplanar_rock_weave_image;    // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D triplanar_rock_rivets_image;   // textures/rivets_normal.png (normal_gl, repeat)
 uniform sampler2D triplanar_rock_bricks_image;   // textures/bricks_height.png (linear, repeat)
-uniform sampler2D triplanar_rock_tint_image;     // textures/patches_mask.png (srgb, repeat)
+uniform sampler2D triplanar_rock_tint_image;     // textures/patches_mask.png (linear, repeat)
 
 vec2 wrinkle_triplanar_rock_smooth_slope(vec2 at, vec2 texel) {
     vec4 upper_right = textureLod(triplanar_rock_pebbles_image, at + texel, 0.0);
@@ -163,27 +163,11 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec3 a_sum = pebbles_slope_7 + weave_volume;  // a: Add bumps
     vec3 tint_product = s.position * 0.7;  // tint: Triplanar colour
     vec2 tint_vector = vec2(pebbles_negated_2 * tint_product.z, tint_product.y);
-    vec4 tint_texel = texture(triplanar_rock_tint_image, tint_vector);
-    vec3 tint_quotient = (max(tint_texel.xyz, 0.0) + 0.055) / 1.055;
-    vec3 tint_power = pow(tint_quotient, vec3(2.4));
-    vec3 tint_edge = step(vec3(0.04045), tint_texel.xyz);
-    vec3 tint_mixed = mix(tint_texel.xyz / 12.92, tint_power, tint_edge);
-    vec4 tint_vector_2 = vec4(tint_mixed, tint_texel.w);
-    vec2 tint_vector_3 = vec2(tint_product.x, pebbles_negated * tint_product.z);
-    vec4 tint_texel_2 = texture(triplanar_rock_tint_image, tint_vector_3);
-    vec3 tint_quotient_2 = (max(tint_texel_2.xyz, 0.0) + 0.055) / 1.055;
-    vec3 tint_power_2 = pow(tint_quotient_2, vec3(2.4));
-    vec3 tint_edge_2 = step(vec3(0.04045), tint_texel_2.xyz);
-    vec3 tint_mixed_2 = mix(tint_texel_2.xyz / 12.92, tint_power_2, tint_edge_2);
-    vec4 tint_vector_4 = vec4(tint_mixed_2, tint_texel_2.w);
-    vec4 tint_sum = tint_vector_2 * pebbles_weights.x + tint_vector_4 * pebbles_weights.y;
-    vec2 tint_vector_5 = vec2(normal_side_z * tint_product.x, tint_product.y);
-    vec4 tint_texel_3 = texture(triplanar_rock_tint_image, tint_vector_5);
-    vec3 tint_quotient_3 = (max(tint_texel_3.xyz, 0.0) + 0.055) / 1.055;
-    vec3 tint_power_3 = pow(tint_quotient_3, vec3(2.4));
-    vec3 tint_edge_3 = step(vec3(0.04045), tint_texel_3.xyz);
-    vec3 tint_mixed_3 = mix(tint_texel_3.xyz / 12.92, tint_power_3, tint_edge_3);
-    vec4 tint_vector_6 = vec4(tint_mixed_3, tint_texel_3.w);
+    vec4 tint_product_2 = texture(triplanar_rock_tint_image, tint_vector) * pebbles_weights.x;
+    vec2 tint_vector_2 = vec2(tint_product.x, pebbles_negated * tint_product.z);
+    vec4 tint_product_3 = texture(triplanar_rock_tint_image, tint_vector_2) * pebbles_weights.y;
+    vec2 tint_vector_3 = vec2(normal_side_z * tint_product.x, tint_product.y);
+    vec4 tint_product_4 = texture(triplanar_rock_tint_image, tint_vector_3) * pebbles_weights.z;
     vec3 slopes_product = s.position * 2.0;  // slopes: Triplanar slopes
     vec2 slopes_vector = vec2(slopes_product.x, pebbles_negated * slopes_product.z);
     vec2 slopes_vector_2 = vec2(normal_side_z * slopes_product.x, slopes_product.y);
@@ -279,6 +263,6 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     // normal: Resolve
     m.normal = normalize(normal * (s.facing + dot(normal, g_gradient_2)) - g_gradient_2);
     // tint: Triplanar colour (continued)
-    m.color = (tint_sum + tint_vector_6 * pebbles_weights.z).xyz;
+    m.color = (tint_product_2 + tint_product_3 + tint_product_4).xyz;
     return m;
 }

@@ -12,8 +12,8 @@ struct WrinkleMaterial_tower {
 
 uint wrinkle_tower_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
-    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
-    return word >> 22u ^ word;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
 }
 
 // 30 gives relief, relief_slope

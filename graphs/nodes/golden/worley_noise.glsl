@@ -12,8 +12,8 @@ struct WrinkleMaterial_worley_noise {
 
 uint wrinkle_worley_noise_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
-    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
-    return word >> 22u ^ word;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
 }
 
 uint wrinkle_worley_noise_hash3(vec3 cell) {
@@ -46,7 +46,7 @@ vec4 wrinkle_worley_noise_worley(vec3 point, float width, float scale, float jit
         vec3 way = offset + wrinkle_worley_noise_feature_point(cell + offset, jitter) - from;
         float square = dot(way, way);
         bool test = square < first;
-        next = test ? nearest : square < second ? offset : next;
+        next = test ? nearest : (square < second ? offset : next);
         second = min(second, max(first, square));
         first = min(first, square);
         nearest = test ? offset : nearest;

@@ -12,8 +12,8 @@ struct WrinkleMaterial_scales {
 
 uint wrinkle_scales_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
-    uint word = (state >> (state >> 28u) + 4u ^ state) * 277803737u;
-    return word >> 22u ^ word;
+    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
+    return (word >> 22u) ^ word;
 }
 
 WrinkleMaterial_scales wrinkle_scales(WrinkleSurface_scales s) {
