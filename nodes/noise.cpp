@@ -48,16 +48,16 @@ static vec4 gradient_noise(vec3 p) {
                      const vec4 b = named("b", gradient_corner(corner + x, way - x));
                      return named("mixed", mix(a, b, t)) + vec4(t_slope * (b.w() - a.w()), 0, 0, 0);
                  });
-    const auto [corner, way, t, t_slope] = cell_of(p);
+    const Cell cell = cell_of(p);
     const auto along_x = [&](const char* name, vec3 at) {
-        return named(name, edge(corner + at, way - at, t.x(), t_slope.x()));
+        return named(name, edge(cell.corner + at, cell.way - at, cell.t.x(), cell.t_slope.x()));
     };
     const vec4 a = along_x("a", vec3(0)), b = along_x("b", {0, 1, 0});
     const vec4 c = along_x("c", {0, 0, 1}), d = along_x("d", {0, 1, 1});
-    const vec4 y(0, t_slope.y(), 0, 0), z(0, 0, t_slope.z(), 0);
-    const vec4 low = named("low", named("ab", mix(a, b, t.y())) + y * (b.w() - a.w()));
-    const vec4 high = named("high", named("cd", mix(c, d, t.y())) + y * (d.w() - c.w()));
-    return named("joined", mix(low, high, t.z())) + z * (high.w() - low.w());
+    const vec4 y(0, cell.t_slope.y(), 0, 0), z(0, 0, cell.t_slope.z(), 0);
+    const vec4 low = named("low", named("ab", mix(a, b, cell.t.y())) + y * (b.w() - a.w()));
+    const vec4 high = named("high", named("cd", mix(c, d, cell.t.y())) + y * (d.w() - c.w()));
+    return named("joined", mix(low, high, cell.t.z())) + z * (high.w() - low.w());
 }
 
 // The same for corners that have only a height: each step makes one component of the slope.
@@ -68,18 +68,18 @@ static vec4 value_noise(vec3 p) {
             const Float b = named("b", unit_float(hash(corner + vec3(1, 0, 0))) * 2 - 1);
             return vec2(t_slope * (b - a), mix(a, b, t));
         });
-    const auto [corner, way, t, t_slope] = cell_of(p);
+    const Cell cell = cell_of(p);
     const auto along_x = [&](const char* name, vec3 at) {
-        return named(name, edge(corner + at, t.x(), t_slope.x()));
+        return named(name, edge(cell.corner + at, cell.t.x(), cell.t_slope.x()));
     };
     const auto along_y = [&](vec2 a, vec2 b) {
-        const vec2 mixed = mix(a, b, t.y());
-        return vec3(mixed.x(), t_slope.y() * (b.y() - a.y()), mixed.y());
+        const vec2 mixed = mix(a, b, cell.t.y());
+        return vec3(mixed.x(), cell.t_slope.y() * (b.y() - a.y()), mixed.y());
     };
     const vec3 low = named("low", along_y(along_x("a", vec3(0)), along_x("b", {0, 1, 0})));
     const vec3 high = named("high", along_y(along_x("c", {0, 0, 1}), along_x("d", {0, 1, 1})));
-    const vec3 mixed = named("mixed", mix(low, high, t.z()));
-    return vec4(mixed.xy(), vec2(t_slope.z() * (high.z() - low.z()), mixed.z()));
+    const vec3 mixed = named("mixed", mix(low, high, cell.t.z()));
+    return vec4(mixed.xy(), vec2(cell.t_slope.z() * (high.z() - low.z()), mixed.z()));
 }
 
 // Sums the four corners of a simplex in the skewed lattice: the cell's corner, one step along the
