@@ -349,7 +349,7 @@ void Module::name(Id value, uint32_t node, std::string_view name) {
     const Named* known = name_of(value);
     if (!known)
         named.push_back({value, node, std::string(name), false});
-    else if (known->node != node && known->name == name && !known->output)
+    else if (known->node != node && known->name == name && !known->output && !known->unshared)
         share_name(names_[value] - 1);
 }
 
@@ -365,7 +365,8 @@ void Module::share_name(uint32_t index) {
         only_inputs = only_inputs && (inst_[id].op == Op::input_ || !parts.empty());
         open.insert(open.end(), parts.begin(), parts.end());
     });
-    if (!only_inputs || inputs.size() != 1) return;
+    shared.unshared = !only_inputs || inputs.size() != 1;
+    if (shared.unshared) return;
     shared.node = 0;
     shared.name = std::string(info(*inputs.begin()).name) + "_" + shared.name;
 }

@@ -54,6 +54,7 @@ struct Named {
     std::string name;      // "gradient"
     bool output;           // an output of that node: a separate statement; preferred to other names
     bool derived = false;  // made from the name of the value of which it is the derivative
+    bool unshared = false;  // several nodes name it alike, and it stays with the first
 };
 
 struct ModuleOutput {
