@@ -162,8 +162,7 @@ TEST_F(SrgbTest, OfSixteenBitsIsAWarningUnlessTheTextDecodes) {
     const Ran ran = compile();
     EXPECT_EQ(ran.code, 0);
     EXPECT_TRUE(says(ran.err, "g.json:2:")) << ran.err;
-    EXPECT_TRUE(says(ran.err, "warning: node 'paint': image 'paint.png' has 16 bits"))
-        << ran.err;
+    EXPECT_TRUE(says(ran.err, "warning: node 'paint': image 'paint.png' has 16 bits")) << ran.err;
     EXPECT_EQ(compile({"--srgb", "shader"}).err, "");
     const Names cached{"--cache", "cache"};
     EXPECT_EQ(compile(cached).err, ran.err);

@@ -35,8 +35,7 @@ std::string image_folder() {
 }
 
 certify::CertifyContext bench(bool gpu) {
-    return {all_nodes(), image_folder(), gpu,
-            [](const Shader& shader) {
+    return {all_nodes(), image_folder(), gpu, [](const Shader& shader) {
                 const bool judged = has_validator(*find_target(shader.reflection.target));
                 return judged ? compile_errors(shader) : std::string();
             }};
