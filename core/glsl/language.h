@@ -96,6 +96,7 @@ struct Language {
     StagePatterns stage;
     int vec3_size = 12;  // in a block
 
+    void spell(Op op, std::string_view text) { ops[static_cast<size_t>(op)] = text; }
     std::string_view type(Type type) const { return types[static_cast<size_t>(type)]; }
     std::string_view op(Op op) const { return ops[static_cast<size_t>(op)]; }
     bool is_pattern(Op op) const { return this->op(op).find('$') != std::string_view::npos; }

@@ -80,13 +80,10 @@ Language glsl_language() {
         language.types[type] = info(static_cast<Type>(type)).name;
     for (size_t op = 0; op < language.ops.size(); ++op)
         language.ops[op] = info(static_cast<Op>(op)).glsl;
-    const auto spell = [&](Op op, std::string_view text) {
-        language.ops[static_cast<size_t>(op)] = text;
-    };
-    spell(Op::sample_, "texture($n, $0)");
-    spell(Op::sample_lod_, "textureLod($n, $0, $1)");
-    spell(Op::sample_grad_, "textureGrad($n, $0, $1, $2)");
-    spell(Op::image_size_, "vec2(textureSize($n, 0))");
+    language.spell(Op::sample_, "texture($n, $0)");
+    language.spell(Op::sample_lod_, "textureLod($n, $0, $1)");
+    language.spell(Op::sample_grad_, "textureGrad($n, $0, $1, $2)");
+    language.spell(Op::image_size_, "vec2(textureSize($n, 0))");
     language.takes_scalar = glsl_takes_scalar;
     reserve_words(language, glsl_words);
     reserve_words(language, own_words);

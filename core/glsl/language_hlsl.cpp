@@ -35,19 +35,16 @@ constexpr std::string_view size_helper = R"(float2 $f_image_size(Texture2D<float
 })";
 
 void set_hlsl_ops(Language& language) {
-    const auto spell = [&](Op op, std::string_view text) {
-        language.ops[static_cast<size_t>(op)] = text;
-    };
-    spell(Op::fract_, "frac");
-    spell(Op::mix_, "lerp");
-    spell(Op::inversesqrt_, "rsqrt");
-    spell(Op::atan2_, "atan2");
-    spell(Op::transform_, "mul($1, $0)");
-    spell(Op::matrix_product_, "mul($1, $0)");
-    spell(Op::sample_, "$n.Sample($n_sampler, $0)");
-    spell(Op::sample_lod_, "$n.SampleLevel($n_sampler, $0, $1)");
-    spell(Op::sample_grad_, "$n.SampleGrad($n_sampler, $0, $1, $2)");
-    spell(Op::image_size_, "$f_image_size($n)");
+    language.spell(Op::fract_, "frac");
+    language.spell(Op::mix_, "lerp");
+    language.spell(Op::inversesqrt_, "rsqrt");
+    language.spell(Op::atan2_, "atan2");
+    language.spell(Op::transform_, "mul($1, $0)");
+    language.spell(Op::matrix_product_, "mul($1, $0)");
+    language.spell(Op::sample_, "$n.Sample($n_sampler, $0)");
+    language.spell(Op::sample_lod_, "$n.SampleLevel($n_sampler, $0, $1)");
+    language.spell(Op::sample_grad_, "$n.SampleGrad($n_sampler, $0, $1, $2)");
+    language.spell(Op::image_size_, "$f_image_size($n)");
 }
 
 Language hlsl_language() {

@@ -24,15 +24,12 @@ bool no_scalar(Op, size_t, bool) {
 }
 
 void set_msl_ops(Language& language) {
-    const auto spell = [&](Op op, std::string_view text) {
-        language.ops[static_cast<size_t>(op)] = text;
-    };
-    spell(Op::inversesqrt_, "rsqrt");
-    spell(Op::atan2_, "atan2");
-    spell(Op::sample_, "$n.sample($n_sampler, $0)");
-    spell(Op::sample_lod_, "$n.sample($n_sampler, $0, level($1))");
-    spell(Op::sample_grad_, "$n.sample($n_sampler, $0, gradient2d($1, $2))");
-    spell(Op::image_size_, "float2($n.get_width(), $n.get_height())");
+    language.spell(Op::inversesqrt_, "rsqrt");
+    language.spell(Op::atan2_, "atan2");
+    language.spell(Op::sample_, "$n.sample($n_sampler, $0)");
+    language.spell(Op::sample_lod_, "$n.sample($n_sampler, $0, level($1))");
+    language.spell(Op::sample_grad_, "$n.sample($n_sampler, $0, gradient2d($1, $2))");
+    language.spell(Op::image_size_, "float2($n.get_width(), $n.get_height())");
 }
 
 void set_msl_resources(Language& language) {

@@ -30,18 +30,15 @@ bool only_of_mix(Op op, size_t operand, bool) {
 }
 
 void set_wgsl_ops(Language& language) {
-    const auto spell = [&](Op op, std::string_view text) {
-        language.ops[static_cast<size_t>(op)] = text;
-    };
-    spell(Op::inversesqrt_, "inverseSqrt");
-    spell(Op::atan2_, "atan2");
-    spell(Op::to_float_, "f32");
-    spell(Op::to_int_, "i32");
-    spell(Op::to_uint_, "u32");
-    spell(Op::sample_, "textureSample($n, $n_sampler, $0)");
-    spell(Op::sample_lod_, "textureSampleLevel($n, $n_sampler, $0, $1)");
-    spell(Op::sample_grad_, "textureSampleGrad($n, $n_sampler, $0, $1, $2)");
-    spell(Op::image_size_, "vec2f(textureDimensions($n))");
+    language.spell(Op::inversesqrt_, "inverseSqrt");
+    language.spell(Op::atan2_, "atan2");
+    language.spell(Op::to_float_, "f32");
+    language.spell(Op::to_int_, "i32");
+    language.spell(Op::to_uint_, "u32");
+    language.spell(Op::sample_, "textureSample($n, $n_sampler, $0)");
+    language.spell(Op::sample_lod_, "textureSampleLevel($n, $n_sampler, $0, $1)");
+    language.spell(Op::sample_grad_, "textureSampleGrad($n, $n_sampler, $0, $1, $2)");
+    language.spell(Op::image_size_, "vec2f(textureDimensions($n))");
 }
 
 void set_wgsl_declarations(Language& language) {
