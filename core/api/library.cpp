@@ -1,6 +1,6 @@
 #include "api/parts.h"
 #include "base/limits.h"
-#include "glsl/target.h"
+#include "emit/target.h"
 #include "lower/override.h"
 #include "nodes/all.h"
 #include "registry/plugin_loader.h"

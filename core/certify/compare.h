@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cpu/evaluate.h"
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "image/mips.h"
 
 namespace wrinkle::certify {

@@ -10,7 +10,7 @@
 
 #include "certify/harness_graph.h"
 #include "certify/report.h"
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "graph/subgraph.h"
 #include "image/mips.h"
 #include "lower/material.h"

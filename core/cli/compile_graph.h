@@ -10,8 +10,8 @@
 #include "cli/session.h"
 #include "compile/inputs.h"
 #include "compile/shader.h"
-#include "glsl/emit.h"
-#include "glsl/target.h"
+#include "emit/emit.h"
+#include "emit/target.h"
 
 namespace wrinkle::cli {
 

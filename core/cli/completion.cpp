@@ -10,7 +10,7 @@
 #include "cli/output.h"
 #include "cli/session.h"
 #include "cli/texts.h"
-#include "glsl/target.h"
+#include "emit/target.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;

@@ -3,7 +3,7 @@
 #include "base/text.h"
 #include "cli/compile_graph.h"
 #include "cli/output.h"
-#include "glsl/log.h"
+#include "emit/log.h"
 #include "lower/flat.h"
 
 namespace wrinkle::cli {

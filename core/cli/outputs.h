@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/depfile.h"
-#include "glsl/emit.h"
+#include "emit/emit.h"
 
 namespace wrinkle::cli {
 

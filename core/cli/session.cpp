@@ -8,7 +8,7 @@
 #include "base/mapped.h"
 #include "cli/output.h"
 #include "compile/inputs.h"
-#include "glsl/target.h"
+#include "emit/target.h"
 #include "nodes/all.h"
 
 namespace wrinkle::cli {

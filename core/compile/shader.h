@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "lower/material.h"
 
 namespace wrinkle {

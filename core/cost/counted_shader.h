@@ -11,7 +11,7 @@
 
 #include <string>
 
-#include "glsl/emit.h"
+#include "emit/emit.h"
 
 namespace wrinkle {
 

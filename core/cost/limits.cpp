@@ -1,6 +1,6 @@
 #include "cost/limits.h"
 
-#include "glsl/target.h"
+#include "emit/target.h"
 
 namespace wrinkle {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "glsl/reflection.h"
+#include "emit/reflection.h"
 
 namespace wrinkle {
 

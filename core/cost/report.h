@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "cost/spirv_count.h"
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "ir/side_tables.h"
 
 namespace wrinkle {

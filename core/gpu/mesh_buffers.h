@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "glsl/attributes.h"
+#include "emit/attributes.h"
 #include "gpu/gl_handle.h"
 #include "mesh/mesh.h"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <span>
 
-#include "glsl/attributes.h"
-#include "glsl/emit.h"
+#include "emit/attributes.h"
+#include "emit/emit.h"
 #include "gpu/draw_state.h"
 #include "gpu/program.h"
 #include "gpu/target.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "glsl/reflection.h"
+#include "emit/reflection.h"
 #include "image/mips.h"
 
 namespace wrinkle {

@@ -6,7 +6,7 @@
 #include <array>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "glsl/attributes.h"
+#include "emit/attributes.h"
 
 namespace wrinkle::gpu {
 namespace {

@@ -8,7 +8,7 @@
 #include <span>
 #include <string>
 
-#include "glsl/reflection.h"
+#include "emit/reflection.h"
 #include "gpu/gl_handle.h"
 
 namespace wrinkle::gpu {

@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "glsl/attributes.h"
-#include "glsl/emit.h"
-#include "glsl/log.h"
+#include "emit/attributes.h"
+#include "emit/emit.h"
+#include "emit/log.h"
 #include "gpu/backdrop.h"
 #include "gpu/draw_state.h"
 #include "gpu/environment.h"

@@ -15,7 +15,7 @@
 #include <string_view>
 
 #include "base/diagnostics.h"
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "gpu/backdrop.h"
 #include "gpu/camera.h"
 #include "gpu/environment.h"

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "glsl/attributes.h"
+#include "emit/attributes.h"
 
 namespace wrinkle::gpu {
 namespace {

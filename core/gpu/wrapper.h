@@ -2,15 +2,15 @@
 // wrapper's names begin with WrView_. In compile logs the material's lines have their own numbers
 // and the wrapper's lines after them begin at 100001.
 //
-// Vertex attributes are those of glsl/attributes.h, followed by the drawn position of the vertex.
+// Vertex attributes are those of emit/attributes.h, followed by the drawn position of the vertex.
 // The only fragment output is WrView_color.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-#include "glsl/attributes.h"
-#include "glsl/emit.h"
+#include "emit/attributes.h"
+#include "emit/emit.h"
 #include "gpu/renderer.h"
 
 namespace wrinkle::gpu {

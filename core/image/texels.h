@@ -24,7 +24,7 @@ struct TexelSource {
     friend auto operator<=>(const TexelSource&, const TexelSource&) = default;
 };
 
-// For Resource (ir/side_tables.h) and SamplerInfo (glsl/reflection.h).
+// For Resource (ir/side_tables.h) and SamplerInfo (emit/reflection.h).
 template <class Sampled>
 TexelSource texels_of(const Sampled& image) {
     return {image.file, image.options.decodes_texels()};

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "glsl/emit.h"
+#include "emit/emit.h"
 
 namespace wrinkle {
 

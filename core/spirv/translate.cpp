@@ -1,6 +1,6 @@
 // Compiles a Shader in GLSL 4.50 to SPIR-V.
 #include "base/dynamic_library.h"
-#include "glsl/log.h"
+#include "emit/log.h"
 #include "spirv/tools.h"
 
 namespace wrinkle {

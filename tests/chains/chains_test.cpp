@@ -19,7 +19,7 @@
 
 #include "certify/subject.h"
 #include "chains/chain.h"
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "graph/read.h"
 #include "graph/subgraph.h"
 #include "lower/material.h"

@@ -1,7 +1,7 @@
 #include "fuzz/compiled.h"
 
 #include "cpu/evaluate.h"
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "graph/subgraph.h"
 #include "lower/material.h"
 #include "nodes/all.h"

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "glsl/language.h"
+#include "emit/language.h"
 
 namespace wrinkle::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "glsl/emit.h"
+#include "emit/emit.h"
 
 namespace wrinkle::test {
 

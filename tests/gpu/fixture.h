@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "glsl/attributes.h"
-#include "glsl/emit.h"
+#include "emit/attributes.h"
+#include "emit/emit.h"
 #include "gpu/context.h"
 #include "gpu/renderer.h"
 #include "mesh/shapes.h"

@@ -1,7 +1,7 @@
 #include "gpu/point_runner.h"
 
+#include "emit/emit.h"
 #include "fixture.h"
-#include "glsl/emit.h"
 #include "ir/op.h"
 
 namespace wrinkle::gpu {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "glsl/emit.h"
+#include "emit/emit.h"
 
 namespace wrinkle::test {
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "glsl/language.h"
+#include "emit/language.h"
 #include "image/stored.h"
 #include "ir/op.h"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "image/mips.h"
 
 namespace wrinkle::test {

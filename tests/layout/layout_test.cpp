@@ -72,8 +72,8 @@ TEST(Rules, FolderOfAPath) {
 }
 
 TEST(Rules, AnIncludeOfALaterFolderIsFound) {
-    EXPECT_EQ(count_of(include_violations, "core/ir/a.cpp", "#include \"glsl/emit.h\"\n"), 1u);
-    EXPECT_EQ(count_of(include_violations, "core/ir/a.cpp", "  # include <glsl/emit.h>\n"), 1u);
+    EXPECT_EQ(count_of(include_violations, "core/ir/a.cpp", "#include \"emit/emit.h\"\n"), 1u);
+    EXPECT_EQ(count_of(include_violations, "core/ir/a.cpp", "  # include <emit/emit.h>\n"), 1u);
     EXPECT_EQ(count_of(include_violations, "core/base/a.h", "#include \"ir/module.h\"\n"), 1u);
     EXPECT_EQ(count_of(include_violations, "core/cpu/a.h", "#include \"editor/view/state.h\"\n"),
               1u);
@@ -117,8 +117,8 @@ TEST(Rules, TheCppFaceIsForNodesAlone) {
 }
 
 TEST(Rules, WhatTheTableAllowsPasses) {
-    EXPECT_EQ(count_of(include_violations, "core/glsl/a.cpp",
-                       "#include \"glsl/emit.h\"\n#include <vector>\n#include <unistd.h>\n"
+    EXPECT_EQ(count_of(include_violations, "core/emit/a.cpp",
+                       "#include \"emit/emit.h\"\n#include <vector>\n#include <unistd.h>\n"
                        "#include \"ir/module.h\"\n#include <sys/stat.h>\n#include \"near.h\"\n"),
               0u);
     EXPECT_EQ(count_of(include_violations, "editor/view/a.cpp",

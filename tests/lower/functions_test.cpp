@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "ir/inspect.h"
 #include "lower/fixture.h"
 #include "lower/reachable.h"

@@ -2,7 +2,7 @@
 // not.
 #include <gtest/gtest.h>
 
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "graph/subgraph.h"
 #include "lower/material.h"
 #include "support/linked_nodes.h"

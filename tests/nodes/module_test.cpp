@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "graph/subgraph.h"
 #include "lower/material.h"
 #include "nodes/plane.h"

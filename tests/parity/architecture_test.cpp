@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "certify/compare.h"
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "graph/read.h"
 #include "ir/expand.h"
 #include "ir/inspect.h"

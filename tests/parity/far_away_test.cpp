@@ -10,7 +10,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "gpu/renderer.h"
 #include "mesh/shapes.h"
 #include "parity/context.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "certify/points.h"
-#include "glsl/emit.h"
-#include "glsl/golden.h"
+#include "emit/emit.h"
+#include "emit/golden.h"
 #include "ir/inspect.h"
 #include "parity/compare.h"
 #include "parity/context.h"

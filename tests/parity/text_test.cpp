@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "glsl/emit.h"
+#include "emit/emit.h"
 #include "glslang/validate.h"
 #include "parity/node_graph.h"
 #include "support/samples.h"

@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "base/text.h"
-#include "glsl/log.h"
+#include "emit/log.h"
 #include "glslang/validate.h"
 #include "ir/module.h"
 #include "spirv/metal.h"

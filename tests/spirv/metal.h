@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "glsl/emit.h"
+#include "emit/emit.h"
 
 namespace wrinkle::test {
 

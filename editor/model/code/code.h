@@ -11,7 +11,7 @@
 
 #include "editor/model/document/model.h"
 #include "editor/model/worker.h"
-#include "glsl/emit.h"
+#include "emit/emit.h"
 
 namespace wrinkle::editor {
 

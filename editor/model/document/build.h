@@ -10,7 +10,7 @@
 #include "editor/model/document/displacement.h"
 #include "editor/model/document/model.h"
 #include "editor/model/document/request.h"
-#include "glsl/emit.h"
+#include "emit/emit.h"
 
 namespace wrinkle::editor {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "editor/model/document/field.h"
-#include "glsl/log.h"
+#include "emit/log.h"
 
 namespace wrinkle::editor {
 namespace {

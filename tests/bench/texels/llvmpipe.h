@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bench/texels/job.h"
-#include "glsl/emit.h"
+#include "emit/emit.h"
 
 namespace wrinkle::bench {
 

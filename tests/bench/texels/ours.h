@@ -5,7 +5,7 @@
 #include "bench/texels/job.h"
 #include "bench/texels/kernel.h"
 #include "cpu/evaluate.h"
-#include "glsl/emit.h"
+#include "emit/emit.h"
 
 namespace wrinkle::bench {
 
