@@ -7,6 +7,7 @@
 
 #include "bake/map_values.h"
 #include "base/mapped.h"
+#include "base/standard_outputs.h"
 #include "base/text.h"
 #include "base/transcendental.h"
 #include "image/writer.h"
@@ -19,7 +20,7 @@ namespace {
 constexpr std::array<const char*, 4> color_channels = {"R", "G", "B", "A"};
 constexpr const char* slopes_name = "slopes";
 
-const ModuleOutput* output_named(const Module& module, const std::string& name) {
+const ModuleOutput* output_named(const Module& module, std::string_view name) {
     const auto found = std::ranges::find(module.outputs, name, &ModuleOutput::name);
     return found == module.outputs.end() ? nullptr : &*found;
 }
@@ -65,7 +66,7 @@ private:
 
     BakedMap map_of(const std::string& name, bool integers) {
         const bool made = name == "derivative" || name == slopes_name;
-        const ModuleOutput* output = output_named(source_, made ? "normal" : name);
+        const ModuleOutput* output = output_named(source_, made ? "normal" : output_name(name));
         BakedMap map{name, {}, false};
         if (!output)
             print_error(name);
@@ -195,7 +196,8 @@ std::vector<std::string> map_names(std::vector<std::string> outputs) {
 }
 
 bool fits_integers(std::string_view map) {
-    return map != slopes_name;
+    const StandardOutput* output = find_standard_output(map);
+    return map != slopes_name && (!output || output->slider_high <= 1);
 }
 
 Covariances covariances_for(const std::vector<MapRequest>& requests) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/normals.h"
+#include "base/standard_outputs.h"
 #include "base/text.h"
 #include "cli/test_run.h"
 #include "json/write.h"
@@ -64,7 +65,7 @@ std::string disagreement(const TestCase& test, uint32_t port_type, const Lanes& 
 }
 
 std::string source_of(const Document& document, const std::string& output) {
-    const Output* found = document.outputs.find(output);
+    const Output* found = document.find_output(output);
     return found ? " (" + found->from.link.text() + ")" : "";
 }
 
@@ -75,7 +76,7 @@ std::vector<std::string> differences(const TestCase& test, const Document& docum
                                      const std::vector<OutputColumn>& columns, size_t point) {
     std::vector<std::string> result;
     for (const json::Member& member : expected.children()) {
-        const std::string name(member.key);
+        const std::string name(output_name(member.key));
         const std::string what = "output '" + name + "'" + source_of(document, name) + ": ";
         const auto column = std::ranges::find(columns, name, &OutputColumn::name);
         if (column == columns.end()) {

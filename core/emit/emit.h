@@ -15,11 +15,10 @@
 //                                       in world space: normalize(cof(M) n) times sign of det(M)
 //              wrinkle_eye              vec3, the eye in object space
 //            One fragment output out_NAME per graph output, with the output's type, at locations 0,
-//            1, ... without gaps: first normal, color, roughness, metalness, occlusion, height,
-//            displacement and emission, if the graph has them, then others in graph order. Drivers
-//            support at least 8 draw buffers, ES drivers 4. gl_FrontFacing must be true if the
-//            surface is seen from the side its normal points to: flip glFrontFace for a mirrored
-//            matrix.
+//            1, ... without gaps: first those of base/standard_outputs.h in its order, then
+//            others in graph order. Drivers support at least 8 draw buffers, ES drivers 4.
+//            gl_FrontFacing must be true if the surface is seen from the side its normal points to:
+//            flip glFrontFace for a mirrored matrix.
 //
 // Differentials: `screen` takes dFdx and dFdy of the struct's members. `given` expects additional
 // members uv0_dx, uv0_dy, ..., and a module in which samples have an explicit lod (explicit_lod()

@@ -1,6 +1,5 @@
 // Shader form: the complete vertex and fragment pair around the function.
 #include <algorithm>
-#include <limits>
 
 #include "base/standard_outputs.h"
 #include "emit/attributes.h"
@@ -21,7 +20,7 @@ struct Stage {
 };
 
 // Assigns consecutive locations, because drivers reject locations beyond their draw buffers:
-// standard outputs by their rank, then the others in graph order.
+// standard outputs in the order of their table, then the others in graph order.
 void assign_locations(Interface& face) {
     std::vector<OutputInfo*> order;
     for (OutputInfo& output : face.reflection.outputs) {
@@ -30,7 +29,7 @@ void assign_locations(Interface& face) {
     }
     const auto rank = [](const OutputInfo* output) {
         const StandardOutput* standard = find_standard_output(output->output);
-        return standard ? standard->rank : std::numeric_limits<int>::max();
+        return standard ? standard : standard_output_table.data() + standard_output_table.size();
     };
     std::stable_sort(order.begin(), order.end(),
                      [&](const auto* one, const auto* other) { return rank(one) < rank(other); });

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "base/standard_outputs.h"
+#include "base/text.h"
 #include "emit/attributes.h"
 
 namespace wrinkle::gpu {
@@ -221,11 +223,16 @@ std::string assign(std::string_view type, std::string_view name, const std::stri
     return std::string("    ").append(type).append(" WrView_").append(name) + " = " + value + ";\n";
 }
 
-// Emission is added to the lit color; black if the output is not a vec3 or a float.
+// Emission is added to the lit color, in units of `nits_of_unit_emission`.
 std::string emission_of(const Shader& material) {
-    const OutputInfo* found = find_output(material, "emission");
-    const bool adds = found && (found->type == Type::vec3_ || found->type == Type::float_);
-    return adds ? "max(vec3(" + value_of(material, *found) + "), 0.0)" : "vec3(0.0)";
+    const OutputInfo* color = find_output(material, "emission");
+    const OutputInfo* luminance = find_output(material, "emission_luminance");
+    if (!color && !luminance) return "vec3(0.0)";
+    std::string value = color ? value_of(material, *color) : "vec3(1.0)";
+    if (luminance)
+        value += " * (" + value_of(material, *luminance) + " / " + shortest(nits_of_unit_emission) +
+                 ".0)";
+    return "max(" + value + ", 0.0)";
 }
 
 std::string values_of(const Shader& material, View view, const OutputInfo* against) {

@@ -1,5 +1,8 @@
 #include "graph/document.h"
 
+#include <algorithm>
+
+#include "base/standard_outputs.h"
 #include "base/text.h"
 
 namespace wrinkle {
@@ -62,6 +65,13 @@ std::optional<std::string_view> Node::subgraph() const {
 const Node* Document::find(std::string_view id) const {
     const NodePtr* node = nodes.find(id);
     return node ? node->get() : nullptr;
+}
+
+const Output* Document::find_output(std::string_view name) const {
+    const std::string_view wanted = output_name(name);
+    const Output* found = std::ranges::find(
+        outputs, wanted, [](const Output& output) { return output_name(output.name); });
+    return found == outputs.end() ? nullptr : found;
 }
 
 Diagnostic diagnose(const Document& document, std::string message, std::string expected) {

@@ -144,6 +144,8 @@ struct Document {
     std::string lost;
 
     const Node* find(std::string_view id) const;
+    // Returns the first output of this name or of a synonym (base/standard_outputs.h).
+    const Output* find_output(std::string_view name) const;
     BackFaces back_face_rule() const { return back_faces.value_or(BackFaces::mirror); }
     // Returns the wires as read if all are valid and nothing was edited, else null.
     const Wires* wires() const { return edited ? nullptr : read_wires.get(); }

@@ -174,9 +174,9 @@ Document set_type(const Document& document, std::string_view id, std::string_vie
 
 Document set_output(const Document& document, std::string_view name, const Link& from) {
     if (!is_possible(from) || !id_problem(name, false).empty()) return document;
-    const Output* old = document.outputs.find(name);
+    const Output* old = document.find_output(name);
     if (old && old->from.link == from) return document;
-    const std::string key(name);
+    const std::string key(old ? old->name : name);
     Output output{key, {key, Input::Kind::link, {}, old ? old->from.value : Value()}};
     set_link(output.from, from);
     return with_table(document, &Document::outputs, document.outputs.with(std::move(output)));

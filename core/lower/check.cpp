@@ -74,11 +74,15 @@ public:
     }
 
     void output(const Output& output) {
-        if (output.from.kind != Input::Kind::link) return;
-        const Link& link = output.from.link;
         const auto here = [&](std::string message, std::string expected) {
             return diagnose(document_, output, std::move(message), std::move(expected));
         };
+        if (const Output* first = document_.find_output(output.name); first != &output)
+            report(here("output " + in_quotes(output.name) + " is another name of " +
+                            in_quotes(first->name) + ", which the graph has too",
+                        "remove one of them"));
+        if (output.from.kind != Input::Kind::link) return;
+        const Link& link = output.from.link;
         const auto from = source(link, types_.source(file_, link), here);
         if (!from) return;
         const PortType to = standard_output(output.name).value_or(*from);

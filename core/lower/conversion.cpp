@@ -19,6 +19,7 @@ constexpr std::array table = {
     Row{height_, float_, Conversion::rename},
     Row{vec3_, color_, Conversion::rename},
     Row{color_, vec3_, Conversion::rename},
+    Row{float_, color_, Conversion::gray},
     Row{height_, gradient_, Conversion::differentiate},
     Row{float_, gradient_, Conversion::differentiate},
     Row{derivative_, gradient_, Conversion::apply_frame},
@@ -29,10 +30,11 @@ constexpr std::array table = {
     Row{derivative_, normal_, Conversion::apply_frame_and_resolve},
 };
 
-constexpr std::array<std::string_view, 9> docs = {
+constexpr std::array<std::string_view, 10> docs = {
     "does not convert",
     "passes unchanged",
     "the same numbers, another meaning",
+    "the gray of that value",
     "differentiates the height along the surface",
     "applies the derivative's frame",
     "takes the perturbation out of the normal",

@@ -325,9 +325,9 @@ std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOption
         for (uint32_t i = 0; i < document.outputs.size(); ++i)
             chosen.push_back(i);
     for (const std::string& name : options.outputs) {
-        const size_t index = document.outputs.index_of(name);
-        if (index != Table<Output>::npos) {
-            chosen.push_back(static_cast<uint32_t>(index));
+        const Output* output = document.find_output(name);
+        if (output) {
+            chosen.push_back(static_cast<uint32_t>(output - document.outputs.begin()));
             continue;
         }
         diagnostics.add(diagnose(document, "the graph has no output '" + name + "'",

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 
+#include "base/standard_outputs.h"
 #include "ir/normal_variance.h"
 #include "lower/call.h"
 
@@ -26,7 +27,7 @@ void write_outputs(Lowering& lowering, const Project& project) {
     for (size_t i = 0; i < graph.outputs.size(); ++i) {
         const PortType type = graph.nodes[graph.outputs[i]].passthrough->type;
         ModuleOutput output;
-        output.name = project.top().outputs[graph.output_index[i]].name;
+        output.name = output_name(project.top().outputs[graph.output_index[i]].name);
         output.port_type = static_cast<uint32_t>(type);
         output.value = as_number(module, type, lowering.input(graph.outputs[i], 0));
         module.outputs.push_back(std::move(output));

@@ -176,6 +176,8 @@ Id Lowering::convert(Id value, Conversion conversion, uint32_t node) {
         case Conversion::same:
         case Conversion::rename:
             return value;
+        case Conversion::gray:
+            return module_.add(Op::construct_, {value, value, value}, 0, Type::vec3_);
         case Conversion::differentiate:
             return module_.add(Op::gradient_from_height_, {value}, base_of(node));
         case Conversion::apply_frame:

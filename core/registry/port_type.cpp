@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 #include "base/standard_outputs.h"
 #include "base/text.h"
@@ -62,13 +61,12 @@ std::optional<PortType> standard_output(std::string_view name) {
 }
 
 std::span<const std::string_view> standard_outputs() {
-    static const std::vector<std::string_view> typed = [] {
-        std::vector<std::string_view> result;
-        for (const StandardOutput& output : standard_output_table)
-            if (!output.type.empty()) result.push_back(output.name);
+    static constexpr auto list = [] {
+        std::array<std::string_view, standard_output_table.size()> result;
+        std::ranges::transform(standard_output_table, result.begin(), &StandardOutput::name);
         return result;
     }();
-    return typed;
+    return list;
 }
 
 bool is_name(std::string_view text) {

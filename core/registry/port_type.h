@@ -46,9 +46,9 @@ inline constexpr std::string_view reroute_type = "reroute";
 inline constexpr size_t max_name = 64;  // bytes
 bool is_name(std::string_view text);
 
-// Returns the type of a standard output of a graph: "normal" is a normal, "roughness" a float, ...;
-// std::nullopt for other names.
+// Returns the type of a standard output of a graph (base/standard_outputs.h): "normal" is a normal,
+// "roughness" a float, ...; std::nullopt for other names.
 std::optional<PortType> standard_output(std::string_view name);
-std::span<const std::string_view> standard_outputs();
+std::span<const std::string_view> standard_outputs();  // without synonyms
 
 }  // namespace wrinkle

@@ -13,7 +13,7 @@ struct WrinkleMaterial_rusty_steel {
     float roughness;  // perceptual, 0 to 1
     float metalness;  // 0 dielectric, 1 metal
     float occlusion;  // 1: no occlusion
-    vec3 emission;    // emitted radiance, linear
+    vec3 emission;    // emitted color, linear
 };
 
 uint wrinkle_rusty_steel_hash(uint x) {

@@ -32,7 +32,7 @@ std::string triangle_bytes() {
 
 const std::string place_graph = R"({"wrinkle": 1, "nodes": {
     "p": {"type": "add", "in": {"a": 1, "b": 2}}},
-    "outputs": {"at": {"from": "surface.position"}, "tangent": {"from": "surface.tangent"},
+    "outputs": {"at": {"from": "surface.position"}, "along": {"from": "surface.tangent"},
                 "uv": {"from": "surface.uv0"}}})";
 
 class MeshFileTest : public CliTest {};
@@ -45,8 +45,8 @@ TEST_F(MeshFileTest, EvalTakesAPointOfAFile) {
     const json::Value point = parsed(ran.out).find("points").at(0);
     EXPECT_NEAR(point.find("at").at(0).as_number(), 0.25, 1e-6);
     EXPECT_NEAR(point.find("at").at(1).as_number(), 0.75, 1e-6);
-    EXPECT_NEAR(point.find("tangent").at(0).as_number(), 1, 1e-6);
-    EXPECT_EQ(point.find("tangent").at(3).as_number(), 1);
+    EXPECT_NEAR(point.find("along").at(0).as_number(), 1, 1e-6);
+    EXPECT_EQ(point.find("along").at(3).as_number(), 1);
 }
 
 TEST_F(MeshFileTest, RenderDrawsAFileAsItDrawsTheShape) {

@@ -46,6 +46,14 @@ TEST(CheckTypes, UnknownOnes) {
               "missing; 'wrinkle plugins' lists those found)\n");
 }
 
+TEST(CheckOutputs, OfTwoNamesAreOne) {
+    EXPECT_EQ(reports(test::graph(R"("n": {"type": "number"})",
+                                  R"("color": {"from": "n.value"},
+                                     "base_color": {"from": "n.value"})")),
+              "g.json:2:52: error: output 'base_color' is another name of 'color', which the graph "
+              "has too (remove one of them)\n");
+}
+
 TEST(CheckTypes, Versions) {
     EXPECT_EQ(node_report("number", "", ", \"version\": 2"),
               "made for version 2 of 'number'; this program has version 1 (a newer program or "

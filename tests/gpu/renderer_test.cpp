@@ -252,18 +252,18 @@ TEST_F(RendererTest, EmissionIsAddedToWhatIsLit) {
     for (const Lighting lighting : {Lighting::ggx, Lighting::phong}) {
         renderer->set_lighting(lighting);
         const auto dark = draw(material_of({color}, {}), View::shaded);
-        const std::tuple<Type, const char*, vec3> cases[] = {
-            {Type::vec3_, "vec3(0.25, 0.5, 3.0)", vec3(0.25F, 0.5F, 3)},
-            {Type::float_, "0.75", vec3(0.75F)},
-            {Type::float_, "-1.0", vec3(0)},
-            {Type::vec2_, "vec2(1.0)", vec3(0)}};
-        for (const auto& [type, value, emitted] : cases) {
-            const auto bright =
-                draw(material_of({color, {"emission", value, type}}, {}), View::shaded);
+        const Expression nits{"emission_luminance", "250.0", Type::float_};
+        const std::tuple<std::vector<Expression>, vec3> cases[] = {
+            {{{"emission", "vec3(0.25, 0.5, 3.0)"}}, vec3(0.25F, 0.5F, 3)},
+            {{{"emission", "vec3(-1.0)"}}, vec3(0)},
+            {{{"emission", "vec3(0.25, 0.5, 3.0)"}, nits}, 2.5F * vec3(0.25F, 0.5F, 3)},
+            {{nits}, vec3(2.5F)}};
+        for (auto [outputs, emitted] : cases) {
+            outputs.push_back(color);
+            const auto bright = draw(material_of(outputs, {}), View::shaded);
             const auto pixel = size_t{32} * 64 + 32;
             for (int k = 0; k < 3; ++k)
-                EXPECT_NEAR(bright[pixel].value[k], dark[pixel].value[k] + emitted[k], 1e-5)
-                    << value;
+                EXPECT_NEAR(bright[pixel].value[k], dark[pixel].value[k] + emitted[k], 1e-5);
         }
     }
 }

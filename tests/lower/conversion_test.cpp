@@ -11,11 +11,11 @@ namespace wrinkle {
 namespace {
 
 TEST(Conversion, AllPairs) {
-    // From a row's type into a column's port: . same, r rename, d differentiate, a apply frame, t
-    // take normal, n resolve, D and A the same and then resolve, - illegal.
+    // From a row's type into a column's port: . same, r rename, g gray, d differentiate, a apply
+    // frame, t take normal, n resolve, D and A the same and then resolve, - illegal.
     const std::map<std::string, std::string> table = {
         //             f234chDgni
-        {"float", /**/ ".----r-dD-"},  {"vec2", /*     */ "-.--------"},
+        {"float", /**/ ".---gr-dD-"},  {"vec2", /*     */ "-.--------"},
         {"vec3", /* */ "--.-r-----"},  {"vec4", /*     */ "---.------"},
         {"color", /**/ "--r-.-----"},  {"height", /*   */ "r----.-dD-"},
         {"derivative", "------.aA-"},  {"gradient", /* */ "-------.n-"},
@@ -26,6 +26,7 @@ TEST(Conversion, AllPairs) {
     const std::map<char, Conversion> meaning = {
         {'.', Conversion::same},
         {'r', Conversion::rename},
+        {'g', Conversion::gray},
         {'d', Conversion::differentiate},
         {'a', Conversion::apply_frame},
         {'t', Conversion::take_normal},
@@ -52,7 +53,7 @@ TEST(Conversion, NamesWhatIsAccepted) {
 TEST(Conversion, NamesTheNearestAlternative) {
     EXPECT_EQ(alternative(PortType::vec2_, PortType::float_, {}), "it takes float or height");
     EXPECT_EQ(alternative(PortType::image_, PortType::color_, test::registry()),
-              "it takes color or vec3; node 'texture' makes color from image");
+              "it takes color, float or vec3; node 'texture' makes color from image");
 }
 
 }  // namespace

@@ -143,6 +143,23 @@ TEST(Lower, OutputsCanBeChosen) {
               "g.json: error: the graph has no output 'be' (did you mean 'bee'?)\n");
 }
 
+TEST(Lower, StandardOutputsHaveTwoNames) {
+    Diagnostics diagnostics;
+    const Project project = test::project(
+        graph(R"("n": {"type": "number"})",
+              R"("base_color": {"from": "n.value"}, "fuzz_weight": {"from": "n.value"})"),
+        diagnostics);
+    LowerOptions options;
+    options.outputs = {"color"};
+    const Module m = lowered(project, options).module;
+    ASSERT_EQ(m.outputs.size(), 1u);
+    EXPECT_EQ(m.outputs[0].name, "color");
+    EXPECT_EQ(m.outputs[0].port_type, uint32_t{WR_PORT_color});
+    EXPECT_EQ(value(m, 0).op, Op::construct_);
+    options.outputs = {"base_color", "fuzz_weight"};
+    EXPECT_EQ(lowered(project, options).module.outputs.size(), 2u);
+}
+
 TEST(Lower, SubgraphsAreInstancesWithPorts) {
     const Lowered result = lowered({
         {"main.json",

@@ -62,7 +62,7 @@ void build_shown(const Model& model, const Document& document, const std::string
 }
 
 void build_displacement(const Project& project, const Registry& registry, Build& result) {
-    if (!result.request.displaced || !project.top().outputs.find("displacement")) return;
+    if (!result.request.displaced || !project.top().find_output("displacement")) return;
     MaterialOptions options;
     options.given_differentials = true;
     options.runs_calls = "the displacement";

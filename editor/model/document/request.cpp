@@ -38,7 +38,7 @@ public:
         : result_{document, {}, 0, {}}, choice_(std::move(choice)) {}
 
     Requested run() {
-        const Output* normal = result_.document.outputs.find("normal");
+        const Output* normal = result_.document.find_output("normal");
         if (normal && normal->from.kind == Input::Kind::link) find_sums(normal->from.link.node);
         if (result_.replaced == 0) {
             result_.why_not = "The normal depends on no sum of bumps, so there is none to replace.";

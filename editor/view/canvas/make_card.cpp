@@ -252,9 +252,10 @@ Card make_outputs_card(const State& state) {
     const std::set<std::string_view> usual = {"normal", "height", "color", "roughness"};
     const auto standard = standard_outputs();
     for (const std::string_view name : standard) {
-        const bool given = outputs.find(name) != nullptr;
+        const Output* given = state.document().find_output(name);
         if (given || state.view.all_outputs || usual.contains(name))
-            add_row(card, std::string(name), *standard_output(name), false, given);
+            add_row(card, given ? given->name : std::string(name), *standard_output(name), false,
+                    given != nullptr);
     }
     const bool more = card.pins.size() < standard.size() || state.view.all_outputs;
     for (const Output& output : outputs) {

@@ -94,7 +94,7 @@ bool add_on_ground(State& state, const NewImage& image) {
     const NewNode made = with_source(state, image, image.at);
     Document document = made.document;
     const Port* bump = bump_of(*image.type);
-    const bool shown = bump && !document.outputs.find("normal");
+    const bool shown = bump && !document.find_output("normal");
     if (shown)
         document =
             with_bump_shown(state, document, {made.id, bump->name}, image.at + ImVec2(512, 0));
