@@ -18,11 +18,10 @@ public:
         : type_(type), inputs_(inputs), random_(random) {}
 
     std::string text() {
-        std::string in, outputs;
+        std::string in;
         for (const Port& port : type_.ports) {
             if (port.kind == Port::Kind::output) {
-                outputs += (outputs.empty() ? "" : ", ") + json_quoted("out_" + port.name) + ": " +
-                           link("subject", port.name);
+                write_output(port);
                 continue;
             }
             const std::string value = value_of(port);
@@ -31,7 +30,7 @@ public:
         }
         return "{\"wrinkle\": 1, \"back_faces\": \"" + std::string(pick(back_faces_names)) +
                "\", \"nodes\": {" + nodes_ + "\"subject\": {\"type\": " + json_quoted(type_.id) +
-               ", \"in\": {" + in + "}}}, \"outputs\": {" + outputs + "}}";
+               ", \"in\": {" + in + "}}}, \"outputs\": {" + outputs_ + "}}";
     }
 
 private:
@@ -61,6 +60,20 @@ private:
         const auto low = static_cast<int>(port.hard_min), high = static_cast<int>(port.hard_max);
         return std::to_string(low +
                               static_cast<int>(random_() % static_cast<unsigned>(high - low + 1)));
+    }
+
+    void write_output(const std::string& name, const std::string& from) {
+        outputs_ += (outputs_.empty() ? "" : ", ") + json_quoted("out_" + name) + ": " + from;
+    }
+    // A material is written as some of its channels.
+    void write_output(const Port& port) {
+        if (port.type != PortType::material_)
+            return write_output(port.name, link("subject", port.name));
+        const std::string split = "split_" + port.name;
+        nodes_ += json_quoted(split) + ": {\"type\": \"material_split\", \"in\": {\"material\": " +
+                  link("subject", port.name) + "}}, ";
+        for (const char* channel : {"normal", "color", "roughness", "height", "tangent"})
+            write_output(port.name + "_" + channel, link(split, channel));
     }
 
     std::string image() {
@@ -128,6 +141,14 @@ private:
         return add(port, "resolve", "\"gradient\": " + bump(port), "normal");
     }
 
+    std::string material(const Port& port) {
+        return add(port, "material",
+                   "\"normal\": " + bump(port) + ", \"color\": " + skewed_position(port) +
+                       ", \"height\": " + varying_number(port) +
+                       ", \"roughness\": " + list({number(0, 1)}),
+                   "material");
+    }
+
     std::string wire(const Port& port) {
         if (port.kind == Port::Kind::field && port.type == PortType::height_)
             return varying_field(port);
@@ -147,6 +168,8 @@ private:
                 return add(port, "derivative_map", "\"image\": \"b.exr\"", "derivative");
             case PortType::gradient_:
                 return bump(port);
+            case PortType::material_:
+                return material(port);
             case PortType::normal_:
                 return random_() % 2 ? link("surface", "normal") : resolved(port);
             default:
@@ -157,7 +180,7 @@ private:
     const NodeType& type_;
     Inputs inputs_;
     std::mt19937& random_;
-    std::string nodes_;
+    std::string nodes_, outputs_;
     int made_ = 0;
 };
 

@@ -1,5 +1,6 @@
 // Generates a graph around one node: each input has its default, a number in its range, or a link
-// to nodes that vary over the surface; every output is an output of the graph ("out_NAME").
+// to nodes that vary over the surface; every output is an output of the graph ("out_NAME"), of a
+// material some channels ("out_NAME_CHANNEL").
 // Generated only from the descriptor, so a new node is covered as soon as it is registered.
 #pragma once
 

@@ -49,29 +49,6 @@ void warn_of_16_bits(const Reflection& reflection, const Compiled& compiled, con
     }
 }
 
-// Removes the outputs that are not listed, in the order of the list; an empty list removes none.
-// Returns false and reports an error if the graph has no output of a name.
-bool select_outputs(Module& module, const std::vector<std::string>& names, const Project& project,
-                    Diagnostics& diagnostics) {
-    if (names.empty()) return true;
-    const auto name_of = [](const ModuleOutput& each) { return each.name; };
-    std::vector<ModuleOutput> selected;
-    for (const std::string& name : names) {
-        const auto output =
-            std::find_if(module.outputs.begin(), module.outputs.end(),
-                         [&](const ModuleOutput& each) { return each.name == name; });
-        if (output == module.outputs.end()) {
-            diagnostics.add(file_problem(Severity::error, project.top().file,
-                                         "the graph has no output '" + name + "'",
-                                         joined(module.outputs, ", ", name_of)));
-            return false;
-        }
-        selected.push_back(*output);
-    }
-    module.outputs = std::move(selected);
-    return true;
-}
-
 }  // namespace
 
 std::string form_conflict(const Target& target, Form form, Differentials differentials,
@@ -120,10 +97,10 @@ MadeShader make_shader(const Project& project, const Registry& registry, ShaderO
                        Diagnostics& diagnostics) {
     MadeShader made;
     options.material.given_differentials = options.emit.differentials == Differentials::given;
+    options.material.lower.outputs = options.outputs;
     made.compiled = compile_or_check(project, registry, options.material, diagnostics);
     if (!made.compiled.ok) return made;
     Module& module = made.compiled.module;
-    if (!select_outputs(module, options.outputs, project, diagnostics)) return made;
     options.emit.bare_result = options.outputs.size() == 1;
     if (options.emit.normal_space == NormalSpace::tangent)
         module = with_tangent_space_normals(std::move(module), options.material.vertex_tangents);

@@ -113,6 +113,10 @@ public:
     Id unit(Type type, size_t lane);  // a float or vector: 1 in this component, 0 in all others
     Id input(SurfaceInput input, Variant variant = Variant::value);
     Id parameter(uint32_t index);
+    // An opaque leaf; `number` belongs to the caller.
+    Id material(uint32_t number) {
+        return intern({Op::material_, Type::material_, 0, {}, number, 0});
+    }
     Id construct(Type type, std::initializer_list<Id> parts);
     Id swizzle(Id vector, std::string_view components);  // "xy", "z"
     Id component(Id vector, uint32_t lane);              // a float has itself as component

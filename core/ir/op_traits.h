@@ -29,6 +29,7 @@ inline constexpr OpRow op_rows[] = {
     {Op::input_, {"", 0}},
     {Op::parameter_, {"", 0}},
     {Op::region_param_, {"", 0}},
+    {Op::material_, {"", 0}},
     {Op::loop_, {"", 0}},
     {Op::call_, {"", 0}},
     {Op::result_, {"", 0}},

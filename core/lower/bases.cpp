@@ -32,6 +32,10 @@ bool makes_gradient(const FlatGraph& graph, const FlatNode& node, uint32_t p) {
     return port.type == PortType::gradient_ && wire.carries() && wire.type != PortType::gradient_;
 }
 
+bool carries_bump(PortType type) {
+    return type == PortType::gradient_ || type == PortType::material_;
+}
+
 // Returns the node at the other end of a wire; none if there is none.
 uint32_t source_of(const Wire& wire) {
     return wire.kind == Wire::Kind::node ? wire.from : none;
@@ -71,8 +75,8 @@ void infer_bases(FlatGraph& graph) {
     for (uint32_t i = 0; i < count; ++i)
         for (uint32_t p = 0; p < graph.port_count(graph.nodes[i]); ++p) {
             const Wire& wire = graph.wire(graph.nodes[i], p);
-            const bool joins = source_of(wire) != none && wire.type == PortType::gradient_ &&
-                               graph.port(graph.nodes[i], p).type == PortType::gradient_;
+            const bool joins = source_of(wire) != none && carries_bump(wire.type) &&
+                               graph.port(graph.nodes[i], p).type == wire.type;
             if (joins) groups.unite(i, wire.from);
         }
     std::vector<uint32_t> definer(count, none);

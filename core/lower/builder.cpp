@@ -8,6 +8,7 @@
 #include "base/limits.h"
 #include "base/text.h"
 #include "ir/surface.h"
+#include "lower/call_checks.h"
 #include "lower/lowering.h"
 #include "lower/sampling.h"
 #include "registry/library.h"
@@ -19,26 +20,11 @@ namespace {
 constexpr uint32_t max_region_values = 64;
 constexpr uint32_t most_iterations = 65536;
 
-bool is_number(uint32_t type) {
-    return type >= WR_TYPE_float && type <= WR_TYPE_bool;
-}
-
-bool exists(uint32_t op) {
-    return op < tables::op_count && !info(static_cast<Op>(op)).name.empty();
-}
-bool host_only(Op op) {
-    return info(op).rule == Rule::leaf || op == Op::loop_ || op == Op::call_ || op == Op::result_ ||
-           reads_image(op);
-}
-bool takes(Op op, uint32_t count) {
-    const int arity = info(op).arity;
-    return arity < 0 ? count >= 1 && count <= 4 : count == static_cast<uint32_t>(arity);
-}
-
-class Builder {
+class Builder : CallChecks {
 public:
     Builder(Lowering& lowering, uint32_t node)
-        : lowering_(lowering),
+        : CallChecks(lowering.module(), *lowering.graph().nodes[node].type),
+          lowering_(lowering),
           module_(lowering.module()),
           node_(node),
           type_(*lowering.graph().nodes[node].type) {
@@ -84,6 +70,9 @@ private:
         face.output = call<&Builder::output>;
         face.error = call<&Builder::error>;
         face.name = call<&Builder::name>;
+        face.channel = call<&Builder::channel>;
+        face.with_channel = call<&Builder::with_channel>;
+        face.mix_materials = call<&Builder::mix_materials>;
         face.get_extension = [](const wr_builder*, const char*) -> const void* { return nullptr; };
         return face;
     }
@@ -108,48 +97,12 @@ private:
         return over;
     }
 
-    // Records an invalid call as a problem, once per message. Returns poison.
-    Id refuse(const std::string& message,
-              std::string expected = "the node's author can mend this") {
-        const std::vector<Problem>& problems = module_.problems;
-        for (size_t i = problems.size(); i > 0 && problems[i - 1].node == module_.current_node; --i)
-            if (problems[i - 1].message == message) return poison;
-        module_.problem(message, std::move(expected));
-        return poison;
-    }
-
-    const Port* port(uint32_t index, const char* call) {
-        if (index < type_.ports.size()) return &type_.ports[index];
-        refuse(std::string(call) + " asks for port " + std::to_string(index) +
-               ", which does not exist");
-        return nullptr;
-    }
-
-    // Returns false if a value is poison, does not exist or is out of scope.
-    bool usable(std::span<const wr_value> values) {
-        bool all = true;
-        for (const wr_value value : values) {
-            if (value >= module_.size())
-                refuse("uses a value that does not exist");
-            else if (value != poison && module_[value].level > module_.depth())
-                refuse("uses a value of a loop or a function outside of it");
-            else if (value != poison)
-                continue;
-            all = false;
-        }
-        return all;
-    }
-
     Id input(uint32_t index) {
         const Port* p = port(index, "input()");
         if (!p) return poison;
         if (!p->is_value() || p->type == PortType::image_) return refuse_kind(*p, "a value");
         return lowering_.input(node_, index);
     }
-    [[gnu::cold]] Id refuse_kind(const Port& port, const char* kind) {
-        return refuse("reads port '" + port.name + "' as " + kind + ", which it is not");
-    }
-
     wr_image image(uint32_t index) {
         const Port* p = port(index, "image()");
         if (!p) return poison;
@@ -216,20 +169,6 @@ private:
         if (!checked) return poison;
         return module_.add(o, operands, *checked, static_cast<Type>(type));
     }
-
-    [[gnu::cold]] Id refuse_op(uint32_t number, uint32_t count) {
-        const auto o = static_cast<Op>(number);
-        if (!exists(number))
-            return refuse("uses op " + std::to_string(number) + ", which does not exist",
-                          "a newer program may be needed");
-        if (host_only(o))
-            return refuse("emits the op " + quoted(o) + ", which only the host makes");
-        return refuse_count(o, count);
-    }
-    [[gnu::cold]] Id refuse_count(Op o, uint32_t count) {
-        return refuse("gives the op " + quoted(o) + " " + std::to_string(count) + " operands");
-    }
-    static std::string quoted(Op o) { return "'" + std::string(info(o).name) + "'"; }
 
     // Returns the `extra` for the module; std::nullopt if it is refused.
     std::optional<uint32_t> checked_extra(Op o, uint32_t extra, uint32_t count) {
@@ -367,6 +306,41 @@ private:
         if (module_[value].level > 0)
             return refuse("uses a value of a loop or a function outside of it");
         return value;
+    }
+
+    // Returns true if the value is a material or poison.
+    bool is_material(wr_value value) {
+        if (value == poison) return true;
+        if (!usable(std::array{value})) return false;
+        if (lowering_.records().has(value)) return true;
+        return refuse("takes a channel of another value than a material"), false;
+    }
+    bool is_channel(wr_value material, const char* name, uint32_t type) {
+        if (!is_material(material)) return false;
+        if (!is_plain(name) || type < 1 || type > port_type_count)
+            return refuse("uses an impossible channel"), false;
+        const std::string why =
+            lowering_.records().problem(material, name, static_cast<PortType>(type));
+        return why.empty() || refuse(why);
+    }
+    Id channel(wr_value material, const char* name, uint32_t type) {
+        if (!is_channel(material, name, type)) return poison;
+        return lowering_.records().channel(material, name, static_cast<PortType>(type));
+    }
+    Id with_channel(wr_value material, const char* name, uint32_t type, wr_value value) {
+        const auto port_type = static_cast<PortType>(type);
+        if (!is_channel(material, name, type)) return poison;
+        if (value == poison) return material == poison ? lowering_.records().add({}) : material;
+        if (!usable(std::array{value})) return poison;
+        if (module_.type(value) != value_type(port_type))
+            return refuse("gives channel '" + std::string(name) + "' a value of another type");
+        return lowering_.records().with(material, {name, port_type, value});
+    }
+    Id mix_materials(wr_value one, wr_value other, wr_value t) {
+        if (!is_material(one) || !is_material(other) || !usable(std::array{t})) return poison;
+        if (t == poison || module_.type(t) != Type::float_)
+            return refuse("mixes materials by another value than a float");
+        return lowering_.records().mixed(one, other, t);
     }
 
     void name(wr_value value, const char* name) {

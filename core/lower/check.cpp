@@ -6,6 +6,7 @@
 #include "graph/named_files.h"
 #include "graph/order.h"
 #include "lower/conversion.h"
+#include "lower/flat.h"
 #include "lower/literal.h"
 #include "lower/reachable.h"
 
@@ -89,6 +90,9 @@ public:
         const std::string subject = "output " + in_quotes(output.name) + " ";
         if (conversion(*from, to) == Conversion::illegal)
             report(here(mismatch(subject, link, *from, to), alternative(*from, to, registry_)));
+        else if (to == PortType::material_ && file_ == 0 && output.name != material_output)
+            report(here(subject + "is a material",
+                        "name it 'material'; each of its channels is then an output"));
         else if (to == PortType::image_ && file_ == 0)
             report(here(subject + "is an image", "sample it; an output is a value"));
     }

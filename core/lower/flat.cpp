@@ -326,14 +326,21 @@ std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOption
             chosen.push_back(i);
     for (const std::string& name : options.outputs) {
         const Output* output = document.find_output(name);
-        if (output) {
-            chosen.push_back(static_cast<uint32_t>(output - document.outputs.begin()));
+        if (!output) output = document.find_output(material_output);
+        if (!output) {
+            diagnostics.add(unknown_output(document, name, keys_of(document.outputs)));
             continue;
         }
-        diagnostics.add(diagnose(document, "the graph has no output '" + name + "'",
-                                 did_you_mean(name, keys_of(document.outputs))));
+        const auto index = static_cast<uint32_t>(output - document.outputs.begin());
+        if (std::ranges::find(chosen, index) == chosen.end()) chosen.push_back(index);
     }
     return chosen;
+}
+
+Diagnostic unknown_output(const Document& document, const std::string& name,
+                          const std::vector<std::string>& names) {
+    return diagnose(document, "the graph has no output '" + name + "'",
+                    did_you_mean(name, names, "it has " + joined(names, ", ")));
 }
 
 std::optional<FlatGraph> flatten(const Project& project, const Types& types,

@@ -82,10 +82,16 @@ struct FlatRoot {
     std::vector<uint32_t> outputs;  // requested outputs of the file
 };
 
-// Returns the requested outputs of the top graph. Reports an error for an unknown name in
-// options.outputs.
+// The output of type material that is written as one output for each of its channels.
+inline constexpr std::string_view material_output = "material";
+
+// Returns the requested outputs of the top graph. A name in options.outputs that is unknown may be
+// of a channel of the output `material`, which is then requested; else it is an error.
 std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOptions& options,
                                      Diagnostics& diagnostics);
+
+Diagnostic unknown_output(const Document& document, const std::string& name,
+                          const std::vector<std::string>& names);
 
 // Returns the nodes and wires, with `order` empty; std::nullopt for more than `max_nodes` nodes.
 // Appends the instances of the visited nodes to those of `lowered`.

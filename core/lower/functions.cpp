@@ -137,13 +137,15 @@ private:
         const auto& [function, outputs, inputs] = plan_.files[f];
         for (size_t i = 0; i < outputs.size(); ++i) {
             const auto type = types_.output(f, document(f).outputs[i]);
-            if (outputs[i] &&
-                (!type || *type == PortType::derivative_ || *type == PortType::image_))
+            if (outputs[i] && (!type || *type == PortType::derivative_ ||
+                               *type == PortType::image_ || *type == PortType::material_))
                 return false;
         }
-        for (size_t i = 0; i < inputs.size(); ++i)
-            if (inputs[i] && port_type_named(document(f).inputs[i].type) == PortType::derivative_)
+        for (size_t i = 0; i < inputs.size(); ++i) {
+            const auto type = port_type_named(document(f).inputs[i].type);
+            if (inputs[i] && (type == PortType::derivative_ || type == PortType::material_))
                 return false;
+        }
         return true;
     }
 

@@ -6,8 +6,8 @@
 //      or if a node has its own base, reads a field or computes the variance of a normal: these
 //      depend on values beyond the boundary of a sub-graph.
 //   2. Otherwise each file with two or more uses is a function, unless one of its used inputs or
-//      outputs is a derivative or one of its used outputs an image (those are not numbers), or
-//      functions would nest more than `deepest` deep.
+//      outputs is a derivative or a material, or one of its used outputs an image (those are not
+//      numbers), or functions would nest more than `deepest` deep.
 //   3. Only build(), which may be a plugin's code, shows that a node computes a variance, so
 //      lower() then discards its module and lowers the graph again with all files inlined.
 //

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 
+#include "base/mapped.h"
 #include "base/standard_outputs.h"
 #include "ir/normal_variance.h"
 #include "lower/call.h"
@@ -21,17 +22,56 @@ Id as_number(Module& module, PortType type, Id value) {
     return value;
 }
 
-void write_outputs(Lowering& lowering, const Project& project) {
-    const FlatGraph& graph = lowering.graph();
+ModuleOutput module_output(Module& module, std::string_view name, PortType type, Id value) {
+    ModuleOutput output;
+    output.name = output_name(name);
+    output.port_type = static_cast<uint32_t>(type);
+    output.value = as_number(module, type, value);
+    return output;
+}
+
+// Writes the channels of a material that the graph has no other output for.
+void write_channels(Lowering& lowering, const Document& document, uint32_t passthrough) {
     Module& module = lowering.module();
-    for (size_t i = 0; i < graph.outputs.size(); ++i) {
-        const PortType type = graph.nodes[graph.outputs[i]].passthrough->type;
-        ModuleOutput output;
-        output.name = output_name(project.top().outputs[graph.output_index[i]].name);
-        output.port_type = static_cast<uint32_t>(type);
-        output.value = as_number(module, type, lowering.input(graph.outputs[i], 0));
-        module.outputs.push_back(std::move(output));
+    const Record record = lowering.records().of(lowering.input(passthrough, 0));
+    for (const Channel& channel : record) {
+        if (document.find_output(channel.name)) continue;
+        const PortType type = standard_output(channel.name).value_or(channel.type);
+        const Id value =
+            lowering.convert(channel.value, conversion(channel.type, type), passthrough);
+        module.outputs.push_back(module_output(module, channel.name, type, value));
     }
+}
+
+void write_outputs(Lowering& lowering, const Document& document) {
+    const FlatGraph& graph = lowering.graph();
+    for (size_t i = 0; i < graph.outputs.size(); ++i) {
+        const uint32_t pass = graph.outputs[i];
+        const PortType type = graph.nodes[pass].passthrough->type;
+        if (type == PortType::material_) {
+            write_channels(lowering, document, pass);
+            continue;
+        }
+        Module& module = lowering.module();
+        module.outputs.push_back(module_output(module, document.outputs[graph.output_index[i]].name,
+                                               type, lowering.input(pass, 0)));
+    }
+}
+
+// Selects the outputs of these names in their order; reports an error for an unknown name.
+void choose_outputs(Module& module, const std::vector<std::string>& names, const Document& document,
+                    Diagnostics& diagnostics) {
+    std::vector<ModuleOutput> chosen;
+    for (const std::string& name : names) {
+        const auto found =
+            std::ranges::find(module.outputs, output_name(name), &ModuleOutput::name);
+        if (found != module.outputs.end())
+            chosen.push_back(*found);
+        else
+            diagnostics.add(unknown_output(
+                document, name, mapped<std::string>(module.outputs, &ModuleOutput::name)));
+    }
+    module.outputs = std::move(chosen);
 }
 
 // Lowers the top graph, with a stack of the functions that must be lowered first.
@@ -72,8 +112,10 @@ private:
             step();
         const bool inlining_required = functions_.any() && wants_normal_variance(result_.module);
         if (inlining_required && !diagnostics_.has_errors()) return lower_inlined();
-        const Module& m = result_.module;
+        Module& m = result_.module;
         report_problems(m.problems, m, project_, result_.places, diagnostics_);
+        if (!options_.outputs.empty() && !diagnostics_.has_errors())
+            choose_outputs(m, options_.outputs, project_.top(), diagnostics_);
         return std::move(result_);
     }
 
@@ -187,7 +229,7 @@ private:
         if (frame.region)
             *frame.region = make_function(frame);
         else
-            write_outputs(*frame.lowering, project_);
+            write_outputs(*frame.lowering, project_.top());
         frames_.pop_back();
     }
 

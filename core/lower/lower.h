@@ -15,7 +15,8 @@
 //   (of type normal). An input of type gradient that a height, derivative or normal is connected to
 //   takes the base of the gradients it is joined with by wires; without any it is the surface.
 // * Outputs of standard names (base/standard_outputs.h) are converted to their type; those of the
-//   top graph get the name of their row. A gradient as output is its vector in
+//   top graph get the name of their row. Its output `material` becomes an output for each channel
+//   (lower/record.h) that the graph has no other output for. A gradient as output is its vector in
 //   object space, a derivative its slope.
 //
 // Precondition: check() found no error. Constant stack; linear in the nodes that are built, however

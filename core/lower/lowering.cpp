@@ -24,6 +24,7 @@ Lowering::Lowering(Module& module, const FlatGraph& graph, const Project& projec
       files_(files),
       srgb_(srgb),
       fields_(module),
+      records_(module),
       slots_(graph.wires.size(), unset),
       graph_inputs_(inputs ? inputs->size() : project.top().inputs.size(), unset) {
     for (size_t i = 0; inputs && i < inputs->size(); ++i) {
@@ -94,6 +95,7 @@ Id Lowering::number(uint32_t node, const Port& port, std::array<double, 4> value
 
 Id Lowering::default_of(uint32_t node, const Port& port) {
     if (port.default_kind == Port::Default::surface) return surface(port.default_surface);
+    if (port.default_kind == Port::Default::absent) return poison;
     if (port.default_kind == Port::Default::constant) return number(node, port, port.default_value);
     return zero(port.type);
 }
@@ -135,6 +137,8 @@ Id Lowering::zero(PortType type) {
     switch (type) {
         case PortType::image_:
             return poison;
+        case PortType::material_:
+            return records_.add({});
         case PortType::normal_:
             return surface(WR_SURFACE_normal);
         case PortType::gradient_:

@@ -12,6 +12,7 @@
 #include "lower/field.h"
 #include "lower/flat.h"
 #include "lower/literal.h"
+#include "lower/record.h"
 
 namespace wrinkle {
 
@@ -39,6 +40,7 @@ public:
     Module& module() { return module_; }
     const FlatGraph& graph() const { return graph_; }
     FieldReads& fields() { return fields_; }
+    Records& records() { return records_; }
 
     // Returns the value at an input, from its wire, literal or default, converted and clamped;
     // poison if it has none. For an image, returns a handle that is not ready: call image().
@@ -92,6 +94,7 @@ private:
     NamedFiles& files_;
     const SrgbDecoder srgb_;
     FieldReads fields_;
+    Records records_;
     Id surface_normal_ = poison;
     std::vector<Id> slots_;         // by wire: value of an input or output
     std::vector<Id> graph_inputs_;  // by input of the graph

@@ -21,7 +21,8 @@ static_assert(Port::Kind{WR_KIND_INPUT} == Port::Kind::input &&
               Port::Kind{WR_KIND_FIELD} == Port::Kind::field);
 static_assert(Port::Default{WR_DEFAULT_NONE} == Port::Default::none &&
               Port::Default{WR_DEFAULT_CONSTANT} == Port::Default::constant &&
-              Port::Default{WR_DEFAULT_SURFACE} == Port::Default::surface);
+              Port::Default{WR_DEFAULT_SURFACE} == Port::Default::surface &&
+              Port::Default{WR_DEFAULT_ABSENT} == Port::Default::absent);
 
 constexpr uint32_t max_nodes = 10'000;
 constexpr uint32_t max_ports = 256;  // also the limit of choices and renames
@@ -197,7 +198,7 @@ private:
         if (field && lanes_of(port.type) == 0 && port.type != PortType::derivative_)
             return fault("a field of " + std::string(name_of(port.type)) + " cannot be",
                          "fields are of numbers or slopes");
-        if (source.default_kind > WR_DEFAULT_SURFACE)
+        if (source.default_kind > WR_DEFAULT_ABSENT)
             return fault("its kind of default " + std::to_string(source.default_kind) +
                          " does not exist");
         port.default_kind = static_cast<Port::Default>(source.default_kind);
@@ -213,7 +214,9 @@ private:
     bool default_value(const wr_port& source, Port& port) {
         if (port.default_kind == Port::Default::none) return true;
         const std::string type(name_of(port.type));
-        if (lanes_of(port.type) == 0) return fault("a default of type " + type + " cannot be");
+        const bool absent = port.default_kind == Port::Default::absent;
+        if (lanes_of(port.type) == 0)
+            return absent || fault("a default of type " + type + " cannot be");
         if (port.default_kind == Port::Default::surface) {
             const SurfaceProperty& property = surface_properties()[port.default_surface];
             if (lanes_of(property.type) == lanes_of(port.type)) return true;

@@ -47,6 +47,7 @@ std::string default_json(const Port& port) {
     if (port.default_kind == Port::Default::none || port.kind == Port::Kind::output) return "";
     if (port.default_kind == Port::Default::surface)
         return "{\"from\": " + json_quoted(surface_link(port)) + "}";
+    if (port.is_value() && lanes_of(port.type) == 0) return "";
     const double first = port.default_value[0];
     if (port.kind == Port::Kind::choice)
         return json_quoted(port.choices[static_cast<size_t>(first)]);

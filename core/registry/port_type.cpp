@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, port_type_count> names = {WR_PORT_TYPES(X
 #undef X
 
 constexpr int lanes_poison = 0, lanes_float = 1, lanes_vec2 = 2, lanes_vec3 = 3, lanes_vec4 = 4;
-constexpr int lanes_derivative = 0, lanes_gradient = 0;
+constexpr int lanes_derivative = 0, lanes_gradient = 0, lanes_material = 0;
 #define X(name, number, value) lanes_##value,
 constexpr std::array<int, port_type_count> lanes = {WR_PORT_TYPES(X)};
 #undef X

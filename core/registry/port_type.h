@@ -21,15 +21,17 @@ enum class PortType : uint8_t {
     derivative_,
     gradient_,
     normal_,
-    image_
+    image_,
+    material_
 };
-inline constexpr uint32_t port_type_count = 10;  // numbered from 1
+inline constexpr uint32_t port_type_count = 11;  // numbered from 1
 
 std::string_view name_of(PortType type);
 std::optional<PortType> port_type_named(std::string_view name);
 std::span<const std::string_view> port_type_names();  // in the order of the table
 
-// Returns the number of components of a literal: 1 to 4; 0 for derivative, gradient and image.
+// Returns the number of components of a literal: 1 to 4; 0 for derivative, gradient, image and
+// material.
 int lanes_of(PortType type);
 
 // A surface property: its name ("uv0"), port type and one line of documentation.

@@ -24,6 +24,9 @@ enum Call : uint32_t {
     call_output,
     call_error,
     call_name,
+    call_channel,
+    call_with_channel,
+    call_mix_materials,
 };
 
 constexpr uint32_t no_text = ~0u;        // instead of a size
@@ -41,12 +44,12 @@ struct Head {
 };
 
 constexpr uint32_t lanes_of_type(uint32_t type) {
-    constexpr std::array<uint32_t, 14> lanes{
+    constexpr uint32_t lanes[] = {
 #define X(name, number, glsl, count) count,
         WR_TYPES(X)
 #undef X
     };
-    return type < lanes.size() ? lanes[type] : 0;
+    return type < std::size(lanes) ? lanes[type] : 0;
 }
 
 struct Arguments {
@@ -102,6 +105,21 @@ void record_apply(const wr_builder* b, wr_region region, const wr_value* args, u
     give_numbers(recorder, results, result_count, room);
 }
 
+void record_materials(wr_builder& face) {
+    using B = const wr_builder*;
+    face.channel = [](B b, wr_value material, const char* name, uint32_t type) {
+        return record(b, call_channel, {.words = {material, type}, .text = name}).next();
+    };
+    face.with_channel = [](B b, wr_value material, const char* name, uint32_t type,
+                           wr_value value) {
+        return record(b, call_with_channel, {.words = {material, type, value}, .text = name})
+            .next();
+    };
+    face.mix_materials = [](B b, wr_value one, wr_value other, wr_value t) {
+        return record(b, call_mix_materials, {{one, other, t}}).next();
+    };
+}
+
 wr_builder calls_of_recorder() {
     using B = const wr_builder*;
     wr_builder face{};
@@ -134,6 +152,7 @@ wr_builder calls_of_recorder() {
         record(b, call_name, {.words = {value}, .text = name});
     };
     face.get_extension = [](B, const char*) -> const void* { return nullptr; };
+    record_materials(face);
     return face;
 }
 
@@ -222,6 +241,12 @@ private:
                 return b_->error(b_, text()), true;
             case call_name:
                 return b_->name(b_, of_host(x), text()), true;
+            case call_channel:
+                return gives(b_->channel(b_, of_host(x), text(), y));
+            case call_with_channel:
+                return gives(b_->with_channel(b_, of_host(x), text(), y, of_host(z)));
+            case call_mix_materials:
+                return gives(b_->mix_materials(b_, of_host(x), of_host(y), of_host(z)));
             default:
                 return false;
         }

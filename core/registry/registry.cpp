@@ -9,7 +9,8 @@ namespace wrinkle {
 
 bool Port::is_required() const {
     if (!is_value() || default_kind != Default::none) return false;
-    return type != PortType::gradient_ && type != PortType::derivative_;
+    return type != PortType::gradient_ && type != PortType::derivative_ &&
+           type != PortType::material_;
 }
 
 uint32_t NodeType::find_input(std::string_view port) const {

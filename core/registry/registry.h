@@ -27,9 +27,10 @@ namespace wrinkle {
 struct Port {
     enum class Kind : uint8_t { input = 1, output, choice, count, flag, field };
     enum class Default : uint8_t {
-        none,  // required; a gradient or a derivative is flat
+        none,  // required; a gradient or a derivative is flat, a material empty
         constant,
-        surface
+        surface,
+        absent  // no value: not a channel of a material; default_value is shown
     };
     Kind kind = Kind::input;
     PortType type = PortType::float_;  // for inputs, outputs and fields

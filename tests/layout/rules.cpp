@@ -40,7 +40,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
      {"base",    "json",          "ir",    "graph", "registry", "lower",   "emit",    "spirv",
       "cpu",     "image",         "mesh",  "maps",  "gpu",      "bake",    "certify", "cost",
       "compile", "list of nodes", "cli11", "glm",   "tbb",      "contract"}},
-    {"nodes", {"sdk"}},
+    {"nodes", {"sdk", "base"}},
     {"plugins", {"sdk"}},
     {"editor/model",
      {"base", "json", "ir", "graph", "registry", "lower", "emit", "spirv", "cpu", "image", "mesh",

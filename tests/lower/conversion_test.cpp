@@ -14,15 +14,17 @@ TEST(Conversion, AllPairs) {
     // From a row's type into a column's port: . same, r rename, g gray, d differentiate, a apply
     // frame, t take normal, n resolve, D and A the same and then resolve, - illegal.
     const std::map<std::string, std::string> table = {
-        //             f234chDgni
-        {"float", /**/ ".---gr-dD-"},  {"vec2", /*     */ "-.--------"},
-        {"vec3", /* */ "--.-r-----"},  {"vec4", /*     */ "---.------"},
-        {"color", /**/ "--r-.-----"},  {"height", /*   */ "r----.-dD-"},
-        {"derivative", "------.aA-"},  {"gradient", /* */ "-------.n-"},
-        {"normal", /**/ "-------t.-"}, {"image", /*   */ "---------."},
+        //             f234chDgnim
+        {"float", /**/ ".---gr-dD--"},  {"vec2", /*     */ "-.---------"},
+        {"vec3", /* */ "--.-r------"},  {"vec4", /*     */ "---.-------"},
+        {"color", /**/ "--r-.------"},  {"height", /*   */ "r----.-dD--"},
+        {"derivative", "------.aA--"},  {"gradient", /* */ "-------.n--"},
+        {"normal", /**/ "-------t.--"}, {"image", /*    */ "---------.-"},
+        {"material", "----------."},
     };
-    const std::vector<std::string> order = {"float",  "vec2",       "vec3",     "vec4",   "color",
-                                            "height", "derivative", "gradient", "normal", "image"};
+    const std::vector<std::string> order = {"float",  "vec2",   "vec3",       "vec4",
+                                            "color",  "height", "derivative", "gradient",
+                                            "normal", "image",  "material"};
     const std::map<char, Conversion> meaning = {
         {'.', Conversion::same},
         {'r', Conversion::rename},

@@ -55,6 +55,17 @@ std::vector<Combination> combinations(const NodeType& type) {
     return all;
 }
 
+// The node and, for its output of type material, one that splits it.
+std::string shown(const NodeType& type, const std::string& in, const Port& port) {
+    const std::string node = one(type.id, in);
+    if (port.type != PortType::material_) return node;
+    return node + R"(, "split": {"type": "material_split", "in": {"material": {"from": "n.)" +
+           port.name + R"("}}})";
+}
+std::string link_of(const Port& port) {
+    return port.type == PortType::material_ ? "split.roughness" : "n." + port.name;
+}
+
 TEST(EveryNode, IsDocumented) {
     for (const NodeType& type : registry().list()) {
         EXPECT_TRUE(is_one_line(type.title)) << type.id;
@@ -74,7 +85,7 @@ TEST(EveryNode, CompilesWithItsDefaultsAndEveryChoice) {
         for (const Combination& given : combinations(type))
             for (const Port& port : type.ports) {
                 if (port.kind != Port::Kind::output) continue;
-                const std::string found = problems(one(type.id, given.in), "n." + port.name);
+                const std::string found = problems(shown(type, given.in, port), link_of(port));
                 const std::string node = type.id + " " + given.in;
                 EXPECT_TRUE(!given.legal || found.empty()) << node << ": " << found;
                 const bool refused = !given.legal && port.type == PortType::gradient_;
@@ -86,7 +97,7 @@ TEST(EveryNode, IsFiniteAtItsDefaults) {
     for (const NodeType& type : registry().list())
         for (const Port& port : type.ports) {
             if (port.kind != Port::Kind::output) continue;
-            Scene scene{one(type.id), "n." + port.name};
+            Scene scene{shown(type, "", port), link_of(port)};
             for (const auto& lanes : values(scene, {{0, 0}, {0.3, 0.6}, {-700, 1e4}}))
                 for (const double lane : lanes)
                     EXPECT_TRUE(std::isfinite(lane)) << type.id << "." << port.name;

@@ -196,12 +196,12 @@ TEST(Descriptor, RefusesWrongPorts) {
               "port 'tile': there is another port of this name\n");
     EXPECT_EQ(port_refusal([](Sample& s) { s.height.kind = 7; }),
               "port 'height': its kind 7 does not exist\n");
-    EXPECT_EQ(port_refusal([](Sample& s) { s.height.type = 11; }),
-              "port 'height': its type 11 does not exist\n");
+    EXPECT_EQ(port_refusal([](Sample& s) { s.height.type = 12; }),
+              "port 'height': its type 12 does not exist\n");
     EXPECT_EQ(port_refusal([](Sample& s) { s.out.type = 0; }),
               "port 'height': its type 0 does not exist\n");
-    EXPECT_EQ(port_refusal([](Sample& s) { s.height.default_kind = 3; }),
-              "port 'height': its kind of default 3 does not exist\n");
+    EXPECT_EQ(port_refusal([](Sample& s) { s.height.default_kind = 4; }),
+              "port 'height': its kind of default 4 does not exist\n");
     EXPECT_EQ(port_refusal([](Sample& s) { s.height.default_value[0] = 2; }),
               "port 'height': its default 2 is outside its range 0 to 1\n");
     EXPECT_EQ(port_refusal([&](Sample& s) { s.height.default_value[0] = nan; }),

@@ -21,7 +21,7 @@
 //         order, or one struct with these members. It returns the output, or a std::tuple of them.
 //         fail("...") or an exception reports a problem on the node.
 //
-// A node is one static object of at most 32 ports; declaring it runs no code at start-up.
+// A node is one static object of at most 64 ports; declaring it runs no code at start-up.
 #pragma once
 
 #include "wrinkle/body.h"
@@ -30,7 +30,7 @@
 
 namespace wrinkle::sdk {
 
-inline constexpr uint32_t max_ports = 32;
+inline constexpr uint32_t max_ports = 64;
 inline constexpr uint32_t max_renames = 4;
 inline constexpr uint32_t max_choices = 32;  // the names of all choices of a node together
 
@@ -173,7 +173,7 @@ private:
 
     template <class Result, class... Options>
     constexpr Result with(wr_port port, const Default& value, Options... options) const {
-        static_assert(next < max_ports, "a node has at most 32 ports");
+        static_assert(next < max_ports, "a node has at most 64 ports");
         set_default(port, value);
         (options.apply(port), ...);
         Description description = d_;

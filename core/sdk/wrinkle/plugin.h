@@ -35,6 +35,8 @@
  *   frame       what turns a slope in a uv set into a gradient
  *   derivative  dh/d(u,v), a 2-vector, together with its frame
  *   base        the normal that gradients refer to: the surface's, or the output of one resolve
+ *   material    a record of channels, such as color, roughness and a bump: an open set of names,
+ *               each with a value of one port type
  *
  * Semantics at the corners, to which every back end is held
  *   - Operands are evaluated eagerly; `select` takes one of two values already computed and never
@@ -91,7 +93,8 @@ extern "C" {
     X(frame,      10, "",      0) \
     X(derivative, 11, "",      0) \
     X(base,       12, "",      0) \
-    X(tuple,      13, "",      0)
+    X(tuple,      13, "",      0) \
+    X(material,   14, "",      0)
 
 /* What stands on wires: X(name, number, type of its value). An image has no value, only a
  * handle. */
@@ -105,7 +108,8 @@ extern "C" {
     X(derivative, 7,  derivative) \
     X(gradient,   8,  gradient) \
     X(normal,     9,  vec3) \
-    X(image,      10, poison)
+    X(image,      10, poison) \
+    X(material,   11, material)
 
 /* Properties of the surface point, all in object space: X(name, number, type, doc) */
 #define WR_SURFACE_INPUTS(X) \
@@ -267,7 +271,9 @@ extern "C" {
     X(gradient_from_outward_normal, 140, 1, special, "", 0, 2) \
     /* gradient -> float: the trace of the covariance of its unit normal within a pixel, from the \
      * pictures that its slopes are read from and from with_covariance */ \
-    X(normal_variance,          141, 1, special, "",    0,  2)
+    X(normal_variance,          141, 1, special, "",    0,  2) \
+    /* a record of channels; extra: the host's own number of it */ \
+    X(material,                 142, 0, leaf,    "",    0,  2)
 
 /* Methods of a frame, and the scale that goes with them (reference: Mikkelsen 2020 and 2010):
  * X(name, number) */
@@ -387,6 +393,18 @@ typedef struct wr_builder {
     const void* (*get_extension)(const struct wr_builder* b, const char* id);
     /* What a value is called in generated text, where it becomes a line of its own. */
     void (*name)(const struct wr_builder* b, wr_value value, const char* name);
+
+    /* Members from here on are younger than version 1's first header: `size` covers them or not.
+     * The value of a material's channel; `type` is its WR_PORT_*, a gradient for a bump. A channel
+     * that the material does not have is the default of the standard output of that name, or 0. */
+    wr_value (*channel)(const struct wr_builder* b, wr_value material, const char* name,
+                        uint32_t type);
+    /* The material with this channel set; unchanged if `value` is WR_POISON. The
+     * material WR_POISON has no channels. */
+    wr_value (*with_channel)(const struct wr_builder* b, wr_value material, const char* name,
+                             uint32_t type, wr_value value);
+    /* All channels of both, each (1-t) a + t b, gradients as gradient_mix; `t` is a float. */
+    wr_value (*mix_materials)(const struct wr_builder* b, wr_value one, wr_value other, wr_value t);
 } wr_builder;
 
 /* Kinds of ports */
@@ -401,6 +419,7 @@ typedef struct wr_builder {
 #define WR_DEFAULT_NONE 0u     /* required (images, gradients and derivatives: flat) */
 #define WR_DEFAULT_CONSTANT 1u /* default_value */
 #define WR_DEFAULT_SURFACE 2u  /* the property default_surface */
+#define WR_DEFAULT_ABSENT 3u   /* WR_POISON, for with_channel(); default_value is shown */
 
 /* All descriptors below are the plugin's, static, and read by the host after wrinkle_plugin() has
  * returned. What is said to be null or 0 where it does not apply must be so. */

@@ -1,6 +1,7 @@
 // How the ports of a node are described: types on wires, defaults, ranges, units.
 //
-// Types of ports: Float vec2 vec3 vec4 Gradient Derivative Image, and with a meaning of their own
+// Types of ports: Float vec2 vec3 vec4 Gradient Derivative Image Material, and with a meaning of
+// their own
 //   Height  a Float: a length of object space, positive outward
 //   Color   a vec3, linear
 //   Normal  a vec3: unit, object space unless the port says otherwise
@@ -17,6 +18,7 @@
 
 #include "wrinkle/gradient.h"
 #include "wrinkle/image.h"
+#include "wrinkle/material.h"
 #include "wrinkle/surface.h"
 
 namespace wrinkle::sdk {
@@ -36,7 +38,7 @@ struct PortTraits {
                   "write .count(name, value, low, high, doc): an integer is not on a wire");
     static_assert(std::is_arithmetic_v<T>,
                   "the type of a port is Float, vec2, vec3, vec4, Height, Color, Normal, Gradient, "
-                  "Derivative or Image");
+                  "Derivative, Image or Material");
     static constexpr uint32_t type = WR_PORT_float;
     using Value = Float;
 };
@@ -56,6 +58,7 @@ WRINKLE_PORT(Derivative, derivative, Derivative)
 WRINKLE_PORT(Gradient, gradient, Gradient)
 WRINKLE_PORT(Normal, normal, vec3)
 WRINKLE_PORT(Image, image, Image)
+WRINKLE_PORT(Material, material, Material)
 #undef WRINKLE_PORT
 // clang-format on
 

@@ -122,7 +122,9 @@ void show_node(Requested& result, const Model& model, const std::string& id) {
     }
     const Link from{id, port->name};
     const PortType what = model.type_of(from).value_or(PortType::normal_);
-    if (what == PortType::color_ || what == PortType::vec3_)
+    if (what == PortType::material_)
+        result.document = with_outputs(result.document, {{"material", from}});
+    else if (what == PortType::color_ || what == PortType::vec3_)
         result.document = with_outputs(result.document, {{"color", from}});
     else if (what == PortType::height_ || what == PortType::float_)
         result.document = with_outputs(result.document, {{"normal", from}, {"height", from}});
@@ -136,7 +138,8 @@ const Port* shown_port(const NodeType* type) {
     const Port* best = first_output(
         type, {PortType::gradient_, PortType::normal_, PortType::height_, PortType::color_});
     if (best) return best;
-    return first_output(type, {PortType::derivative_, PortType::float_, PortType::vec3_});
+    return first_output(
+        type, {PortType::derivative_, PortType::float_, PortType::vec3_, PortType::material_});
 }
 
 Requested requested_document(const Document& document, const Model& model,

@@ -32,6 +32,9 @@ const ImVec2 dome[] = {{-1.05F, 0.65F}, {-0.9F, 0}, {-0.45F, -0.5F}, {0, -0.65F}
 const ImVec2 hourglass[] = {{-0.28F, 0}, {-0.9F, -1}, {0.9F, -1},
                             {0.28F, 0},  {0.9F, 1},   {-0.9F, 1}};
 
+const ImVec2 hexagon[] = {{-1.05F, 0}, {-0.52F, -0.9F}, {0.52F, -0.9F},
+                          {1.05F, 0},  {0.52F, 0.9F},   {-0.52F, 0.9F}};
+
 struct PinShape {
     PortType type;
     std::span<const ImVec2> corners;
@@ -42,6 +45,7 @@ const PinShape pin_shapes[] = {
     {PortType::color_, hourglass, false}, {PortType::height_, dome},
     {PortType::derivative_, slant},       {PortType::gradient_, arrow, false},
     {PortType::normal_, diamond},         {PortType::image_, square},
+    {PortType::material_, hexagon},
 };
 
 // Glyphs are sharp at their baked size, so a baked size near `size` is used as it is.

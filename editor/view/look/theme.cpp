@@ -22,6 +22,7 @@ constexpr TypeColor type_colors[] = {
     {PortType::gradient_, rgb(0xCDFEAE), rgb(0x416D4C)},
     {PortType::normal_, rgb(0xDDC9FF), rgb(0x645C89)},
     {PortType::image_, rgb(0xDF435D), rgb(0xF5346E)},
+    {PortType::material_, rgb(0x17B26A), rgb(0x0B8A3E)},
 };
 
 void style_colors() {

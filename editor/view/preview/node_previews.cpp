@@ -29,7 +29,7 @@ std::vector<Shown> show_nodes(Document& document, const Model& model,
     std::vector<Shown> shown;
     for (const std::string& node : wanted) {
         const Port* port = shown_port(model.type_of(node));
-        if (!port) continue;
+        if (!port || port->type == PortType::material_) continue;
         shown.push_back({node, "picture" + std::to_string(shown.size())});
         document = set_output(document, shown.back().output, {node, port->name});
     }
