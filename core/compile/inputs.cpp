@@ -32,9 +32,8 @@ private:
 }  // namespace
 
 std::string_view name_of(InputFile::Kind kind) {
-    return kind == InputFile::Kind::graph   ? "graph"
-           : kind == InputFile::Kind::image ? "image"
-                                            : "plugin";
+    constexpr std::string_view names[] = {"graph", "image", "plugin", "preset"};
+    return names[static_cast<size_t>(kind)];
 }
 
 std::vector<InputFile> inputs_of(const Project& project, const Types& types) {
@@ -56,6 +55,8 @@ std::vector<InputFile> inputs_of(const Project& project, const Types& types) {
             const NodeType* type = types.of(f, i);
             if (type && type->code) found.add(InputFile::Kind::plugin, type->origin);
         }
+    for (const std::string& preset : project.preset_files)
+        found.add(InputFile::Kind::preset, preset);
     return std::move(found.files);
 }
 

@@ -1,5 +1,5 @@
-// Lists the input files of a graph: the graph, its sub-graphs, and the images and plugins of its
-// nodes; for build systems, caches and file watchers.
+// Lists the input files of a graph: the graph, its sub-graphs, the images and plugins of its nodes,
+// and the files of applied presets; for build systems, caches and file watchers.
 //
 // Paths are spelled like the graph's path: relative to the working folder if that path is, so that
 // they match the names in a build system. Each file is listed once, graphs first.
@@ -14,7 +14,7 @@
 namespace wrinkle {
 
 struct InputFile {
-    enum class Kind : uint8_t { graph, image, plugin };
+    enum class Kind : uint8_t { graph, image, plugin, preset };
     Kind kind = Kind::graph;
     std::string path;
 };

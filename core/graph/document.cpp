@@ -102,6 +102,16 @@ Diagnostic diagnose(const Document& document, const GraphInput& input, std::stri
                 std::move(message), std::move(expected));
 }
 
+Diagnostic diagnose_key(const Document& document, const GraphInput& input, std::string_view key,
+                        std::string message, std::string expected) {
+    const json::Value value = input.source.find(key);
+    Diagnostic diagnostic = diagnose(document, input, std::move(message), std::move(expected));
+    if (!value.has_location()) return diagnostic;
+    diagnostic.where = value.location();
+    diagnostic.pointer += json::pointer_step(key);
+    return diagnostic;
+}
+
 Diagnostic diagnose(const Document& document, const Output& output, std::string message,
                     std::string expected) {
     return made(place(document, output.from.value, false), pointer_to({"outputs", output.name}),
@@ -114,6 +124,23 @@ Diagnostic diagnose(const json::Value& value, std::string node, std::string mess
         made(value.location(), value.pointer(), std::move(message), std::move(expected));
     diagnostic.node = std::move(node);
     return diagnostic;
+}
+
+std::vector<Extra> present_keys(const GraphInput& input) {
+    std::vector<Extra> keys;
+    each_key(input, [&]<class T>(std::string_view key, const T& value) {
+        if constexpr (std::is_same_v<T, std::string>) {
+            if (!value.empty()) keys.push_back({std::string(key), json::Value::string(value)});
+        } else if (!value.is(json::Kind::null)) {
+            keys.push_back({std::string(key), value});
+        }
+    });
+    return keys;
+}
+
+std::optional<Range> range_of(const json::Value& pair) {
+    if (!pair.is(json::Kind::array)) return {};
+    return Range{pair.at(0).as_number(), pair.at(1).as_number()};
 }
 
 std::string id_problem(std::string_view id, bool reserved) {

@@ -75,17 +75,65 @@ inline std::string_view table_key(const NodePtr& node) {
     return node->id;
 }
 
-// An input of the graph, read by nodes as {"from": "input.NAME"}.
+// Two numbers, the lesser first.
+struct Range {
+    double least = 0, most = 0;
+};
+
+// An input of the graph, read by nodes as {"from": "input.NAME"}. Absent values are null, absent
+// texts "". Only the shapes of the values are checked.
 struct GraphInput {
     std::string name;
     std::string type;           // port type (docs/graph-format.md), unchecked
-    json::Value default_value;  // null if absent
+    json::Value default_value;  // unchecked
+    json::Value choices;        // array of names
+    json::Value slider;         // range of a control: [0, 1]
+    json::Value limits;         // values outside are clamped
+    json::Value step;           // step of a control, greater than 0
+    std::string unit;
+    std::string label;   // displayed instead of the name
+    std::string group;   // "Wear/Edges"
+    std::string widget;  // name of a control, unchecked
+    std::string when;    // condition of display (graph/condition.h), unchecked
     std::string doc;
     std::vector<Extra> unknown;
     json::Value source;
 };
 inline std::string_view table_key(const GraphInput& input) {
     return input.name;
+}
+
+// Calls visit(key, value) for each key of a graph input, in the order of canonical text.
+template <class AnyInput, class Visit>
+void each_key(AnyInput& input, Visit visit) {
+    visit("type", input.type);
+    visit("default", input.default_value);
+    visit("choices", input.choices);
+    visit("slider", input.slider);
+    visit("limits", input.limits);
+    visit("step", input.step);
+    visit("unit", input.unit);
+    visit("label", input.label);
+    visit("group", input.group);
+    visit("widget", input.widget);
+    visit("when", input.when);
+    visit("doc", input.doc);
+}
+
+// Returns the keys that are present, in the same order.
+std::vector<Extra> present_keys(const GraphInput& input);
+
+// Returns the range of a slider or limits; std::nullopt if it is absent.
+std::optional<Range> range_of(const json::Value& pair);
+
+// Values of the graph's inputs under one name; inputs that it does not name have their defaults.
+struct Preset {
+    std::string name;
+    std::vector<Extra> values;  // by name of the input, each once, unchecked
+    json::Value source;
+};
+inline std::string_view table_key(const Preset& preset) {
+    return preset.name;
 }
 
 struct Output {
@@ -130,6 +178,7 @@ struct Document {
     std::optional<BackFaces> back_faces;  // unset: `mirror`
     Table<NodePtr> nodes;                 // in file order
     Table<GraphInput> inputs;
+    Table<Preset> presets;
     Table<Output> outputs;
     Table<Position> positions;
     Table<Box> frames;
@@ -160,6 +209,9 @@ Diagnostic diagnose_port(const Document&, const Node&, std::string_view port, st
                          std::string expected = {});
 Diagnostic diagnose(const Document&, const GraphInput&, std::string message,
                     std::string expected = {});
+// Located at the value of one of its keys; at the input if the key is not written.
+Diagnostic diagnose_key(const Document&, const GraphInput&, std::string_view key,
+                        std::string message, std::string expected = {});
 Diagnostic diagnose(const Document&, const Output&, std::string message, std::string expected = {});
 // Located at a value inside any of them, such as one key of an image; `node` may be "".
 Diagnostic diagnose(const json::Value&, std::string node, std::string message,

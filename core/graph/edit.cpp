@@ -30,6 +30,7 @@ void mark_edited(Document& document) {
     document.edited = true;
     if (!document.nodes.empty()) forget(document.unknown, "nodes");
     if (!document.inputs.empty()) forget(document.unknown, "inputs");
+    if (!document.presets.empty()) forget(document.unknown, "presets");
     if (!document.outputs.empty()) forget(document.unknown, "outputs");
     if (!document.positions.empty() || !document.frames.empty() || !document.notes.empty())
         forget(document.unknown, "layout");
@@ -189,11 +190,22 @@ Document remove_output(const Document& document, std::string_view name) {
 Document set_graph_input(const Document& document, GraphInput input) {
     if (!id_problem(input.name, false).empty()) return document;
     const GraphInput* old = document.inputs.find(input.name);
-    if (old && old->type == input.type && old->default_value == input.default_value &&
-        old->doc == input.doc && equal(old->unknown, input.unknown))
+    if (old && equal(present_keys(*old), present_keys(input)) && equal(old->unknown, input.unknown))
         return document;
     if (!input.source.is(json::Kind::object)) input.source = {};
     return with_table(document, &Document::inputs, document.inputs.with(std::move(input)));
+}
+
+Document set_preset(const Document& document, Preset preset) {
+    if (!id_problem(preset.name, false).empty()) return document;
+    const Preset* old = document.presets.find(preset.name);
+    if (old && equal(old->values, preset.values)) return document;
+    if (!preset.source.is(json::Kind::object)) preset.source = {};
+    return with_table(document, &Document::presets, document.presets.with(std::move(preset)));
+}
+
+Document remove_preset(const Document& document, std::string_view name) {
+    return with_table(document, &Document::presets, document.presets.without(name));
 }
 
 Document set_back_faces(const Document& document, std::optional<BackFaces> choice) {

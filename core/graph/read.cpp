@@ -50,8 +50,9 @@ private:
 
     bool read_section(const json::Member& member, Document& document) {
         const Value& value = member.value;
-        const bool section = member.key == "inputs" || member.key == "nodes" ||
-                             member.key == "outputs" || member.key == "layout";
+        const bool section = member.key == "inputs" || member.key == "presets" ||
+                             member.key == "nodes" || member.key == "outputs" ||
+                             member.key == "layout";
         if (!section) return false;
         if (!value.is(Kind::object))
             return report_.expect(value, Kind::object, json_quoted(member.key), "");
@@ -59,6 +60,9 @@ private:
         if (member.key == "inputs")
             document.inputs =
                 read_table<GraphInput>(value, limits_.ports, 0, ports, reading::read_graph_input);
+        if (member.key == "presets")
+            document.presets =
+                read_table<Preset>(value, limits_.presets, 0, "presets", reading::read_preset);
         if (member.key == "outputs")
             document.outputs =
                 read_table<Output>(value, limits_.ports, 0, ports, reading::read_output);
@@ -122,10 +126,18 @@ void add_in_order(const Diagnostics& found, Diagnostics& diagnostics) {
     diagnostics.append(sorted);
 }
 
-constexpr std::string_view top_keys[] = {"wrinkle", "name",    "back_faces", "inputs",
+constexpr std::string_view top_keys[] = {"wrinkle", "name",    "back_faces", "inputs", "presets",
                                          "nodes",   "outputs", "layout",     "$schema"};
 constexpr std::string_view node_keys[] = {"type", "version", "muted", "in"};
-constexpr std::string_view graph_input_keys[] = {"type", "default", "doc"};
+const std::vector<std::string_view>& graph_input_keys() {
+    static const std::vector<std::string_view> keys = [] {
+        std::vector<std::string_view> names;
+        const GraphInput any;
+        each_key(any, [&](std::string_view key, const auto&) { names.push_back(key); });
+        return names;
+    }();
+    return keys;
+}
 
 void report_keys(const std::vector<Extra>& extras, std::span<const std::string_view> known,
                  const std::string& node, Report& report) {
@@ -179,7 +191,7 @@ void report_unknown(const Document& document, Diagnostics& diagnostics) {
             report_link_keys(input, node->id, report);
     }
     for (const GraphInput& input : document.inputs)
-        report_keys(input.unknown, graph_input_keys, "", report);
+        report_keys(input.unknown, graph_input_keys(), "", report);
     for (const Output& output : document.outputs)
         report_link_keys(output.from, "", report);
     add_in_order(report.list(), diagnostics);

@@ -16,6 +16,7 @@ struct ReadLimits {
     uint32_t nodes = 1'000'000;  // nodes of a graph with its sub-graphs
     uint32_t nodes_before = 0;   // nodes of the files that were read before this one
     uint32_t ports = 256;        // inputs of a graph, and outputs; same limit as for a plugin node
+    uint32_t presets = 1000;
 };
 
 Document read_document(std::string bytes, std::string file, Diagnostics& diagnostics,

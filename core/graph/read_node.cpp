@@ -136,24 +136,4 @@ Output read_output(std::string_view name, const Value& value, Report& report) {
     return output;
 }
 
-GraphInput read_graph_input(std::string_view name, const Value& value, Report& report) {
-    GraphInput input;
-    input.name = name;
-    input.source = value;
-    report.expect_id(value, "the input name", name, false);
-    if (!report.expect(value, Kind::object, "the graph input", "")) return input;
-    for (const auto& [key, member] : value.children()) {
-        const bool text = key == "type" || key == "doc";
-        if (text && report.expect(member, Kind::string, json_quoted(key), ""))
-            (key == "type" ? input.type : input.doc) = member.as_string();
-        else if (key == "default")
-            input.default_value = member;
-        else
-            input.unknown.push_back({std::string(key), member});
-    }
-    if (!value.has("type") && !value.cut_off())
-        report.at(value, "", "the graph input has no \"type\"", "expected \"type\": \"float\"");
-    return input;
-}
-
 }  // namespace wrinkle::reading

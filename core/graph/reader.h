@@ -35,6 +35,7 @@ void read_input(std::string_view port, const json::Value& value, std::string_vie
                 Report& report, Input& input);
 Output read_output(std::string_view name, const json::Value& value, Report& report);
 GraphInput read_graph_input(std::string_view name, const json::Value& value, Report& report);
+Preset read_preset(std::string_view name, const json::Value& value, Report& report);
 void read_layout(const json::Value& layout, Document& document, Report& report);
 
 }  // namespace wrinkle::reading

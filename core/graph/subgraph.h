@@ -33,6 +33,7 @@ struct Project {
     // In breadth-first order of discovery: [0] is the top, then the files that it names, and so on.
     // For an order with sub-graphs first, see files_in_order() in lower/types.h.
     std::vector<File> files;
+    std::vector<std::string> preset_files;  // presets that were applied to the top graph
 
     const Document& top() const { return files[0].document; }
     // Returns the file of a sub-graph node of files[file]; nullptr if it has none.

@@ -84,12 +84,34 @@ void write_node(std::string& out, const Node& node) {
 }
 
 void write_graph_input(std::string& out, const GraphInput& input) {
+    constexpr size_t max_on_one_line = 4;
     if (write_whole(out, input.source)) return;
-    Block block(out, Block::flat);
-    if (!input.type.empty()) block.key("type") += json_quoted(input.type);
-    if (!input.default_value.is(Kind::null)) block.key("default") += one_line(input.default_value);
-    if (!input.doc.empty()) block.key("doc") += json_quoted(input.doc);
+    const std::vector<Extra> keys = present_keys(input);
+    const bool flat = keys.size() + input.unknown.size() <= max_on_one_line;
+    Block block(out, flat ? Block::flat : 6);
+    for (const Extra& key : keys)
+        block.key(key.key) += one_line(key.value);
     block.verbatim(input.unknown);
+    block.close();
+}
+
+void write_preset(std::string& out, const Preset& preset) {
+    constexpr size_t max_on_one_line = 4;
+    if (write_whole(out, preset.source)) return;
+    Block block(out, preset.values.size() <= max_on_one_line ? Block::flat : 6);
+    for (const Extra& value : preset.values)
+        block.key(value.key) += one_line(value.value);
+    block.close();
+}
+
+// Writes a section of named entries, each by `write`; nothing without entries.
+template <class T>
+void write_table(Block& top, std::string_view name, const Table<T>& entries,
+                 void (*write)(std::string&, const T&)) {
+    if (entries.empty()) return;
+    Block block(top.key(name), 4);
+    for (const T& entry : entries)
+        write(block.key(table_key(entry)), entry);
     block.close();
 }
 
@@ -147,11 +169,8 @@ void write_head(Block& top, const Document& document) {
     if (document.back_faces)
         top.key("back_faces") +=
             json_quoted(back_faces_names[static_cast<size_t>(*document.back_faces)]);
-    if (document.inputs.empty()) return;
-    Block block(top.key("inputs"), 4);
-    for (const GraphInput& input : document.inputs)
-        write_graph_input(block.key(input.name), input);
-    block.close();
+    write_table(top, "inputs", document.inputs, write_graph_input);
+    write_table(top, "presets", document.presets, write_preset);
 }
 
 }  // namespace

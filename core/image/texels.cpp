@@ -1,6 +1,6 @@
 #include "image/texels.h"
 
-#include "base/transcendental.h"
+#include "base/srgb.h"
 
 namespace wrinkle {
 namespace {
@@ -28,10 +28,6 @@ void decode_steps(Image& image, uint32_t last) {
 }
 
 }  // namespace
-
-double linear_from_srgb(double coded) {
-    return coded > 0.04045 ? math::pow((coded + 0.055) / 1.055, 2.4) : coded / 12.92;
-}
 
 void decode_srgb(Image& image) {
     switch (image.source) {

@@ -30,8 +30,6 @@ TexelSource texels_of(const Sampled& image) {
     return {image.file, image.options.decodes_texels()};
 }
 
-double linear_from_srgb(double coded);
-
 // Precondition: the values of an integer `source` are steps of its type, as from load_image().
 void decode_srgb(Image& image);
 

@@ -1,5 +1,6 @@
 #include "lower/check.h"
 
+#include <algorithm>
 #include <functional>
 
 #include "base/text.h"
@@ -49,7 +50,8 @@ public:
         warn_of_projection(document_, node, *type, registry_, diagnostics_);
     }
 
-    void graph_input(const GraphInput& input) {
+    void graph_input(size_t index) {
+        const GraphInput& input = document_.inputs[index];
         const std::string subject = "input " + in_quotes(input.name) + " ";
         const auto type = port_type_named(input.type);
         if (!type) {
@@ -59,19 +61,41 @@ public:
                                    subject + "has the unknown type " + json_quoted(input.type),
                                    did_you_mean(input.type, names, "expected " + join(names))));
         }
+        const Port& port = types_.graph_input(file_, index);
+        check_keys(document_, input, port, diagnostics_);
         if (input.default_value.is(json::Kind::null)) {
             if (*type == PortType::image_ && file_ == 0)
                 report(diagnose(document_, input, subject + "is an image and has no default",
                                 "expected \"default\": a path"));
             return;
         }
-        Port port;
-        port.type = *type;
+        if (is_of_preset(input.default_value)) return;
         const auto here = [&](std::string message, std::string expected) {
             return diagnose(document_, input, std::move(message), std::move(expected));
         };
         literal(
             input.default_value, port, [&] { return subject; }, "", here);
+    }
+
+    void preset(const Preset& preset) {
+        for (const Extra& value : preset.values) {
+            const std::string subject =
+                "preset " + in_quotes(preset.name) + ", input " + in_quotes(value.key) + " ";
+            const size_t index = document_.inputs.index_of(value.key);
+            const auto here = [&](std::string message, std::string expected) {
+                return value.value.has_location()
+                           ? diagnose(value.value, "", std::move(message), std::move(expected))
+                           : diagnose(document_, std::move(message), std::move(expected));
+            };
+            if (index == Table<GraphInput>::npos)
+                report(here(subject + "does not exist",
+                            did_you_mean(value.key, keys_of(document_.inputs),
+                                         "the graph has " + join(keys_of(document_.inputs)))));
+            else if (port_type_named(document_.inputs[index].type))
+                literal(
+                    value.value, types_.graph_input(file_, index), [&] { return subject; }, "",
+                    here);
+        }
     }
 
     void output(const Output& output) {
@@ -105,6 +129,14 @@ private:
         return true;
     }
     void report(Diagnostic diagnostic) { diagnostics_.add(std::move(diagnostic)); }
+
+    // True for a default that is a preset's value; it is checked there.
+    bool is_of_preset(const json::Value& value) const {
+        return std::ranges::any_of(document_.presets, [&](const Preset& preset) {
+            return std::ranges::any_of(preset.values,
+                                       [&](const Extra& each) { return each.value.same(value); });
+        });
+    }
 
     void unknown_type(const Node& node) {
         const bool reported_elsewhere =
@@ -281,8 +313,10 @@ void check(const Project& project, const Registry& registry, const Types& types,
         Checker checker(project, registry, types, f, files, diagnostics);
         for (size_t i = 0; i < document.nodes.size(); ++i)
             if (!options.reachable_only || reached[f][i]) checker.node(i);
-        for (const GraphInput& input : document.inputs)
-            checker.graph_input(input);
+        for (size_t i = 0; i < document.inputs.size(); ++i)
+            checker.graph_input(i);
+        for (const Preset& preset : document.presets)
+            checker.preset(preset);
         for (const Output& output : document.outputs)
             checker.output(output);
     }

@@ -13,6 +13,7 @@
 namespace wrinkle {
 
 struct Document;
+struct GraphInput;
 class NamedFiles;
 
 struct CheckOptions {
@@ -30,5 +31,10 @@ void check(const Project& project, const Registry& registry, const Types& types,
 // warning. Uvs are followed through nodes of the family "uv". Part of check().
 void warn_of_projection(const Document& document, const Node& node, const NodeType& type,
                         const Registry& registry, Diagnostics& diagnostics);
+
+// Reports the keys of a graph input that do not fit its type or name a missing input. `port` is
+// the input in Types. Part of check().
+void check_keys(const Document& document, const GraphInput& input, const Port& port,
+                Diagnostics& diagnostics);
 
 }  // namespace wrinkle

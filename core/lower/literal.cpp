@@ -1,8 +1,10 @@
 #include "lower/literal.h"
 
+#include <charconv>
 #include <cmath>
 #include <limits>
 
+#include "base/srgb.h"
 #include "base/text.h"
 
 namespace wrinkle {
@@ -28,6 +30,19 @@ std::string remedy(std::string_view word, std::span<const std::string> names) {
     return did_you_mean(word, names, "expected " + one_of(names));
 }
 
+// Decodes "#rrggbb", which is display-encoded (sRGB).
+bool color_from_hex(std::string_view text, std::array<double, 4>& numbers) {
+    if (text.size() != 7 || text[0] != '#') return false;
+    for (size_t lane = 0; lane < 3; ++lane) {
+        unsigned byte = 0;
+        const char* begin = text.data() + 1 + 2 * lane;
+        const auto [end, error] = std::from_chars(begin, begin + 2, byte, 16);
+        if (error != std::errc() || end != begin + 2) return false;
+        numbers[lane] = linear_from_srgb(byte / 255.0);
+    }
+    return true;
+}
+
 void number_problems(const json::Value& value, double number, const Port& port,
                      Problems& problems) {
     if (std::abs(number) > largest)
@@ -46,8 +61,9 @@ void numbers_problems(const json::Value& value, const Port& port, Problems& prob
     std::array<double, 4> numbers{};
     const int lanes = lanes_of(port.type);
     if (!literal_numbers(value, port.type, numbers)) {
-        const std::string wanted =
+        std::string wanted =
             lanes == 1 ? "a number" : "an array of " + std::to_string(lanes) + " numbers";
+        if (port.type == PortType::color_) wanted += " or \"#rrggbb\"";
         problems.push_back({value, found(value), "expected " + wanted});
     } else if (lanes == 1) {
         number_problems(value, numbers[0], port, problems);
@@ -132,6 +148,8 @@ std::string one_of(std::span<const std::string> names) {
 }
 
 bool literal_numbers(const json::Value& value, PortType type, std::array<double, 4>& numbers) {
+    if (type == PortType::color_ && value.is(Kind::string))
+        return color_from_hex(value.as_string(), numbers);
     const auto lanes = static_cast<size_t>(lanes_of(type));
     if (lanes == 1 && value.is(Kind::number)) {
         numbers[0] = value.as_number();

@@ -15,8 +15,8 @@ namespace wrinkle {
 
 std::string one_of(std::span<const std::string> names);  // "a, b or c"
 
-// Stores the numbers of a float, vector, color, height or normal; returns false if `value` is not a
-// valid one.
+// Stores the numbers of a float, vector, color (an array, linear, or "#rrggbb", sRGB-coded), height
+// or normal; returns false if `value` is not a valid one.
 bool literal_numbers(const json::Value& value, PortType type, std::array<double, 4>& numbers);
 
 // Returns the index of a choice, the value of a count, 0 or 1 of a flag; std::nullopt if `value` is

@@ -111,13 +111,23 @@ Id Lowering::graph_input(uint32_t index, PortType type) {
     Parameter parameter;
     parameter.port = input.name;
     parameter.type = value_type(type);
-    parameter.value = numbers;
     parameter.graph_input = true;
-    return value = module_.parameter(module_.add_parameter(std::move(parameter)));
+    Port port;
+    port.type = type;
+    if (const auto limits = range_of(input.limits)) {
+        port.hard_min = limits->least;
+        port.hard_max = limits->most;
+        for (double& number : numbers)
+            number = std::clamp(number, limits->least, limits->most);
+    }
+    parameter.value = numbers;
+    const Id uniform = module_.parameter(module_.add_parameter(std::move(parameter)));
+    return value = clamped(uniform, port);
 }
 
 Id Lowering::clamped(Id value, const Port& port) {
-    if (!port.has_hard_range() || lanes_of(port.type) == 0 || value == poison) return value;
+    const bool clamps = port.has_hard_range() && port.clamps_wires && lanes_of(port.type) > 0;
+    if (!clamps || value == poison) return value;
     if (std::isfinite(port.hard_min))
         value = module_.add(Op::max_, {value, module_.number(port.hard_min)});
     if (std::isfinite(port.hard_max))

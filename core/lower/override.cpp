@@ -116,14 +116,12 @@ struct Applier {
     }
 
     void graph_input(const Override& change, const json::Value& value) {
-        const GraphInput* input = document().inputs.find(change.target.port);
-        if (!input)
+        const size_t index = document().inputs.index_of(change.target.port);
+        if (index == Table<GraphInput>::npos)
             return refuse(change, "the graph has no input '" + change.target.port + "'",
                           did_you_mean(change.target.port, keys_of(document().inputs)));
-        Port port;
-        port.type = port_type_named(input->type).value_or(PortType::float_);
-        if (!fits(change, value, port)) return;
-        GraphInput changed = *input;
+        if (!fits(change, value, Types(project, registry).graph_input(0, index))) return;
+        GraphInput changed = document().inputs[index];
         changed.default_value = value;
         document() = set_graph_input(document(), std::move(changed));
     }

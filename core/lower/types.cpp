@@ -5,6 +5,7 @@
 #include "graph/depth_first.h"
 #include "graph/order.h"
 #include "graph/subgraph.h"
+#include "lower/conversion.h"
 #include "lower/literal.h"
 #include "wrinkle/plugin.h"
 
@@ -42,6 +43,15 @@ Port input_port(const GraphInput& input) {
     Port port;
     port.name = input.name;
     port.doc = input.doc;
+    port.unit = input.unit;
+    if (const auto slider = range_of(input.slider)) {
+        port.soft_min = slider->least;
+        port.soft_max = slider->most;
+    }
+    if (const auto limits = range_of(input.limits)) {
+        port.hard_min = limits->least;
+        port.hard_max = limits->most;
+    }
     port.type = port_type_named(input.type).value_or(PortType::float_);
     const bool numbers = literal_numbers(input.default_value, port.type, port.default_value);
     if (lanes_of(port.type) == 0) return port;
@@ -51,6 +61,22 @@ Port input_port(const GraphInput& input) {
         port.default_surface = WR_SURFACE_normal;
     }
     return port;
+}
+
+void inherit(Port& port, const Port& from) {
+    const Conversion wire = conversion(port.type, from.type);
+    if (wire != Conversion::same && wire != Conversion::rename) return;
+    if (port.doc.empty()) port.doc = from.doc;
+    if (port.unit.empty()) port.unit = from.unit;
+    if (!port.has_soft_range()) {
+        port.soft_min = from.soft_min;
+        port.soft_max = from.soft_max;
+    }
+    if (!port.has_hard_range()) {
+        port.hard_min = from.hard_min;
+        port.hard_max = from.hard_max;
+        port.clamps_wires = false;
+    }
 }
 
 }  // namespace
@@ -96,8 +122,7 @@ void Types::type_file(const Project& project, const Registry& registry, size_t f
     type.title = document.name.empty() ? source.path.stem().string() : document.name;
     type.family = "sub-graph";
     type.origin = source.path.string();
-    for (const GraphInput& input : document.inputs)
-        type.ports.push_back(input_port(input));
+    add_graph_inputs(file);
     for (const Output& each : document.outputs) {
         Port port;
         port.kind = Port::Kind::output;
@@ -106,6 +131,31 @@ void Types::type_file(const Project& project, const Registry& registry, size_t f
         if (!found) continue;
         port.type = *found;
         type.ports.push_back(std::move(port));
+    }
+}
+
+void Types::add_graph_inputs(size_t file) {
+    const Document& document = project_->files[file].document;
+    struct Readers {
+        size_t count = 0;
+        const Port* port = nullptr;
+    };
+    std::vector<Readers> readers(document.inputs.size());
+    for (size_t n = 0; n < document.nodes.size() && !readers.empty(); ++n) {
+        const std::span<const NamedInput> named = inputs(file, n);
+        for (size_t k = 0; k < named.size(); ++k) {
+            const Link& link = document.nodes[n]->inputs[k].link;
+            const size_t input =
+                link.is_input() ? document.inputs.index_of(link.port) : Table<GraphInput>::npos;
+            if (input == Table<GraphInput>::npos || named[k].port == NodeType::none) continue;
+            ++readers[input].count;
+            readers[input].port = &of(file, n)->ports[named[k].port];
+        }
+    }
+    for (size_t i = 0; i < readers.size(); ++i) {
+        Port port = input_port(document.inputs[i]);
+        if (readers[i].count == 1) inherit(port, *readers[i].port);
+        graphs_[file].ports.push_back(std::move(port));
     }
 }
 

@@ -67,6 +67,9 @@ public:
     std::optional<PortType> output(size_t file, const Output& output) const;
     // Returns the type of a file's sub-graph nodes; its `origin` is the file's path.
     const NodeType& subgraph(size_t file) const { return graphs_[file]; }
+    // Returns an input of a file's graph as a port of its sub-graph nodes. An input that feeds one
+    // port has that port's slider, limits, unit and doc unless it has its own.
+    const Port& graph_input(size_t file, size_t input) const { return graphs_[file].ports[input]; }
 
 private:
     struct File {
@@ -78,6 +81,7 @@ private:
     void type_reroutes(size_t file);
     const NodeType* reroute(size_t file, const Node& node) const;
     void look_up_inputs(size_t file);
+    void add_graph_inputs(size_t file);
     LinkSource source(size_t file, uint32_t node, std::string_view output) const;
 
     const Project* project_;

@@ -24,13 +24,12 @@ std::string surface_link(const Port& port) {
     return "surface." + std::string(surface_properties()[port.default_surface].name);
 }
 
-// JSON has no infinity: an infinite end is null.
+}  // namespace
+
 std::string range_json(double least, double most) {
     const auto end = [](double x) { return std::isfinite(x) ? shortest(x) : std::string("null"); };
     return "[" + end(least) + ", " + end(most) + "]";
 }
-
-}  // namespace
 
 std::string_view kind_word(Port::Kind kind) {
     constexpr std::string_view words[] = {"input", "output", "choice", "count", "flag", "field"};

@@ -26,11 +26,6 @@ std::string by_family(const Registry& registry, Write write) {
     return text;
 }
 
-std::string padded(std::string text, size_t width) {
-    if (text.size() < width) text.append(width - text.size(), ' ');
-    return text;
-}
-
 std::string rows_text(const NodeType& type, bool outputs) {
     std::string text;
     for (const Port& port : type.ports) {
@@ -60,6 +55,11 @@ std::string rows_markdown(const NodeType& type, bool outputs) {
 }
 
 }  // namespace
+
+std::string padded(std::string text, size_t width) {
+    if (text.size() < width) text.append(width - text.size(), ' ');
+    return text;
+}
 
 std::string list_text(const Registry& registry) {
     return by_family(registry, [](const std::string& family, const NodeType* type) {

@@ -26,6 +26,8 @@ std::string kind_text(const Port& port);      // "float", "choice", "field of he
 std::string details_text(const Port& port);   // "m, default 0.1, 0 to 1"; may be empty
 std::string default_json(const Port& port);   // "" if it has none; a surface default is a link
 std::string port_json(const Port& port);      // one object
+std::string range_json(double least, double most);   // "[0, 1]"; an infinite end is null
+std::string padded(std::string text, size_t width);  // with spaces at its end
 // The first members of an object: {"id": ..., "version": 1
 std::string head_json(const NodeType& type);
 

@@ -42,6 +42,7 @@ struct Port {
     std::array<double, 4> default_value{};  // a choice: its index, a flag: 0 or 1
     double soft_min = 0, soft_max = 0;      // slider range; equal: none
     double hard_min = 0, hard_max = 0;      // equal: none
+    bool clamps_wires = true;  // false: the ports that read a sub-graph's input clamp the value
     std::vector<std::string> choices;
     Encoding encoding = Encoding::linear;  // for an image given as a bare path
 

@@ -27,6 +27,7 @@ std::string literal_schema(const Port& port) {
     const int lanes = lanes_of(port.type);
     if (lanes == 0) return "false";
     if (lanes == 1) return "{\"type\": \"number\"}";
+    if (port.type == PortType::color_) return "{\"$ref\": \"#/$defs/color\"}";
     return "{\"$ref\": \"#/$defs/numbers" + std::to_string(lanes) + "\"}";
 }
 
@@ -72,10 +73,28 @@ std::string numbers(int lanes) {
            "\"minItems\": " + count + ", \"maxItems\": " + count + "},\n";
 }
 
+std::string graph_input_schema() {
+    const std::string range =
+        R"({"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2})";
+    std::string text =
+        R"({"type": "object", "required": ["type"], "properties": {"type": {"enum": )" +
+        json::string_array(port_type_names()) + "}";
+    for (const char* key : {"unit", "label", "group", "widget", "when", "doc"})
+        text += ", " + json_quoted(key) + R"(: {"type": "string"})";
+    text += R"(, "slider": )" + range + R"(, "limits": )" + range;
+    text += R"(, "step": {"type": "number", "exclusiveMinimum": 0})";
+    text += R"(, "choices": {"type": "array", "items": {"type": "string", "minLength": 1},)"
+            R"( "minItems": 1, "maxItems": 256, "uniqueItems": true})";
+    return text + "}}";
+}
+
 std::string definitions(const Registry& registry) {
     std::string text = "  \"$defs\": {\n";
     for (const int lanes : {2, 3, 4})
         text += numbers(lanes);
+    text += R"(    "color": {"anyOf": [{"$ref": "#/$defs/numbers3"},)"
+            R"( {"type": "string", "pattern": "^#[0-9A-Fa-f]{6}$"}]},)"
+            "\n";
     text +=
         "    \"wire\": {\"type\": \"object\", \"required\": [\"from\"], \"properties\": "
         "{\"from\": {\"type\": \"string\", \"pattern\": \"^[^.]+\\\\.[^.]+$\"}}},\n";
@@ -109,11 +128,11 @@ std::string graph_schema(const Registry& registry) {
         "    \"back_faces\": {\"enum\": " +
         json::string_array(back_faces_names) +
         "},\n"
-        "    \"inputs\": {\"type\": \"object\", \"additionalProperties\": "
-        "{\"type\": \"object\", \"required\": [\"type\"], \"properties\": "
-        "{\"type\": {\"enum\": " +
-        json::string_array(port_type_names()) +
-        "}, \"doc\": {\"type\": \"string\"}}}},\n"
+        "    \"inputs\": {\"type\": \"object\", \"additionalProperties\": " +
+        graph_input_schema() +
+        "},\n"
+        "    \"presets\": {\"type\": \"object\", \"additionalProperties\": {\"type\": "
+        "\"object\"}},\n"
         "    \"nodes\": {\"type\": \"object\", \"additionalProperties\": "
         "{\"$ref\": \"#/$defs/node\"}},\n"
         "    \"outputs\": {\"type\": \"object\", \"properties\": {";

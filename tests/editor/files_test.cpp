@@ -1,5 +1,6 @@
 // Tests of the files that the editor reads and writes: graphs and the images near them.
 #include "editor/view/panels/panels.h"
+#include "graph/edit.h"
 #include "headless.h"
 
 namespace wrinkle::editor {
@@ -23,6 +24,34 @@ TEST_F(Headless, SavesWhatIsShownAndOnlyTheEditedLine) {
     EXPECT_EQ(text_of(file), expected);
     play("key Ctrl+Z\nassert dirty\nkey Ctrl+S");
     EXPECT_EQ(text_of(file), small_graph);
+}
+
+TEST_F(Headless, EditsAndUndoPreserveInputsAndPresets) {
+    const std::string exposed = R"("name": "Small",
+  "inputs": {
+    "wear": {
+      "type": "float",
+      "default": 0.50,
+      "slider": [0, 1.0],
+      "label": "Wear",
+      "group": "Wear/Edges"
+    }
+  },
+  "presets": {
+    "Old": { "wear": 0.80 }
+  })";
+    std::string graph = small_graph;
+    graph.replace(graph.find("\"name\": \"Small\""), 15, exposed);
+    open(graph);
+    play("double field:softer.amount\ntype 0.25\nkey Enter\nkey Ctrl+S");
+    std::string expected = graph;
+    expected.replace(expected.find("\"amount\": 0.6"), 13, "\"amount\": 0.25");
+    EXPECT_EQ(text_of(file), expected);
+    Preset old = state.document().presets[0];
+    old.values[0].value = json::Value::number(1);
+    state.commit("Preset", set_preset(state.document(), old));
+    play("assert dirty\nkey Ctrl+Z\nkey Ctrl+Z\nkey Ctrl+S");
+    EXPECT_EQ(text_of(file), graph);
 }
 
 TEST_F(Headless, AFileThatWasNotReadWholeIsNotOverwritten) {

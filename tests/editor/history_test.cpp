@@ -143,6 +143,7 @@ private:
         const Document& now = state_.document();
         const Node& some = node();
         const Port* port = port_of(some, true);
+        GraphInput input;
         switch (pick(6)) {
             case 0:
                 refresh(state_);
@@ -154,9 +155,10 @@ private:
                 return state_.commit(
                     "Faces", set_back_faces(now, pick(2) ? BackFaces::mirror : BackFaces::flip));
             case 3:
-                return state_.commit(
-                    "Input",
-                    set_graph_input(now, {"size", "float", json::Value::number(0.5), "", {}, {}}));
+                input.name = "size";
+                input.type = "float";
+                input.default_value = json::Value::number(0.5);
+                return state_.commit("Input", set_graph_input(now, input));
             case 4:
                 return state_.commit("No output", remove_output(now, "height"));
             default:

@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 constexpr const char* with_files = R"({
   "wrinkle": 1,
   "inputs": { "picture": { "type": "image", "default": "deep/in/b.png" } },
+  "presets": { "Other": { "picture": "deep/a.png" } },
   "nodes": {
     "plain": { "type": "height_map", "in": { "image": "deep/a.png" } },
     "object": { "type": "height_map", "in": { "image": { "file": "./deep/../deep/a.png", "wrap": "clamp" } } },
@@ -49,6 +50,7 @@ TEST_F(SaveAs, InAFolderBelowFilesAreNamedFromThere) {
     EXPECT_EQ(image_of(now, "object"), "a.png");
     EXPECT_EQ(now.find("object")->find("image")->value.find("wrap").as_string(), "clamp");
     EXPECT_EQ(now.inputs.find("picture")->default_value.as_string(), "in/b.png");
+    EXPECT_EQ(now.presets[0].values[0].value.as_string(), "a.png");
     EXPECT_EQ(image_of(now, "absolute"), "/nowhere/d.png");
     EXPECT_EQ(image_of(now, "unknown"), "deep/a.png") << "nobody knows that it is one";
     EXPECT_EQ(now.find("part")->type, "graph:part.json");

@@ -85,7 +85,8 @@ TEST(CheckPorts, LiteralsOfTheWrongKind) {
     EXPECT_EQ(node_report("vector", "\"scale\": [1, 2, 3]"),
               "port 'scale' holds an array of 3 (expected an array of 2 numbers)\n");
     EXPECT_EQ(node_report("vector", "\"tint\": [1, true, 3]"),
-              "port 'tint' holds an array of 3 (expected an array of 3 numbers)\n");
+              "port 'tint' holds an array of 3 (expected an array of 3 numbers or "
+              "\"#rrggbb\")\n");
     EXPECT_EQ(node_report("bump", "\"height\": 1e300"),
               "port 'height' holds 1e300, too large for single precision (at most 3.4e38)\n");
     EXPECT_EQ(node_report("scale", "\"gradient\": 0"),
@@ -206,6 +207,37 @@ TEST(CheckGraph, Inputs) {
     EXPECT_EQ(input_report(R"({"type": "image", "default": "gone.png"})"),
               "g.json:1:27: error: input 'k' names \"gone.png\", which does not exist (a path is "
               "relative to its graph's folder)\n");
+}
+
+TEST(CheckGraph, KeysOfInputs) {
+    EXPECT_EQ(input_report(R"({"type": "image", "default": "fixture.h", "slider": [0, 1]})"),
+              "g.json:1:84: error: input 'k': \"slider\" does not fit the type image (float, vec2, "
+              "vec3, vec4, color and height have it)\n");
+    EXPECT_EQ(
+        input_report(R"({"type": "normal", "limits": [0, 1]})"),
+        "g.json:1:61: error: input 'k': \"limits\" does not fit the type normal (float, vec2, "
+        "vec3, vec4, color and height have it)\n");
+    EXPECT_EQ(
+        input_report(R"({"type": "float", "widget": "dial"})"),
+        "g.json:1:60: warning: input 'k': \"widget\" is \"dial\", which this program does not "
+        "have (expected slider, number, angle, seed, color, position, ramp or curve)\n");
+    EXPECT_EQ(input_report(R"({"type": "float", "widget": "angl"})"),
+              "g.json:1:60: warning: input 'k': \"widget\" is \"angl\", which this program does "
+              "not have (did you mean 'angle'?)\n");
+    EXPECT_EQ(input_report(R"({"type": "float", "group": "Wear//Edges"})"),
+              "g.json:1:59: error: input 'k': \"group\" has an empty part (expected \"Wear\" or "
+              "\"Wear/Edges\")\n");
+    EXPECT_EQ(input_report(R"({"type": "float", "when": "k > 0"})"),
+              "g.json:1:58: error: input 'k': \"when\" is \"k > 0\", which is not a condition "
+              "(expected \"input.NAME\", \"!input.NAME\" or \"input.NAME > 0\")\n");
+    EXPECT_EQ(input_report(R"({"type": "float", "when": "input.q > 0"})"),
+              "g.json:1:58: error: input 'k': \"when\" names the input 'q', which does not exist "
+              "(did you mean 'k'?)\n");
+    EXPECT_EQ(input_report(R"({"type": "float", "default": 3, "limits": [0, 1]})"),
+              "g.json:1:61: warning: input 'k' holds 3, outside 0 to 1 (1 is used)\n");
+    EXPECT_EQ(input_report(R"({"type": "float", "default": 0.5, "limits": [0, 1], "step": 0.1,
+                               "slider": [0, 2], "widget": "slider", "when": "!input.k"})"),
+              "");
 }
 
 TEST(CheckGraph, UnknownKeysAreErrors) {

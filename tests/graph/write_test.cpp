@@ -75,7 +75,7 @@ TEST(Write, CanonicalTextIsAFixedPoint) {
 TEST(Write, WhatIsNotKnownIsKept) {
     const Document document = read_quietly(
         R"({"$schema": "s.json", "wrinkle": 1, "author": {"name": "me", "n": 1.00},
-"inputs": {"i": {"type": "float", "unit": "m"}, "j": [2]},
+"inputs": {"i": {"type": "float", "units": "m"}, "j": [2]},
 "nodes": {"a": {"type": "plugin_type", "colour": [1.0, {"x": null}], "in": {"odd": {"k": [1e1]}, "w": {"from": "a"}}},
 "b": null, "c": {"type": 5, "in": 6, "version": "x"}},
 "outputs": {"o": 4}, "layout": {"a": "here", "gone": [1, 2], "$new": {"a": 1}, "$frames": {"f": 8, "g": {"rect": [1, 2, 3, 4.0], "color": "red"}}}})");
@@ -83,7 +83,7 @@ TEST(Write, WhatIsNotKnownIsKept) {
   "$schema": "s.json",
   "wrinkle": 1,
   "inputs": {
-    "i": { "type": "float", "unit": "m" },
+    "i": { "type": "float", "units": "m" },
     "j": [2]
   },
   "nodes": {

@@ -10,8 +10,8 @@ public:
     Comparison(const Document& before, const Document& after) : a_(before), b_(after) {}
 
     Change run() {
-        if (!a_.inputs.same(b_.inputs) || a_.name != b_.name || a_.back_faces != b_.back_faces ||
-            !same_nodes() || !same_outputs())
+        if (!a_.inputs.same(b_.inputs) || !a_.presets.same(b_.presets) || a_.name != b_.name ||
+            a_.back_faces != b_.back_faces || !same_nodes() || !same_outputs())
             return {Change::Kind::structure, false, {}};
         if (!values_.empty()) return {Change::Kind::values, renamed_, std::move(values_)};
         if (renamed_) return {Change::Kind::names, true, {}};
@@ -87,9 +87,9 @@ Change change(const Document& before, const Document& after) {
 }
 
 bool same_document(const Document& a, const Document& b) {
-    return a.nodes.same(b.nodes) && a.inputs.same(b.inputs) && a.outputs.same(b.outputs) &&
-           a.positions.same(b.positions) && a.frames.same(b.frames) && a.notes.same(b.notes) &&
-           a.name == b.name && a.back_faces == b.back_faces;
+    return a.nodes.same(b.nodes) && a.inputs.same(b.inputs) && a.presets.same(b.presets) &&
+           a.outputs.same(b.outputs) && a.positions.same(b.positions) && a.frames.same(b.frames) &&
+           a.notes.same(b.notes) && a.name == b.name && a.back_faces == b.back_faces;
 }
 
 }  // namespace wrinkle::editor

@@ -110,6 +110,14 @@ MovedPaths move_paths(const Document& document, const Model& model, const fs::pa
         input.default_value = mover.moved_image(input.default_value);
         result.document = set_graph_input(result.document, std::move(input));
     }
+    for (Preset preset : document.presets) {
+        for (Extra& value : preset.values) {
+            const GraphInput* input = document.inputs.find(value.key);
+            if (input && port_type_named(input->type) == PortType::image_)
+                value.value = mover.moved_image(value.value);
+        }
+        result.document = set_preset(result.document, std::move(preset));
+    }
     return result;
 }
 

@@ -1,0 +1,146 @@
+#include "lower/preset.h"
+
+#include "base/file.h"
+#include "base/text.h"
+#include "graph/edit.h"
+#include "json/parse.h"
+#include "lower/literal.h"
+
+namespace wrinkle {
+namespace {
+
+namespace fs = std::filesystem;
+using json::Kind;
+
+// Reads a preset file; reports each problem with its location.
+class PresetReader {
+public:
+    PresetReader(const Project& project, Diagnostics& diagnostics)
+        : project_(project), diagnostics_(diagnostics) {}
+
+    Preset read(const std::string& file) {
+        Preset preset;
+        preset.name = file;
+        std::string why;
+        auto bytes = read_file(file, why);
+        if (!bytes) return diagnostics_.add(file_problem(Severity::error, file, why, "")), preset;
+        const json::Parsed parsed = json::parse(std::move(*bytes), file, diagnostics_);
+        if (!parsed.complete || !expect(parsed.root, Kind::object, "the preset")) return preset;
+        for (const json::Member& member : parsed.root.children())
+            read_member(member, preset);
+        for (const std::string_view key : {"wrinkle_preset", "graph"})
+            if (!parsed.root.has(key))
+                report(parsed.root, "the preset has no " + json_quoted(key),
+                       key == "graph" ? "expected \"graph\": the path of its graph"
+                                      : "expected \"wrinkle_preset\": 1");
+        return preset;
+    }
+
+private:
+    void read_member(const json::Member& member, Preset& preset) {
+        const auto& [key, value] = member;
+        static const std::array<std::string, 4> keys = {"wrinkle_preset", "graph", "inputs",
+                                                        "$schema"};
+        if (key == "wrinkle_preset") {
+            if (!expect(value, Kind::number, "\"wrinkle_preset\"") || value.as_number() == 1)
+                return;
+            report(value, "the format version is " + std::string(value.spelling()),
+                   "this program reads version 1");
+        } else if (key == "graph") {
+            if (expect(value, Kind::string, "\"graph\"")) check_graph(value, preset.name);
+        } else if (key == "inputs") {
+            if (!expect(value, Kind::object, "\"inputs\"")) return;
+            for (const json::Member& input : value.children())
+                preset.values.push_back({std::string(input.key), input.value});
+        } else if (key != "$schema") {
+            report(value, "unknown key " + json_quoted(key),
+                   did_you_mean(key, keys, "expected " + one_of(keys)));
+        }
+    }
+
+    // A graph from a stream is of every preset.
+    void check_graph(const json::Value& value, const std::string& file) {
+        std::error_code ignored;
+        const fs::path top = project_.files[0].path;
+        if (!fs::is_regular_file(top, ignored)) return;
+        const fs::path named = fs::path(file).parent_path() / value.as_string();
+        if (real_path(named) == top) return;
+        report(value,
+               "the preset is of " + json_quoted(value.as_string()) + ", not of " +
+                   json_quoted(project_.top().file),
+               "expected a preset of this graph");
+    }
+
+    bool expect(const json::Value& value, Kind kind, const std::string& what) {
+        if (value.is(kind)) return true;
+        report(value, what + " is " + json::kind_name(value.kind()),
+               std::string("expected ") + json::kind_name(kind));
+        return false;
+    }
+    void report(const json::Value& value, std::string message, std::string expected) {
+        diagnostics_.add(diagnose(value, "", std::move(message), std::move(expected)));
+    }
+
+    const Project& project_;
+    Diagnostics& diagnostics_;
+};
+
+// Returns a path of a preset file relative to the graph's folder; absolute paths are unchanged.
+std::string moved(std::string_view path, const std::string& preset, const fs::path& graph) {
+    const fs::path folder = real_path(fs::path(preset).parent_path());
+    return (folder / path).lexically_normal().lexically_relative(graph.parent_path()).string();
+}
+
+// Returns an image of a preset file with its path relative to the graph's folder.
+json::Value moved_image(const json::Value& image, const std::string& preset,
+                        const fs::path& graph) {
+    const std::string_view path = literal_image(image).file;
+    if (path.empty() || fs::path(path).is_absolute()) return image;
+    const std::string there = moved(path, preset, graph);
+    if (there == path) return image;
+    const json::Value file = json::Value::string(there);
+    if (image.is(Kind::string)) return file;
+    std::vector<std::pair<std::string, json::Value>> members;
+    for (const auto& [key, value] : image.children())
+        members.emplace_back(key, key == "file" ? file : value);
+    return json::Value::object(members);
+}
+
+}  // namespace
+
+bool is_preset_file(const Project& project, const std::string& name) {
+    return name.ends_with(".json") && !project.top().presets.find(name);
+}
+
+Project with_preset(const Project& project, const std::string& name, Diagnostics& diagnostics) {
+    Project changed = project;
+    Document& top = changed.files[0].document;
+    const bool in_file = is_preset_file(project, name);
+    const Preset* known = top.presets.find(name);
+    if (!known && !in_file) {
+        const std::vector<std::string> names = keys_of(top.presets);
+        diagnostics.add(diagnose(top, "the graph has no preset '" + name + "'",
+                                 did_you_mean(name, names,
+                                              names.empty() ? "a file ends in .json"
+                                                            : "it has " + joined(names, ", "))));
+        return changed;
+    }
+    const Preset preset = in_file ? PresetReader(project, diagnostics).read(name) : *known;
+    if (in_file) changed.preset_files.push_back(name);
+    for (const auto& [key, value] : preset.values) {
+        const GraphInput* input = top.inputs.find(key);
+        if (input) {
+            GraphInput set = *input;
+            const bool moves = in_file && port_type_named(input->type) == PortType::image_;
+            set.default_value = moves ? moved_image(value, name, project.files[0].path) : value;
+            top = set_graph_input(top, std::move(set));
+        } else if (in_file) {  // check() reports those of the graph
+            diagnostics.add(diagnose(value, "", "the graph has no input '" + key + "'",
+                                     did_you_mean(key, keys_of(top.inputs),
+                                                  "it has " + joined(keys_of(top.inputs), ", "))));
+        }
+    }
+    return changed;
+}
+
+}  // namespace wrinkle

@@ -1,0 +1,25 @@
+// Presets: values of the top graph's inputs, in the graph under "presets" or in a file:
+//
+//   {"wrinkle_preset": 1, "graph": "painted_metal.json", "inputs": {"wear": 0.8}}
+//
+// "graph" and the paths of images are relative to the preset file. A color is an array of linear
+// values or "#rrggbb", display-encoded. Inputs that a preset does not name are unchanged.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "graph/subgraph.h"
+
+namespace wrinkle {
+
+// Returns the project with the preset's values as defaults of the inputs. `name` is a preset of the
+// top graph, else a file that ends in ".json". Reports an error if there is neither, if the file is
+// of another form or graph, and for inputs that do not exist; check() reports values that do not
+// fit. Applying a preset twice is applying it once.
+Project with_preset(const Project& project, const std::string& name, Diagnostics& diagnostics);
+
+// Returns true for the name of a preset file rather than of a preset in the graph.
+bool is_preset_file(const Project& project, const std::string& name);
+
+}  // namespace wrinkle
