@@ -46,6 +46,7 @@ std::string identity_of(const BakeJob& job) {
         program_identity(), sum_of(job.mesh), o.size, o.space, o.maps, o.type,
         o.format,           o.compression};
     fields.push_back(join_fields(o.packs));
+    fields.push_back(join_fields(o.common.presets));
     fields.push_back(join_fields(o.common.set));
     for (const double number :
          {o.scale, double(o.samples), double(o.dilate), double(o.tile), double(o.dx),

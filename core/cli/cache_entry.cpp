@@ -106,6 +106,8 @@ std::string cache_key(const Project& project, const Types& types, const std::str
                                     : "cost"};
     for (const std::string& output : options.outputs)
         fields.push_back("output " + output);
+    for (const std::string& preset : with.overrides.presets)
+        fields.push_back("preset " + preset);
     for (const Override& each : with.overrides.list)
         fields.push_back("set " + each.text);
     std::map<fs::path, size_t> images;

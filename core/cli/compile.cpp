@@ -76,6 +76,7 @@ struct CompileCommand {
     void refuse_overwriting(const Compilation& with, Diagnostics& diagnostics) const {
         const std::vector<std::string> paths = outputs.all_paths();
         std::vector<std::string> read = outputs.files;
+        read.insert(read.end(), with.overrides.presets.begin(), with.overrides.presets.end());
         std::error_code ignored;
         const auto exists = [&](const std::string& path) { return fs::exists(path, ignored); };
         if (std::ranges::any_of(paths, exists)) {

@@ -147,7 +147,7 @@ CompiledGraph compile_graph(const std::string& file, const Compilation& with) {
     CompiledGraph result;
     const Project read = open_project(file, with.common, result.diagnostics);
     const Project project =
-        with_overrides(read, with.registry, with.overrides.list, 0, result.diagnostics);
+        project_of_run(read, with.registry, with.overrides, 0, result.diagnostics);
     std::string key;
     if (!result.diagnostics.has_errors()) {
         const Types types(project, with.registry);

@@ -52,8 +52,7 @@ struct ExplainCommand {
             return fail(exit_usage, "a text has no sweep; give --set one value");
         const Compilation with{common, text, nodes.registry, overrides};
         const Project read = open_project(graph, common, diagnostics);
-        const Project project =
-            with_overrides(read, nodes.registry, overrides.list, 0, diagnostics);
+        const Project project = project_of_run(read, nodes.registry, overrides, 0, diagnostics);
         const MadeShader made =
             make_shader(project, nodes.registry, shader_options(graph, with), diagnostics);
         const auto said = read_text(log, diagnostics);

@@ -11,7 +11,7 @@ void compile_runs(const std::string& file, const CommonOptions& common, const Re
     options.vertex_tangents = !common.no_tangents;
     for (size_t i = 0; i == 0 || (i < overrides.runs && !own.has_errors()); ++i) {
         MaterialRun run;
-        run.project = with_overrides(project, registry, overrides.list, i, own);
+        run.project = project_of_run(project, registry, overrides, i, own);
         run.compiled = compile_or_check(run.project, registry, options, own);
         if (run.compiled.ok) use(i, run, own);
     }

@@ -11,7 +11,7 @@
 namespace wrinkle::cli {
 
 struct MaterialRun {
-    Project project;    // with the values of --set applied
+    Project project;    // with the values of --preset and --set applied
     Compiled compiled;  // baked parameters; `ok` is false if a problem was reported
 };
 

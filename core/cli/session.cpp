@@ -9,6 +9,7 @@
 #include "cli/output.h"
 #include "compile/inputs.h"
 #include "emit/target.h"
+#include "lower/preset.h"
 #include "nodes/all.h"
 
 namespace wrinkle::cli {
@@ -38,13 +39,21 @@ void declare_plugin_path(CLI::App& command, CommonOptions& options) {
 }
 
 void declare_common(CLI::App& command, CommonOptions& options, bool with_set) {
-    if (with_set)
+    if (with_set) {
+        command
+            .add_option("--preset", options.presets,
+                        "Values of the graph's inputs: a preset of the graph, or a file "
+                        "NAME.preset.json; before every --set")
+            ->type_name("NAME|FILE")
+            ->allow_extra_args(false)  // one value each: the next word may be a file
+            ->take_all();
         command
             .add_option("--set", options.set,
                         "NODE.PORT=VALUE or input.NAME=VALUE; A:B:N is a sweep of N values")
             ->type_name("WHAT=VALUE")
             ->allow_extra_args(false)  // one value each: the next word may be a file
             ->take_all();
+    }
     command
         .add_option("--root", options.root,
                     "Where the files a graph or mesh names must lie; default: its own folder")
@@ -129,6 +138,7 @@ Project open_project(const std::string& file, const CommonOptions& options,
 
 Overrides parse_overrides(const CommonOptions& options, Diagnostics& diagnostics) {
     Overrides overrides;
+    overrides.presets = options.presets;
     for (const std::string& text : options.set) {
         auto parsed = parse_override(text, diagnostics);
         if (!parsed) continue;
@@ -144,6 +154,14 @@ Overrides parse_overrides(const CommonOptions& options, Diagnostics& diagnostics
         overrides.list.push_back(std::move(*parsed));
     }
     return overrides;
+}
+
+Project project_of_run(const Project& project, const Registry& registry, const Overrides& overrides,
+                       size_t run, Diagnostics& diagnostics) {
+    Project changed = project;
+    for (const std::string& preset : overrides.presets)
+        changed = with_preset(changed, preset, diagnostics);
+    return with_overrides(changed, registry, overrides.list, run, diagnostics);
 }
 
 std::vector<std::string> input_paths(const Project& project, const Registry& registry) {

@@ -1,4 +1,4 @@
-// Options and loading that the commands on graphs share: node types, project, --set values.
+// Options and loading that the commands on graphs share: node types, project, --preset and --set.
 #pragma once
 
 #include <optional>
@@ -15,6 +15,7 @@
 namespace wrinkle::cli {
 
 struct CommonOptions {
+    std::vector<std::string> presets;  // applied in this order, before `set`
     std::vector<std::string> set;
     std::string root;
     std::vector<std::string> plugin_paths;
@@ -58,13 +59,19 @@ std::optional<std::string> read_text(const std::string& file, Diagnostics& diagn
 void report_at(const json::Value& value, std::string message, std::string expected,
                Diagnostics& diagnostics, Severity severity = Severity::error);
 
-// Values of --set. All sweeps advance by one value per run, so their lengths must be equal.
+// Values of --preset and --set. All sweeps advance by one value per run, so their lengths must be
+// equal.
 struct Overrides {
+    std::vector<std::string> presets;
     std::vector<Override> list;
     size_t runs = 1;
     bool is_sweep() const { return runs > 1; }
 };
 Overrides parse_overrides(const CommonOptions& options, Diagnostics& diagnostics);
+
+// Returns the project with the presets, then the values of one run.
+Project project_of_run(const Project& project, const Registry& registry, const Overrides& overrides,
+                       size_t run, Diagnostics& diagnostics);
 
 // Returns the paths of all files that a graph reads (compile/inputs.h).
 std::vector<std::string> input_paths(const Project& project, const Registry& registry);

@@ -62,9 +62,10 @@ fs::path TestCase::golden(const std::string& extension) const {
     return file.parent_path() / "golden" / (name + extension);
 }
 
-std::optional<TestCase> read_test_case(const fs::path& file, bool updating,
-                                       Diagnostics& diagnostics) {
+std::vector<TestCase> read_test_cases(const fs::path& file, bool updating,
+                                      Diagnostics& diagnostics) {
     Diagnostics own;
+    std::vector<TestCase> cases;
     TestCase test;
     test.file = file;
     const std::string leaf = file.filename().string();
@@ -73,11 +74,11 @@ std::optional<TestCase> read_test_case(const fs::path& file, bool updating,
     if (const auto text = read_text(file.string(), own)) {
         test.text = *text;
         const json::Parsed parsed = json::parse(*text, file.string(), own);
-        if (!own.has_errors()) read_case_keys(parsed.root, updating, test, own);
+        if (!own.has_errors()) cases = read_case_keys(parsed.root, updating, std::move(test), own);
     }
     diagnostics.append(own);
     if (own.has_errors()) return {};
-    return test;
+    return cases;
 }
 
 std::string with_expect(const TestCase& test, const std::vector<std::string>& entries) {
@@ -90,7 +91,7 @@ std::string with_expect(const TestCase& test, const std::vector<std::string>& en
         const size_t begin = test.expect.offset();
         return text.substr(0, begin) + list + text.substr(end_of_container(text, begin));
     }
-    const size_t brace = text.rfind('}');
+    const size_t brace = end_of_container(text, test.object.offset()) - 1;
     const size_t last = text.find_last_not_of(" \t\r\n", brace - 1);
     const char* comma = text[last] == '{' ? "" : ",";
     return text.substr(0, last + 1) + comma + "\n  \"expect\": " + list + "\n" + text.substr(brace);

@@ -1,5 +1,7 @@
 // Regression cases of a graph NAME.json, read from NAME.test.json in the same folder. They are
-// documented in docs/test-cases.md. All keys are optional; unknown keys are errors.
+// documented in docs/test-cases.md. All keys are optional; unknown keys are errors. A file has the
+// cases of its top-level keys and those of each entry of "cases"; an entry has other values of
+// --preset and --set.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +24,9 @@ struct RenderCase {
 struct TestCase {
     std::filesystem::path file;   // NAME.test.json
     std::filesystem::path graph;  // NAME.json
-    std::string name;             // NAME
+    std::string name;             // NAME, or NAME.ENTRY for an entry of "cases"
+    std::string entry;            // name of that entry; "": the file's own keys
+    std::string preset;
     std::vector<std::string> set;
     PointList points;
     json::Value expect;  // null: not given
@@ -30,7 +34,8 @@ struct TestCase {
     double tolerance = 1e-4;
     bool glsl = false;
     std::optional<RenderCase> render;
-    std::string text;  // contents of `file`
+    json::Value object;  // value with the keys of this case
+    std::string text;    // contents of `file`
 
     std::filesystem::path golden(const std::string& extension) const;
 };
@@ -38,14 +43,15 @@ struct TestCase {
 // JSON Schema of test files, which `wrinkle test --schema` prints.
 std::string case_schema();
 
-// Reads the keys of a test file into `test` and reports problems at their values. If `updating` is
-// set, `expect` and `points` may differ in length.
-void read_case_keys(const json::Value& root, bool updating, TestCase& test,
-                    Diagnostics& diagnostics);
+// Returns the cases of a test file: `file_case` with the keys of the root if these have a case,
+// then one for each entry of "cases". Reports problems at their values. If `updating` is set,
+// `expect` and `points` may differ in length.
+std::vector<TestCase> read_case_keys(const json::Value& root, bool updating, TestCase file_case,
+                                     Diagnostics& diagnostics);
 
-// Returns std::nullopt and reports a problem on failure.
-std::optional<TestCase> read_test_case(const std::filesystem::path& file, bool updating,
-                                       Diagnostics& diagnostics);
+// Returns no cases and reports a problem on failure.
+std::vector<TestCase> read_test_cases(const std::filesystem::path& file, bool updating,
+                                      Diagnostics& diagnostics);
 
 // Returns the file's text with "expect" replaced by `entries`; all else is unchanged.
 std::string with_expect(const TestCase& test, const std::vector<std::string>& entries);

@@ -38,6 +38,11 @@ bool is_finite(const std::vector<OutputColumn>& columns, size_t point) {
     return true;
 }
 
+// Names the case in messages.
+std::string title(const TestCase& test) {
+    return test.file.string() + (test.entry.empty() ? "" : ": case " + test.entry);
+}
+
 // Opens the mesh of a render case; a path is resolved like the image paths of the graph. Returns
 // std::nullopt and reports an error on failure.
 std::optional<Mesh> mesh_of(const RenderCase& render, const Project& project,
@@ -55,17 +60,30 @@ std::optional<Mesh> mesh_of(const RenderCase& render, const Project& project,
 }  // namespace
 
 void TestRun::test(const fs::path& file, Diagnostics& diagnostics) {
-    Diagnostics own;
-    if (const auto test = read_test_case(file, options_.update, own)) run(*test, own);
+    Diagnostics reading;
+    std::vector<TestCase> cases = read_test_cases(file, options_.update, reading);
+    conclude(file.string(), reading, diagnostics);
+    for (size_t i = 0; i < cases.size(); ++i) {
+        Diagnostics own;
+        run(cases[i], own);
+        conclude(title(cases[i]), own, diagnostics);
+        // An update may have moved the text of the cases after it.
+        if (options_.update) cases = read_test_cases(file, true, diagnostics);
+    }
+}
+
+// Counts a case that could not run, and appends its problems.
+void TestRun::conclude(const std::string& title, const Diagnostics& own, Diagnostics& diagnostics) {
     diagnostics.append_once(own);
     if (!own.has_errors()) return;
     ++tally_.failed;
-    std::printf("FAIL %s\n", printable(file.string() + ": cannot be run").c_str());
+    std::printf("FAIL %s\n", printable(title + ": cannot be run").c_str());
 }
 
 void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
     CommonOptions common = common_;
     common.set = test.set;
+    if (!test.preset.empty()) common.presets = {preset_of(test, diagnostics)};
     const std::string graph = test.graph.string();
     for (const fs::path& file : {test.graph, test.golden(".glsl"), test.golden(".png")})
         refuse_outside(file, test, diagnostics);
@@ -110,6 +128,14 @@ void TestRun::refuse_outside(const fs::path& file, const TestCase& test, Diagnos
     if (inside(root, link_target(file))) return;
     diagnostics.error(file.string() + ": leads outside the root " + root.string(),
                       "a file below it, or another root with --root");
+}
+
+// Returns the preset with the path of a file relative to the working folder.
+std::string TestRun::preset_of(const TestCase& test, Diagnostics& diagnostics) {
+    if (!test.preset.ends_with(preset_suffix)) return test.preset;
+    const fs::path file = test.file.parent_path() / test.preset;
+    refuse_outside(file, test, diagnostics);
+    return file.string();
 }
 
 void TestRun::values(const TestCase& test, const MaterialRun& run, const TextureStore& textures,
@@ -237,10 +263,11 @@ fs::path TestRun::report_path(const TestCase& test, const std::string& extension
 void TestRun::fail(const TestCase& test, const json::Value& place, const char* pointer,
                    const std::string& sentence) {
     ++tally_.failed;
-    std::printf("FAIL %s\n", printable(test.file.string() + ": " + sentence).c_str());
-    failures_.add(place.has_location() ? diagnose(place, "", sentence, "")
-                                       : Diagnostic{Severity::error, Location{test.file.string()},
-                                                    pointer, "", sentence, ""});
+    std::printf("FAIL %s\n", printable(title(test) + ": " + sentence).c_str());
+    failures_.add(place.has_location()
+                      ? diagnose(place, "", sentence, "")
+                      : Diagnostic{Severity::error, Location{test.file.string()},
+                                   test.object.pointer() + pointer, "", sentence, ""});
 }
 
 }  // namespace wrinkle::cli

@@ -44,6 +44,8 @@ public:
 
 private:
     void run(const TestCase& test, Diagnostics& diagnostics);
+    void conclude(const std::string& title, const Diagnostics& own, Diagnostics& diagnostics);
+    std::string preset_of(const TestCase& test, Diagnostics& diagnostics);
     void refuse_outside(const std::filesystem::path& file, const TestCase& test,
                         Diagnostics& diagnostics);
     bool may_report(const TestCase& test, const std::filesystem::path& golden);

@@ -1,5 +1,6 @@
 // Keys of test files: one table for the JSON Schema and the reader.
 #include <algorithm>
+#include <set>
 
 #include "base/mapped.h"
 #include "base/text.h"
@@ -9,6 +10,7 @@
 #include "cli/test_case.h"
 #include "cpu/columns.h"
 #include "json/write.h"
+#include "registry/port_type.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -45,20 +47,6 @@ std::string input_properties(bool changes) {
     return text;
 }
 
-std::string definitions() {
-    return R"(  "$defs": {
-    "changes": {"type": "object", "additionalProperties": false, "properties": {
-      )" + input_properties(true) +
-           R"(}},
-    "point": {"type": "object", "additionalProperties": false, "properties": {
-      )" + input_properties(false) +
-           R"(,
-      "dx": {"description": "Changes to the next pixel to the right", "$ref": "#/$defs/changes"},
-      "dy": {"description": "Changes to the next pixel above", "$ref": "#/$defs/changes"}}}
-  }
-)";
-}
-
 std::string properties(const std::vector<CaseKey>& keys, const std::string& indent) {
     std::string text;
     for (const CaseKey& key : keys) {
@@ -79,6 +67,7 @@ constexpr const char* tolerance_schema = R"("type": "number", "minimum": 0)";
 struct CaseReader {
     TestCase& test;
     Diagnostics& diagnostics;
+    json::Value cases;  // value of the key "cases"
 
     RenderOptions& options() { return test.render->options; }
 
@@ -100,6 +89,18 @@ struct CaseReader {
         for (const Member& member : value.children())
             if (wants(member.value, Kind::string, "a value of 'set'"))
                 test.set.emplace_back(member.value.as_string());
+    }
+
+    void take_name(const Member& member) {
+        take(member, test.entry);
+        if (member.value.is(Kind::string) && !is_name(test.entry))
+            error(member.value, "the name " + json_quoted(test.entry) + " cannot be part of a file",
+                  "lower-case letters, digits and '_'");
+    }
+
+    void take_cases(const Value& value) {
+        if (!wants(value, Kind::array, "cases")) return;
+        cases = value;
     }
 
     void take_expect(const Value& value) {
@@ -184,10 +185,14 @@ const std::vector<CaseKey>& render_keys() {
     return keys;
 }
 
+// Keys of a file and of the entries of "cases".
 const std::vector<CaseKey>& case_keys() {
     static const TestCase defaults;
     static const std::vector<CaseKey> keys = {
-        {"set", "Values as `--set` takes them, for every case of the file; no sweeps",
+        {"preset", "As `--preset`: a preset of the graph, or a file relative to this one",
+         R"("type": "string")", json_quoted(defaults.preset), R"("Old")",
+         [](auto& reader, auto& member) { reader.take(member, reader.test.preset); }},
+        {"set", "Values as `--set` takes them, after those of `preset`; no sweeps",
          R"("type": "array", "items": {"type": "string"})", "[]", R"(["bump.amount=2"])",
          [](auto& reader, auto& member) { reader.take_set(member.value); }},
         {"points", "Surface points as `wrinkle eval --at` takes them; each is a case",
@@ -219,9 +224,75 @@ const std::vector<CaseKey>& case_keys() {
     return keys;
 }
 
+const std::vector<CaseKey>& entry_keys() {
+    static const std::vector<CaseKey> keys = [] {
+        std::vector<CaseKey> all = case_keys();
+        all.insert(all.begin(),
+                   {"name", "Part of the names of golden files: NAME.ENTRY.glsl",
+                    R"("type": "string", "pattern": "^[a-z][a-z0-9_]*$")", "", R"("old")",
+                    [](auto& reader, auto& member) { reader.take_name(member); }});
+        return all;
+    }();
+    return keys;
+}
+
+const std::vector<CaseKey>& file_keys() {
+    static const std::vector<CaseKey> keys = [] {
+        std::vector<CaseKey> all = case_keys();
+        all.push_back({"cases", "Further cases, with other values of the graph's inputs",
+                       R"("type": "array", "items": {"$ref": "#/$defs/case"})", "[]",
+                       R"([{"name": "old", "preset": "Old", "glsl": true}])",
+                       [](auto& reader, auto& member) { reader.take_cases(member.value); }});
+        return all;
+    }();
+    return keys;
+}
+
+std::string definitions() {
+    return R"(  "$defs": {
+    "changes": {"type": "object", "additionalProperties": false, "properties": {
+      )" + input_properties(true) +
+           R"(}},
+    "point": {"type": "object", "additionalProperties": false, "properties": {
+      )" + input_properties(false) +
+           R"(,
+      "dx": {"description": "Changes to the next pixel to the right", "$ref": "#/$defs/changes"},
+      "dy": {"description": "Changes to the next pixel above", "$ref": "#/$defs/changes"}}},
+    "case": {"type": "object", "additionalProperties": false, "required": ["name"], "properties": {
+)" + properties(entry_keys(), "      ") +
+           R"(}}
+  }
+)";
+}
+
 void CaseReader::take_render(const Value& value) {
     if (value.is(Kind::object)) test.render.emplace();
     read_keys(value, "render", render_keys());
+}
+
+bool has_case(const TestCase& test) {
+    return test.points.count() > 0 || test.glsl || test.render;
+}
+
+// Reports the object of a test without a case, and entries of 'expect' that do not go with points.
+void check_case(CaseReader& reader, bool updating) {
+    const TestCase& test = reader.test;
+    const Value& object = test.object;
+    if (!has_case(test))
+        reader.error(
+            object,
+            "there is no case in this " + std::string(test.entry.empty() ? "file" : "entry"),
+            "points, \"glsl\": true or render");
+    if (updating) return;
+    for (const Member& entry : test.expect.children())
+        if (entry.value.size() == 0)
+            reader.error(entry.value, "this entry expects nothing", "at least one output");
+    const size_t points = test.points.count(), expected = test.expect.size();
+    if (expected != points)
+        reader.error(object.has("expect") ? test.expect : object,
+                     std::to_string(points) + " points, but " + std::to_string(expected) +
+                         " entries in 'expect'",
+                     "one for each point; --update writes them");
 }
 
 }  // namespace
@@ -233,26 +304,41 @@ std::string case_schema() {
   "type": "object",
   "additionalProperties": false,
   "properties": {
-)" + properties(case_keys(), "    ") +
+)" + properties(file_keys(), "    ") +
            "\n  },\n" + definitions() + "}\n";
 }
 
-void read_case_keys(const Value& root, bool updating, TestCase& test, Diagnostics& diagnostics) {
-    CaseReader reader{test, diagnostics};
-    reader.read_keys(root, "a test file", case_keys());
-    if (!root.is(Kind::object)) return;
-    if (test.points.count() == 0 && !test.glsl && !test.render)
-        reader.error(root, "there is no case in this file", "points, \"glsl\": true or render");
-    if (updating) return;
-    for (const Member& entry : test.expect.children())
-        if (entry.value.size() == 0)
-            reader.error(entry.value, "this entry expects nothing", "at least one output");
-    const size_t points = test.points.count(), expected = test.expect.size();
-    if (expected != points)
-        reader.error(root.has("expect") ? test.expect : root,
-                     std::to_string(points) + " points, but " + std::to_string(expected) +
-                         " entries in 'expect'",
-                     "one for each point; --update writes them");
+std::vector<TestCase> read_case_keys(const Value& root, bool updating, TestCase file_case,
+                                     Diagnostics& diagnostics) {
+    std::vector<TestCase> tests;
+    std::set<std::string> names;
+    CaseReader file{file_case, diagnostics, {}};
+    file.read_keys(root, "a test file", file_keys());
+    if (!root.is(Kind::object)) return {};
+    file_case.object = root;
+    TestCase settings = file_case;
+    settings.points = {};
+    settings.expect = {};
+    settings.glsl = false;
+    settings.render.reset();
+    const bool has_entries = file.cases.size() > 0;
+    if (has_case(file_case) || !has_entries) check_case(file, updating);
+    if (has_case(file_case)) tests.push_back(file_case);
+    for (const Member& member : file.cases.children()) {
+        TestCase& test = tests.emplace_back(settings);
+        CaseReader reader{test, diagnostics, {}};
+        reader.read_keys(member.value, "an entry of 'cases'", entry_keys());
+        if (!member.value.is(Kind::object)) continue;
+        test.object = member.value;
+        test.name += "." + test.entry;
+        if (!member.value.has("name"))
+            reader.error(member.value, "an entry of 'cases' has no name", "\"name\": \"old\"");
+        else if (!names.insert(test.entry).second)
+            reader.error(member.value, "two entries of 'cases' have the name '" + test.entry + "'",
+                         "different names");
+        check_case(reader, updating);
+    }
+    return tests;
 }
 
 }  // namespace wrinkle::cli

@@ -26,7 +26,7 @@ protected:
     template <class Use>
     void each_key(Use use) const {
         const json::Value top = schema.find("properties");
-        ASSERT_EQ(top.size(), 7U);
+        ASSERT_EQ(top.size(), 9U);
         for (const json::Member& member : top.children())
             use("", member.key, member.value);
         const json::Value render = top.find("render").find("properties");
