@@ -132,7 +132,7 @@ void TestRun::refuse_outside(const fs::path& file, const TestCase& test, Diagnos
 
 // Returns the preset with the path of a file relative to the working folder.
 std::string TestRun::preset_of(const TestCase& test, Diagnostics& diagnostics) {
-    if (!test.preset.ends_with(preset_suffix)) return test.preset;
+    if (!test.preset.ends_with(".json")) return test.preset;
     const fs::path file = test.file.parent_path() / test.preset;
     refuse_outside(file, test, diagnostics);
     return file.string();

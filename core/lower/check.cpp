@@ -10,6 +10,7 @@
 #include "lower/flat.h"
 #include "lower/literal.h"
 #include "lower/reachable.h"
+#include "registry/reference.h"
 
 namespace wrinkle {
 namespace {
@@ -54,9 +55,10 @@ public:
         const GraphInput& input = document_.inputs[index];
         const std::string subject = "input " + in_quotes(input.name) + " ";
         const auto type = port_type_named(input.type);
-        if (!type) {
+        if (!type && !option_kind(input.type)) {
             const auto words = port_type_names();
-            const std::vector<std::string> names(words.begin(), words.end());
+            std::vector<std::string> names(words.begin(), words.end());
+            names.insert(names.end(), option_type_names.begin(), option_type_names.end());
             return report(diagnose(document_, input,
                                    subject + "has the unknown type " + json_quoted(input.type),
                                    did_you_mean(input.type, names, "expected " + join(names))));
@@ -64,7 +66,11 @@ public:
         const Port& port = types_.graph_input(file_, index);
         check_keys(document_, input, port, diagnostics_);
         if (input.default_value.is(json::Kind::null)) {
-            if (*type == PortType::image_ && file_ == 0)
+            if (port.is_option())
+                report(diagnose(document_, input,
+                                subject + "is a " + input.type + " and has no default",
+                                "it is known while compiling"));
+            else if (*type == PortType::image_ && file_ == 0)
                 report(diagnose(document_, input, subject + "is an image and has no default",
                                 "expected \"default\": a path"));
             return;
@@ -91,7 +97,7 @@ public:
                 report(here(subject + "does not exist",
                             did_you_mean(value.key, keys_of(document_.inputs),
                                          "the graph has " + join(keys_of(document_.inputs)))));
-            else if (port_type_named(document_.inputs[index].type))
+            else if (is_typed(document_.inputs[index]))
                 literal(
                     value.value, types_.graph_input(file_, index), [&] { return subject; }, "",
                     here);
@@ -138,7 +144,17 @@ private:
         });
     }
 
+    static bool is_typed(const GraphInput& input) {
+        return port_type_named(input.type) || option_kind(input.type);
+    }
+
     void unknown_type(const Node& node) {
+        const Input* rerouted = node.type == reroute_type ? node.find("in") : nullptr;
+        if (rerouted && rerouted->link.is_input())
+            source(rerouted->link, {}, [&](std::string message, std::string expected) {
+                return diagnose_port(document_, node, "in", std::move(message),
+                                     std::move(expected));
+            });
         const bool reported_elsewhere =
             node.type.empty() || node.subgraph() || node.type == reroute_type;
         if (reported_elsewhere || only_count()) return;
@@ -203,13 +219,48 @@ private:
     // `subject` returns the first words of a message, `here` a diagnostic at the wire.
     template <class Subject, class Diagnose>
     void wire(const Link& link, LinkSource at, const Port& port, Subject subject, Diagnose here) {
-        if (port.is_option())
-            return report(here(subject() + "is known while compiling and takes no wire",
-                               "write a value in its place"));
+        if (port.is_option()) return option(link, port, subject, here);
         const auto from = source(link, at, here);
         if (from && conversion(*from, port.type) == Conversion::illegal)
             report(here(mismatch(subject(), link, *from, port.type),
                         alternative(*from, port.type, registry_)));
+    }
+
+    // Returns the graph input that a link leads to, if it is for options; null otherwise.
+    const Port* option_input(const Link& link) const {
+        const size_t index =
+            link.is_input() ? document_.inputs.index_of(link.port) : Table<GraphInput>::npos;
+        if (index == Table<GraphInput>::npos) return nullptr;
+        const Port& port = types_.graph_input(file_, index);
+        return port.is_option() ? &port : nullptr;
+    }
+
+    // The wire of an option comes from an input of the graph with the same kind and no other value.
+    template <class Subject, class Diagnose>
+    void option(const Link& link, const Port& port, Subject subject, Diagnose here) {
+        const Port* from = option_input(link);
+        const std::string kind(kind_word(port.kind));
+        if (!from || from->kind != port.kind)
+            return report(here(subject() + "is known while compiling and takes no wire",
+                               "write a value, or take an input of the graph of type " + kind));
+        if (port.kind == Port::Kind::choice && from->choices.empty())
+            report(here("the input " + in_quotes(from->name) +
+                            " is read by several ports and has no \"choices\"",
+                        "expected some of " + join(port.choices)));
+        for (const std::string& choice : from->choices)
+            if (std::ranges::count(port.choices, choice) == 0)
+                report(here(subject() + "has no choice " + json_quoted(choice) + ", which input " +
+                                in_quotes(from->name) + " has",
+                            did_you_mean(choice, port.choices,
+                                         "expected \"choices\" of " + one_of(port.choices))));
+        if (!port.has_hard_range() || port.kind != Port::Kind::count) return;
+        const bool inside = from->has_hard_range() && from->hard_min >= port.hard_min &&
+                            from->hard_max <= port.hard_max;
+        const std::string range = shortest(port.hard_min) + ", " + shortest(port.hard_max);
+        if (!inside)
+            report(
+                here(subject() + "takes less than the input " + in_quotes(from->name) + " may be",
+                     "expected \"limits\": [" + range + "] at the input"));
     }
 
     // Returns the type that a link carries; if there is none, std::nullopt, and an error unless
@@ -232,6 +283,11 @@ private:
                 here("node " + in_quotes(link.node) + " has no output " + in_quotes(link.port),
                      did_you_mean(link.port, names,
                                   names.empty() ? "it has no outputs" : "it has " + join(names))));
+        } else if (const Port* option = option_input(link)) {
+            report(here("the input " + in_quotes(link.port) + " is a " +
+                            std::string(kind_word(option->kind)) +
+                            ", which is known while compiling",
+                        "connect it to such an option of a node"));
         }
         return {};
     }

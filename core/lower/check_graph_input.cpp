@@ -20,11 +20,17 @@ public:
         : document_(document), input_(input), diagnostics_(diagnostics) {}
 
     void numeric_keys(const Port& port) const {
-        if (port.is_value() && lanes_of(port.type) > 0 && port.type != PortType::normal_) return;
+        const bool is_number = port.is_value() && lanes_of(port.type) > 0;
+        if (port.kind == Port::Kind::count || (is_number && port.type != PortType::normal_)) return;
         for (const std::string_view key : {"slider", "limits", "step"})
             if (is_present(key))
                 report(key, "does not fit the type " + input_.type,
-                       "float, vec2, vec3, vec4, color and height have it");
+                       "float, vec2, vec3, vec4, color, height and count have it");
+    }
+
+    void choices(const Port& port) const {
+        if (port.kind != Port::Kind::choice && is_present("choices"))
+            report("choices", "does not fit the type " + input_.type, "choice has it");
     }
 
     void widget() const {
@@ -77,6 +83,7 @@ void check_keys(const Document& document, const GraphInput& input, const Port& p
                 Diagnostics& diagnostics) {
     const KeyChecker checker(document, input, diagnostics);
     checker.numeric_keys(port);
+    checker.choices(port);
     checker.widget();
     checker.group();
     checker.when();

@@ -260,7 +260,9 @@ private:
             if (inputs[i].port != NodeType::none) written_[inputs[i].port] = i;
         for (uint32_t p = 0; p < ports.size(); ++p) {
             if (written_[p] == FlatNode::none) continue;
-            const Wire wire = port_wire(use, flat.document_node, written_[p]);
+            const Wire wire = ports[p].is_option()
+                                  ? option_wire(use, flat.document_node, written_[p])
+                                  : port_wire(use, flat.document_node, written_[p]);
             graph_.wires[flat.first_wire + p] = wire;
             if (makes_base(wire) && is_base(ports[p])) graph_.any_own_base = true;
         }
@@ -289,6 +291,23 @@ private:
         const Input& input = document(use).nodes[node]->inputs[index];
         if (input.kind != Input::Kind::link) return literal_wire(file, input.value);
         return follow(use, input.link, types_.inputs(file, node)[index].source);
+    }
+
+    // Returns the literal of an option: its value, or that of the graph input at the end of its
+    // links, which lead outwards through sub-graph nodes.
+    Wire option_wire(uint32_t use, uint32_t node, uint32_t index) const {
+        const Input* input = &document(use).nodes[node]->inputs[index];
+        while (input->kind == Input::Kind::link) {
+            const Use& inner = uses_[use];
+            const std::string& name = input->link.port;
+            const bool outermost = inner.parent == FlatNode::none;
+            input = outermost ? nullptr : document(inner.parent).nodes[inner.node]->find(name);
+            if (!input)
+                return default_wire(inner.file,
+                                    static_cast<uint32_t>(document(use).inputs.index_of(name)));
+            use = inner.parent;
+        }
+        return literal_wire(uses_[use].file, input->value);
     }
 
     Wire default_wire(uint32_t file, uint32_t input) const {

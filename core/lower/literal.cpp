@@ -75,7 +75,8 @@ void numbers_problems(const json::Value& value, const Port& port, Problems& prob
 }
 
 void option_problems(const json::Value& value, const Port& port, Problems& problems) {
-    if (literal_option(value, port)) return;
+    const bool unread = port.kind == Port::Kind::choice && port.choices.empty();
+    if (literal_option(value, port) || unread) return;
     if (port.kind == Port::Kind::flag)
         return problems.push_back({value, found(value), "expected true or false"});
     if (port.kind == Port::Kind::choice) {

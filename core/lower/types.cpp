@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "graph/depth_first.h"
 #include "graph/order.h"
 #include "graph/subgraph.h"
@@ -53,6 +54,10 @@ Port input_port(const GraphInput& input) {
         port.hard_max = limits->most;
     }
     port.type = port_type_named(input.type).value_or(PortType::float_);
+    port.kind = option_kind(input.type).value_or(Port::Kind::input);
+    if (port.kind == Port::Kind::choice)
+        for (const json::Member& choice : input.choices.children())
+            port.choices.emplace_back(choice.value.as_string());
     const bool numbers = literal_numbers(input.default_value, port.type, port.default_value);
     if (lanes_of(port.type) == 0) return port;
     port.default_kind = Port::Default::constant;
@@ -65,7 +70,9 @@ Port input_port(const GraphInput& input) {
 
 void inherit(Port& port, const Port& from) {
     const Conversion wire = conversion(port.type, from.type);
-    if (wire != Conversion::same && wire != Conversion::rename) return;
+    const bool same_numbers = wire == Conversion::same || wire == Conversion::rename;
+    if (port.is_option() ? port.kind != from.kind : !from.is_value() || !same_numbers) return;
+    if (port.choices.empty()) port.choices = from.choices;
     if (port.doc.empty()) port.doc = from.doc;
     if (port.unit.empty()) port.unit = from.unit;
     if (!port.has_soft_range()) {
@@ -80,6 +87,11 @@ void inherit(Port& port, const Port& from) {
 }
 
 }  // namespace
+
+std::optional<Port::Kind> option_kind(std::string_view type) {
+    return enumerator_named<Port::Kind>(option_type_names, type,
+                                        static_cast<int>(Port::Kind::choice));
+}
 
 std::vector<std::string> port_names(const NodeType& type, bool outputs) {
     std::vector<std::string> names;
@@ -155,6 +167,9 @@ void Types::add_graph_inputs(size_t file) {
     for (size_t i = 0; i < readers.size(); ++i) {
         Port port = input_port(document.inputs[i]);
         if (readers[i].count == 1) inherit(port, *readers[i].port);
+        if (port.is_option())
+            port.default_value[0] =
+                literal_option(document.inputs[i].default_value, port).value_or(0);
         graphs_[file].ports.push_back(std::move(port));
     }
 }

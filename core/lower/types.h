@@ -33,6 +33,10 @@ std::vector<uint32_t> files_in_order(const Project& project);
 // Returns the names of the outputs, or of all other ports.
 std::vector<std::string> port_names(const NodeType& type, bool outputs);
 
+// Returns the kind of options that a graph input of this type goes to; std::nullopt for types on
+// wires.
+std::optional<Port::Kind> option_kind(std::string_view type);
+
 // The source of a link to a node; none: no node or output has that name, or the link does not lead
 // to a node.
 struct LinkSource {
@@ -58,8 +62,8 @@ public:
         return std::span(in.inputs).subspan(in.first[node], in.first[node + 1] - in.first[node]);
     }
     LinkSource source(size_t file, const Link& link) const;
-    // Returns the type that a link carries; std::nullopt if its source is unknown or does not
-    // exist.
+    // Returns the type that a link carries; std::nullopt if its source is unknown, missing or
+    // is an input for options.
     std::optional<PortType> link(size_t file, const Link& link, LinkSource source) const;
     std::optional<PortType> link(size_t file, const Link& link) const {
         return this->link(file, link, source(file, link));
@@ -68,7 +72,7 @@ public:
     // Returns the type of a file's sub-graph nodes; its `origin` is the file's path.
     const NodeType& subgraph(size_t file) const { return graphs_[file]; }
     // Returns an input of a file's graph as a port of its sub-graph nodes. An input that feeds one
-    // port has that port's slider, limits, unit and doc unless it has its own.
+    // port has that port's choices, slider, limits, unit and doc unless it has others.
     const Port& graph_input(size_t file, size_t input) const { return graphs_[file].ports[input]; }
 
 private:

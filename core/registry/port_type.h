@@ -4,6 +4,7 @@
 // lower/conversion.h defines the conversions between them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -29,6 +30,9 @@ inline constexpr uint32_t port_type_count = 11;  // numbered from 1
 std::string_view name_of(PortType type);
 std::optional<PortType> port_type_named(std::string_view name);
 std::span<const std::string_view> port_type_names();  // in the order of the table
+
+// Types of graph inputs that are constants while compiling; they go to options of nodes.
+inline constexpr std::array<std::string_view, 3> option_type_names = {"choice", "count", "flag"};
 
 // Returns the number of components of a literal: 1 to 4; 0 for derivative, gradient, image and
 // material.

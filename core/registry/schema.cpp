@@ -38,9 +38,9 @@ std::string port_schema(const Port& port) {
     std::string text = "{\"description\": " + json_quoted(doc);
     const std::string value = default_json(port);
     if (!value.empty()) text += ", \"default\": " + value;
-    if (port.is_option()) return text + ", \"allOf\": [" + literal_schema(port) + "]}";
     const std::string literal = literal_schema(port);
-    text += ", \"anyOf\": [{\"$ref\": \"#/$defs/wire\"}";
+    text += std::string(", \"anyOf\": [{\"$ref\": \"#/$defs/") +
+            (port.is_option() ? "input_wire" : "wire") + "\"}";
     return text + (literal == "false" ? "" : ", " + literal) + "]}";
 }
 
@@ -74,11 +74,13 @@ std::string numbers(int lanes) {
 }
 
 std::string graph_input_schema() {
+    std::vector<std::string_view> types(port_type_names().begin(), port_type_names().end());
+    types.insert(types.end(), option_type_names.begin(), option_type_names.end());
     const std::string range =
         R"({"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2})";
     std::string text =
         R"({"type": "object", "required": ["type"], "properties": {"type": {"enum": )" +
-        json::string_array(port_type_names()) + "}";
+        json::string_array(types) + "}";
     for (const char* key : {"unit", "label", "group", "widget", "when", "doc"})
         text += ", " + json_quoted(key) + R"(: {"type": "string"})";
     text += R"(, "slider": )" + range + R"(, "limits": )" + range;
@@ -98,6 +100,9 @@ std::string definitions(const Registry& registry) {
     text +=
         "    \"wire\": {\"type\": \"object\", \"required\": [\"from\"], \"properties\": "
         "{\"from\": {\"type\": \"string\", \"pattern\": \"^[^.]+\\\\.[^.]+$\"}}},\n";
+    text +=
+        "    \"input_wire\": {\"type\": \"object\", \"required\": [\"from\"], \"properties\": "
+        "{\"from\": {\"type\": \"string\", \"pattern\": \"^input\\\\.[^.]+$\"}}},\n";
     text +=
         "    \"image\": {\"anyOf\": [{\"type\": \"string\", \"minLength\": 1}, {\"type\": "
         "\"object\", \"required\": [\"file\"], \"properties\": {\"file\": {\"type\": "

@@ -120,6 +120,35 @@ TEST_F(PresetTest, IsTakenByCheckAndBake) {
     EXPECT_EQ(baked("White", "c.png"), baked("White", "d.png"));
 }
 
+// Choices, counts and flags are not in the reflection: another value is another text.
+TEST_F(PresetTest, OptionsAreBuiltIn) {
+    put("o.json", R"({"wrinkle": 1, "inputs": {
+    "octaves": {"type": "count", "default": 2}, "basis": {"type": "choice", "default": "value"}},
+  "presets": {"Fine": {"octaves": 8, "basis": "simplex"}},
+  "nodes": {"f": {"type": "fbm", "in": {"octaves": {"from": "input.octaves"},
+                                        "basis": {"from": "input.basis"}}}},
+  "outputs": {"height": {"from": "f.height"}}})");
+    const auto text = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"compile", "o.json", "--reflect",
+                                          "o.refl",  "-o",     "o.glsl"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Ran ran = run(words);
+        EXPECT_EQ(parsed(get("o.refl")).find("uniforms").size(), 0u);
+        return ran.code == 0 ? get("o.glsl") : ran.err;
+    };
+    const std::string fine = text({"--preset", "Fine"});
+    EXPECT_NE(fine, text({}));
+    EXPECT_EQ(text({"--set", "input.octaves=8", "--set", "input.basis=simplex"}), fine);
+    EXPECT_EQ(text({"--set", "f.octaves=8", "--set", "f.basis=simplex"}), fine);
+    EXPECT_TRUE(says(text({"--set", "input.octaves=9"}), "(expected an integer from 1 to 8)"));
+    EXPECT_TRUE(
+        says(text({"--set", "input.basis=perlin"}), "(expected gradient, simplex or value)"));
+    const Ran listed = run({"inputs", "--json", "o.json"});
+    const json::Value basis = parsed(listed.out).find("graphs").at(0).find("exposed").at(1);
+    EXPECT_TRUE(basis.find("built_in").as_boolean());
+    EXPECT_EQ(basis.find("choices").size(), 3u);
+}
+
 TEST_F(PresetTest, ExposedInputsAreListed) {
     const Ran ran = run({"inputs", "--exposed", "g.json"});
     EXPECT_EQ(ran.code, 0) << ran.err;
@@ -219,8 +248,8 @@ TEST_F(PresetTest, BadCasesAreNamed) {
         says(problems(R"([{"name": "a", "glsl": true, "cases": []}])"), "unknown key 'cases'"));
     EXPECT_TRUE(says(problems(R"([{"name": "a", "glsl": true, "preset": "Odl"}])"),
                      "the graph has no preset 'Odl'"));
-    put("../x.preset.json", "{}");
-    EXPECT_TRUE(says(problems(R"([{"name": "a", "glsl": true, "preset": "../x.preset.json"}])"),
+    put("../x.json", "{}");
+    EXPECT_TRUE(says(problems(R"([{"name": "a", "glsl": true, "preset": "../x.json"}])"),
                      "leads outside the root"));
 }
 

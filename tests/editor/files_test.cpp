@@ -54,6 +54,24 @@ TEST_F(Headless, EditsAndUndoPreserveInputsAndPresets) {
     EXPECT_EQ(text_of(file), graph);
 }
 
+// An option that an input of the graph sets has a wire, which the canvas does not draw.
+TEST_F(Headless, EditsPreserveWiresOfOptions) {
+    std::string graph = small_graph;
+    graph.replace(graph.find("\"scale\": 3.0"), 12, R"("octaves": { "from": "input.n" })");
+    graph.replace(graph.find("\"nodes\""), 7, R"("inputs": {
+    "n": { "type": "count", "default": 2 }
+  },
+  "nodes")");
+    open(graph);
+    play("double field:softer.amount\ntype 0.25\nkey Enter\nkey Ctrl+S");
+    std::string expected = graph;
+    expected.replace(expected.find("\"amount\": 0.6"), 13, "\"amount\": 0.25");
+    EXPECT_EQ(text_of(file), expected);
+    EXPECT_FALSE(state.built.problems.has_errors()) << to_text(state.built.problems);
+    play("key Ctrl+Z\nkey Ctrl+S");
+    EXPECT_EQ(text_of(file), graph);
+}
+
 TEST_F(Headless, AFileThatWasNotReadWholeIsNotOverwritten) {
     const std::string broken = std::string(small_graph).substr(0, 300);
     open(broken);

@@ -115,9 +115,10 @@ TEST(CheckPorts, Options) {
               "port 'octaves' holds 2.5 (expected an integer from 1 to 8)\n");
     EXPECT_EQ(node_report("options", "\"tile\": 1"),
               "port 'tile' holds a number (expected true or false)\n");
-    EXPECT_EQ(node_report("options", "\"octaves\": {\"from\": \"h.value\"}"),
-              "port 'octaves' is known while compiling and takes no wire (write a value in its "
-              "place)\n");
+    EXPECT_EQ(
+        node_report("options", "\"octaves\": {\"from\": \"h.value\"}"),
+        "port 'octaves' is known while compiling and takes no wire (write a value, or take an "
+        "input of the graph of type count)\n");
 }
 
 TEST(CheckImages, Values) {
@@ -212,11 +213,11 @@ TEST(CheckGraph, Inputs) {
 TEST(CheckGraph, KeysOfInputs) {
     EXPECT_EQ(input_report(R"({"type": "image", "default": "fixture.h", "slider": [0, 1]})"),
               "g.json:1:84: error: input 'k': \"slider\" does not fit the type image (float, vec2, "
-              "vec3, vec4, color and height have it)\n");
+              "vec3, vec4, color, height and count have it)\n");
     EXPECT_EQ(
         input_report(R"({"type": "normal", "limits": [0, 1]})"),
         "g.json:1:61: error: input 'k': \"limits\" does not fit the type normal (float, vec2, "
-        "vec3, vec4, color and height have it)\n");
+        "vec3, vec4, color, height and count have it)\n");
     EXPECT_EQ(
         input_report(R"({"type": "float", "widget": "dial"})"),
         "g.json:1:60: warning: input 'k': \"widget\" is \"dial\", which this program does not "
@@ -238,6 +239,70 @@ TEST(CheckGraph, KeysOfInputs) {
     EXPECT_EQ(input_report(R"({"type": "float", "default": 0.5, "limits": [0, 1], "step": 0.1,
                                "slider": [0, 2], "widget": "slider", "when": "!input.k"})"),
               "");
+}
+
+// Checks inputs that are known while compiling, wired to a node "options" and to a number.
+std::string option_report(const std::string& input, const std::string& port,
+                          const std::string& more = "") {
+    const std::string text =
+        reports(test::graph("\"o\": {\"type\": \"options\", \"in\": {\"" + port +
+                                "\": {\"from\": \"input.k\"}}}" + more,
+                            R"("a": {"from": "o.value"})", "\"inputs\": {\"k\": " + input + "}, "));
+    const size_t start = text.find("error: ");
+    return start == text.npos ? text : text.substr(start + 7);
+}
+
+TEST(CheckGraph, InputsOfOptions) {
+    const std::string choice = R"({"type": "choice", "default": "first"})";
+    EXPECT_EQ(option_report(choice, "mode"), "");
+    EXPECT_EQ(option_report(R"({"type": "choice"})", "mode"),
+              "input 'k' is a choice and has no default (it is known while compiling)\n");
+    EXPECT_EQ(option_report(R"({"type": "choice", "default": "forth"})", "mode"),
+              "input 'k' has no choice \"forth\" (expected first, second or third)\n");
+    EXPECT_EQ(
+        option_report(R"({"type": "choice", "default": "old", "choices": ["old", "first"]})",
+                      "mode"),
+        "node 'o': port 'mode' has no choice \"old\", which input 'k' has (expected \"choices\" of "
+        "first, second or third)\n");
+    EXPECT_EQ(option_report(R"({"type": "flag", "default": true})", "mode"),
+              "node 'o': port 'mode' is known while compiling and takes no wire (write a value, or "
+              "take an input of the graph of type choice)\n");
+    EXPECT_EQ(option_report(R"({"type": "float"})", "octaves"),
+              "node 'o': port 'octaves' is known while compiling and takes no wire (write a value, "
+              "or take an input of the graph of type count)\n");
+    EXPECT_EQ(option_report(R"({"type": "count", "default": 9})", "octaves"),
+              "input 'k' holds 9 (expected an integer from 1 to 8)\n");
+    EXPECT_EQ(option_report(R"({"type": "count", "default": 2.5})", "octaves"),
+              "input 'k' holds 2.5 (expected an integer from 1 to 8)\n");
+    EXPECT_EQ(option_report(R"({"type": "count", "default": 2, "limits": [1, 20]})", "octaves"),
+              "node 'o': port 'octaves' takes less than the input 'k' may be (expected \"limits\": "
+              "[1, 8] at the input)\n");
+    EXPECT_EQ(option_report(R"({"type": "flag", "default": 1})", "tile"),
+              "input 'k' holds a number (expected true or false)\n");
+    EXPECT_EQ(option_report(R"({"type": "flag", "default": true, "choices": ["a"]})", "tile"),
+              "input 'k': \"choices\" does not fit the type flag (choice has it)\n");
+    EXPECT_EQ(
+        option_report(R"({"type": "flag", "default": true})", "tile",
+                      R"(, "n": {"type": "number", "in": {"value": {"from": "input.k"}}})"),
+        "node 'n': the input 'k' is a flag, which is known while compiling (connect it to such "
+        "an option of a node)\n");
+    EXPECT_EQ(
+        option_report(R"({"type": "flag", "default": true})", "tile",
+                      R"(, "r": {"type": "reroute", "in": {"in": {"from": "input.k"}}})"),
+        "node 'r': the input 'k' is a flag, which is known while compiling (connect it to such "
+        "an option of a node)\n");
+    EXPECT_EQ(reports(test::graph("", R"("a": {"from": "input.k"})",
+                                  R"("inputs": {"k": {"type": "count", "default": 1}}, )"))
+                  .substr(13),
+              "error: the input 'k' is a count, which is known while compiling (connect it to such "
+              "an option of a node)\n");
+    EXPECT_EQ(input_report(R"({"type": "choice", "default": "a"})"), "") << "no port reads it";
+    const std::string twice = option_report(
+        choice, "mode", R"(, "p": {"type": "options", "in": {"mode": {"from": "input.k"}}})");
+    EXPECT_EQ(
+        twice.substr(0, twice.find('\n')),
+        "node 'o': the input 'k' is read by several ports and has no \"choices\" (expected some "
+        "of first, second, third)");
 }
 
 TEST(CheckGraph, UnknownKeysAreErrors) {

@@ -101,6 +101,94 @@ TEST(GraphInputLimits, OfAPortClampOnce) {
     EXPECT_EQ(m[m[m[m.outputs[0].value].arg[0]].arg[0]].op, Op::parameter_);
 }
 
+const std::string all_options =
+    R"("o": {"type": "options", "in": {"mode": {"from": "input.mode"}, "octaves": {"from": "input.n"},
+       "tile": {"from": "input.tile"}}})";
+
+// The value of the node "options" is 100 mode + 10 octaves + tile.
+TEST(GraphInputOptions, AreConstantsOfTheModule) {
+    const auto is = [](const std::string& mode, const std::string& n, const std::string& tile,
+                       double value) {
+        const Module m = lowered(R"("mode": {"type": "choice", "default": )" + mode +
+                                     R"(}, "n": {"type": "count", "default": )" + n +
+                                     R"(}, "tile": {"type": "flag", "default": )" + tile + "}",
+                                 all_options, R"("a": {"from": "o.value"})");
+        EXPECT_TRUE(m.parameters.empty());
+        EXPECT_TRUE(m.is_literal(m.outputs[0].value, value)) << value;
+    };
+    is("\"first\"", "1", "false", 10);
+    is("\"third\"", "7", "true", 271);
+    is("\"second\"", "8", "false", 180);
+}
+
+// By name: the choices of an input may be fewer and in another order.
+TEST(GraphInputOptions, ChoicesAreNames) {
+    const Module m =
+        lowered(R"("mode": {"type": "choice", "default": "third", "choices": ["third", "first"]})",
+                R"("o": {"type": "options", "in": {"mode": {"from": "input.mode"}}})",
+                R"("a": {"from": "o.value"})");
+    EXPECT_TRUE(m.is_literal(m.outputs[0].value, 240));
+}
+
+// Two uses of a file: one with a literal, one with the input of the top graph, which the file
+// passes on to another; with and without functions.
+TEST(GraphInputOptions, PassThroughSubgraphs) {
+    const std::string input =
+        R"("inputs": {"m": {"type": "choice", "default": "first", "choices": ["first", "third"]}}, )";
+    const test::Files files({
+        {"main.json",
+         graph(R"("a": {"type": "graph:s.json", "in": {"m": {"from": "input.m"}}},
+                  "b": {"type": "graph:s.json", "in": {"m": "first"}}, "c": {"type": "graph:s.json"})",
+               R"("a": {"from": "a.value"}, "b": {"from": "b.value"}, "c": {"from": "c.value"})",
+               R"("inputs": {"m": {"type": "choice", "default": "third"}}, )")},
+        {"s.json", graph(R"("t": {"type": "graph:t.json", "in": {"m": {"from": "input.m"}}})",
+                         R"("value": {"from": "t.value"})", input)},
+        {"t.json", graph(R"("o": {"type": "options", "in": {"mode": {"from": "input.m"}}})",
+                         R"("value": {"from": "o.value"})", input)},
+    });
+    Diagnostics problems;
+    const Project project = load_project(files.folder / "main.json", {}, problems);
+    const Types types(project, test::registry());
+    check(project, test::registry(), types, problems);
+    EXPECT_EQ(to_text(problems), "");
+    EXPECT_EQ(types.graph_input(0, 0).choices, (std::vector<std::string>{"first", "third"}));
+    for (const uint64_t inlined : {uint64_t{1000}, uint64_t{0}}) {
+        LowerOptions options;
+        options.inline_up_to = inlined;
+        const Module m = lower(project, types, options, problems).module;
+        EXPECT_EQ(to_text(problems), "");
+        EXPECT_TRUE(m.is_literal(m.outputs[0].value, 240));
+        EXPECT_TRUE(m.is_literal(m.outputs[1].value, 40));
+        EXPECT_TRUE(m.is_literal(m.outputs[2].value, 40));
+    }
+}
+
+TEST(GraphInputOptions, AreSetByPresetsAndOverrides) {
+    Diagnostics problems;
+    const Project project =
+        test::project(graph(all_options, R"("a": {"from": "o.value"})",
+                            R"("inputs": {"mode": {"type": "choice", "default": "first"},
+                 "n": {"type": "count", "default": 1}, "tile": {"type": "flag", "default": false}},
+                 "presets": {"P": {"mode": "third", "tile": true}}, )"),
+                      problems);
+    const auto set = [&](const Project& from, const char* text) {
+        const auto change = parse_override(text, problems);
+        return with_overrides(from, test::registry(), std::span(&*change, 1), 0, problems);
+    };
+    const Project changed = set(with_preset(project, "P", problems), "input.n=2");
+    EXPECT_EQ(to_text(problems), "");
+    const Module m = lower(changed, Types(changed, test::registry()), {}, problems).module;
+    EXPECT_TRUE(m.is_literal(m.outputs[0].value, 221));
+    set(project, "input.mode=forth");
+    set(project, "input.n=9");
+    set(project, "input.tile=1");
+    EXPECT_EQ(to_text(problems),
+              "error: --set input.mode=forth: the value has no choice \"forth\" (expected first, "
+              "second or third)\n"
+              "error: --set input.n=9: the value holds 9 (expected an integer from 1 to 8)\n"
+              "error: --set input.tile=1: the value holds a number (expected true or false)\n");
+}
+
 TEST(Colors, AreAlsoWrittenDisplayEncoded) {
     std::array<double, 4> numbers{};
     const auto hex = [&](const char* text) {

@@ -99,7 +99,8 @@ TEST(Reference, SchemaCompletesAndLetsUnknownThingsPass) {
     EXPECT_NE(text.find("{\"enum\": [\"picture\", \"reroute\"]}, {\"type\": \"string\"}"),
               text.npos);
     EXPECT_NE(text.find("\"mode\": {\"description\": \"How (soft | hard, default \\\"soft\\\")\", "
-                        "\"default\": \"soft\", \"allOf\": [{\"enum\": [\"soft\", \"hard\"]}]}"),
+                        "\"default\": \"soft\", \"anyOf\": [{\"$ref\": \"#/$defs/input_wire\"}, "
+                        "{\"enum\": [\"soft\", \"hard\"]}]}"),
               text.npos);
     EXPECT_NE(text.find("{\"$ref\": \"#/$defs/numbers2\"}"), text.npos);
     EXPECT_EQ(text.find("\"additionalProperties\": false"), text.npos);
