@@ -13,7 +13,8 @@ inline std::vector<std::filesystem::path> sample_graphs() {
     const std::filesystem::path folder = WRINKLE_SOURCE_DIR "/graphs";
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         const std::string name = entry.path().filename();
-        if (name.ends_with(".json") && !name.ends_with(".test.json"))
+        if (name.ends_with(".json") && !name.ends_with(".test.json") &&
+            !name.ends_with(".preset.json"))
             graphs.push_back(entry.path());
     }
     std::sort(graphs.begin(), graphs.end());
