@@ -294,7 +294,9 @@ void write_uniforms(const Module& module, const Language& language, const Reflec
             filled(language.image, {{'n', sampler.name},
                                     {'s', std::to_string(sampler.binding.set)},
                                     {'b', std::to_string(sampler.binding.binding)},
-                                    {'l', std::to_string(sampler.sampler_binding)}});
+                                    {'l', std::to_string(sampler.sampler_binding)},
+                                    {'h', sampler.options.decodes_texels() ? language.srgb_hint
+                                                                           : std::string_view()}});
         lines.comments.append(declaration.empty() ? sampler.name + ": " : "")
             .append(sampler.written)
             .append(" (")

@@ -86,6 +86,7 @@ struct Language {
     Arguments arguments = Arguments::structs;
 
     std::string_view image = "uniform sampler2D $n;";
+    std::string_view srgb_hint;  // $h in `image`, if the sampler decodes
     std::string_view uniform = "uniform $t $n;";
     std::string_view block, block_member, end_block;  // $v: its variable; $o: packoffset
     std::string_view block_use = "$n";                // $v: its variable

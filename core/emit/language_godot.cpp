@@ -13,8 +13,10 @@ RIM ROUGHNESS SCREEN_TEXTURE SCREEN_UV SPECULAR TANGENT TAU TIME TRANSMISSION UV
 VERTEX_ID VIEW VIEWPORT_SIZE VIEW_MATRIX WORLD_MATRIX global group_uniforms instance instance_index
 include render_mode shader_type)";
 
-Language godot_language() {
+Language godot_language(std::string_view srgb_hint) {
     Language language = glsl_language();
+    language.image = "uniform sampler2D $n$h;";
+    language.srgb_hint = srgb_hint;
     reserve_words(language, godot_words);
     return language;
 }
@@ -23,7 +25,7 @@ Language godot_language() {
 
 const Language& godot3() {
     static const Language language = [] {
-        Language godot = godot_language();
+        Language godot = godot_language(" : hint_albedo");
         godot.arguments = Arguments::flat;
         godot.uint_literal = "uint($v)";
         godot.uint_literal_is_int = true;  // it reads 2147483648 and above as 2147483647
@@ -36,7 +38,7 @@ const Language& godot3() {
 }
 
 const Language& godot4() {
-    static const Language language = godot_language();
+    static const Language language = godot_language(" : source_color");
     return language;
 }
 

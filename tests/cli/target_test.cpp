@@ -157,6 +157,19 @@ TEST_F(SrgbTest, IsDecodedByTheSamplerOrByTheText) {
     EXPECT_EQ(upload().find("u8").as_string(), "rgba8");
 }
 
+TEST_F(SrgbTest, IsAHintOfGodotIfTheSamplerDecodes) {
+    put("paint.png", png(8));
+    for (const auto& [target, hint] :
+         {std::pair("godot3", "hint_albedo"), std::pair("godot4", "source_color")}) {
+        const std::string declaration = "uniform sampler2D g_paint_image";
+        const Ran sampler = compile({"--target", target});
+        EXPECT_TRUE(says(sampler.out, declaration + " : " + hint + ";")) << sampler.out;
+        const Ran shader = compile({"--target", target, "--srgb", "shader"});
+        EXPECT_TRUE(says(shader.out, declaration + ";")) << shader.out;
+    }
+    EXPECT_TRUE(says(compile().out, "uniform sampler2D g_paint_image;"));
+}
+
 TEST_F(SrgbTest, OfSixteenBitsIsAWarningUnlessTheTextDecodes) {
     put("paint.png", png(16));
     const Ran ran = compile();
