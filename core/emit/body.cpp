@@ -33,7 +33,7 @@ bool is_by_matrix(const Reflection& reflection, const OutputInfo& output) {
 std::string comment_on(const Region& region) {
     std::string text;
     for (const std::string& name : region.result_names)
-        text += (text.empty() ? "" : ", ") + name;
+        append_item(text, name);
     return text.empty() ? "" : "// " + comment_text(region.name + " gives " + text);
 }
 
@@ -73,18 +73,17 @@ std::string Body::declared(std::string_view pattern, Type type, std::string_view
 
 std::string Body::material_signature(const Reflection& r) {
     std::string list;
-    const auto add = [&](const std::string& parameter) {
-        list += (list.empty() || parameter.empty() ? "" : ", ") + parameter;
-    };
     if (!r.struct_name.empty())
-        add(filled(language_.parameter, {{'t', r.struct_name}, {'n', "s"}}));
+        append_item(list, filled(language_.parameter, {{'t', r.struct_name}, {'n', "s"}}));
     if (language_.arguments == Arguments::flat)
         for (const MemberInfo& member : r.members)
-            add(declared(language_.parameter, member.type, locals_.add({{}, member.name})));
+            append_item(list,
+                        declared(language_.parameter, member.type, locals_.add({{}, member.name})));
     if (r.result_form == ResultForm::parameters)
         for (const OutputInfo& output : r.outputs)
-            add(declared(language_.out_parameter, output.type, locals_.add({{}, output.member})));
-    add(values_.symbols.material_parameters);
+            append_item(list, declared(language_.out_parameter, output.type,
+                                       locals_.add({{}, output.member})));
+    append_item(list, values_.symbols.material_parameters);
     if (r.result_form == ResultForm::parameters)
         return filled(language_.no_value, {{'n', r.function}, {'v', list}});
     return filled(language_.function,
@@ -151,14 +150,12 @@ std::string Body::region_signature(uint32_t index, const std::vector<std::string
                                    const std::vector<std::string>& outs) const {
     const Region& region = m_.region(index);
     std::string list;
-    const auto add = [&](const std::string& parameter) {
-        list += (list.empty() || parameter.empty() ? "" : ", ") + parameter;
-    };
     for (size_t k = 0; k < parameters.size(); ++k)
-        add(declared(language_.parameter, region.params[k], parameters[k]));
+        append_item(list, declared(language_.parameter, region.params[k], parameters[k]));
     for (size_t k = 0; k < outs.size(); ++k)
-        add(declared(language_.out_parameter, m_.type(region.results[k + 1]), outs[k]));
-    add(values_.symbols.resource_parameters[index]);
+        append_item(list,
+                    declared(language_.out_parameter, m_.type(region.results[k + 1]), outs[k]));
+    append_item(list, values_.symbols.resource_parameters[index]);
     return declared(language_.function, m_.type(region.results[0]),
                     values_.symbols.functions[index], list);
 }
@@ -318,19 +315,16 @@ std::vector<std::string> Body::name_members(Id tuple) {
 void Body::call(Id id, int indent) {
     const Region& region = m_.region(m_[id].extra);
     std::string list;
-    const auto add = [&](const std::string& argument) {
-        list += (list.empty() || argument.empty() ? "" : ", ") + argument;
-    };
     for (const Id argument : analysis_.operands(id))
-        add(text_of(context_, argument));
+        append_item(list, text_of(context_, argument));
     const std::vector<std::string> names = name_members(id);
     for (size_t k = 1; k < names.size(); ++k) {
         code(indent, declared(language_.unset, m_.type(region.results[k]), names[k]),
              node_of(group_));
-        add(filled(language_.out_argument, {{'n', names[k]}}));
+        append_item(list, filled(language_.out_argument, {{'n', names[k]}}));
     }
     const uint32_t function = m_[id].extra;
-    add(values_.symbols.resource_arguments[function]);
+    append_item(list, values_.symbols.resource_arguments[function]);
     code(indent,
          declared(language_.constant, m_.type(region.results[0]), names[0],
                   values_.symbols.functions[function] + "(" + list + ")"),

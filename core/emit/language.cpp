@@ -23,6 +23,11 @@ std::string filled(std::string_view pattern, std::initializer_list<Field> fields
     return text;
 }
 
+void append_item(std::string& list, std::string_view item) {
+    if (!list.empty() && !item.empty()) list += ", ";
+    list += item;
+}
+
 void reserve_words(Language& language, std::string_view words) {
     for (size_t begin = 0; (begin = words.find_first_not_of(" \n", begin)) != words.npos;) {
         const size_t end = std::min(words.find_first_of(" \n", begin), words.size());

@@ -25,6 +25,8 @@ struct Field {
 void append_filled(std::string& text, std::string_view pattern,
                    std::initializer_list<Field> fields);
 std::string filled(std::string_view pattern, std::initializer_list<Field> fields);
+// Appends an item to a list with commas; an empty item is left out.
+void append_item(std::string& list, std::string_view item);
 
 // Arguments and results of a material's function.
 enum class Arguments : uint8_t {

@@ -44,11 +44,10 @@ std::string listed(const FunctionResources& used, const Reflection& r, std::stri
                    std::string_view block) {
     std::string list;
     for (const SamplerInfo& sampler : r.samplers)
-        if (used.images[sampler.resource])
-            list += (list.empty() ? "" : ", ") + filled(image, {{'n', sampler.name}});
+        if (used.images[sampler.resource]) append_item(list, filled(image, {{'n', sampler.name}}));
     if (used.numbers && r.parameter_block)
-        list += (list.empty() ? "" : ", ") +
-                filled(block, {{'t', r.parameter_block->name}, {'n', r.parameter_block->variable}});
+        append_item(list, filled(block, {{'t', r.parameter_block->name},
+                                         {'n', r.parameter_block->variable}}));
     return list;
 }
 
