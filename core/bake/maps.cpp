@@ -7,9 +7,9 @@
 
 #include "bake/map_values.h"
 #include "base/mapped.h"
+#include "base/srgb.h"
 #include "base/standard_outputs.h"
 #include "base/text.h"
-#include "base/transcendental.h"
 #include "image/writer.h"
 #include "ir/covariance.h"
 #include "ir/tangent_space.h"
@@ -178,11 +178,6 @@ private:
     std::map<Id, uint32_t> lanes_;
 };
 
-float srgb_coded(float linear) {
-    if (!(linear > 0.0031308F)) return linear * 12.92F;
-    return 1.055F * math::pow(linear, 1 / 2.4F) - 0.055F;
-}
-
 }  // namespace
 
 std::vector<std::string> map_names(std::vector<std::string> outputs) {
@@ -225,8 +220,10 @@ void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, 
             const float value = lane[i] * channel.gain + channel.offset;
             stored[i * channels + c] = covered[i] ? value : channel.empty;
         }
-        for (size_t i = 0; channel.srgb && i < count; ++i)
-            if (covered[i]) stored[i * channels + c] = srgb_coded(stored[i * channels + c]);
+        for (size_t i = 0; channel.srgb && i < count; ++i) {
+            float& value = stored[i * channels + c];
+            if (covered[i]) value = static_cast<float>(srgb_from_linear(value));
+        }
     }
 }
 

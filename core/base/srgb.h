@@ -10,4 +10,8 @@ inline double linear_from_srgb(double coded) {
     return coded > 0.04045 ? math::pow((coded + 0.055) / 1.055, 2.4) : coded / 12.92;
 }
 
+inline double srgb_from_linear(double linear) {
+    return linear > 0.0031308 ? 1.055 * math::pow(linear, 1 / 2.4) - 0.055 : 12.92 * linear;
+}
+
 }  // namespace wrinkle

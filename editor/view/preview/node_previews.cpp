@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "base/srgb.h"
 #include "cpu/evaluate.h"
 #include "editor/model/document/request.h"
 #include "graph/edit.h"
@@ -100,11 +101,6 @@ glm::dvec3 color_of(PortType type, const double* lane, double low, double range)
     }
 }
 
-// Encodes linear light by the sRGB curve (IEC 61966-2-1), as the preview does.
-double displayed(double linear) {
-    return linear < 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
 void append(std::vector<uint8_t>& texels, PortType type, const std::vector<double>& values) {
     const size_t lanes = values.size() / texel_count;
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -116,7 +112,7 @@ void append(std::vector<uint8_t>& texels, PortType type, const std::vector<doubl
         if (!std::isfinite(color.x + color.y + color.z)) color = {1, 0, 1};
         if (type == PortType::color_)
             for (int c = 0; c < 3; ++c)
-                color[c] = displayed(std::clamp(color[c], 0.0, 1.0));
+                color[c] = srgb_from_linear(std::clamp(color[c], 0.0, 1.0));
         for (int c = 0; c < 3; ++c)
             texels.push_back(static_cast<uint8_t>(std::clamp(color[c], 0.0, 1.0) * 255 + 0.5));
         texels.push_back(255);
