@@ -60,17 +60,7 @@ const ForwardDiff::Activity& ForwardDiff::influences(uint32_t index, uint32_t me
     return active;
 }
 
-// Splits a vector times a float, so that a slope is scaled after the dot product; the factor of any
-// other value is empty.
-static std::pair<Value, Value> without_factor(Value v) {
-    Module& m = *v.module;
-    const Inst inst = m[v.id];
-    if (inst.op != Op::mul_ || m.type(inst.arg[0]) == m.type(inst.arg[1])) return {v, {}};
-    const size_t scalar = m.type(inst.arg[0]) == Type::float_ ? 0 : 1;
-    return {{&m, inst.arg[1 - scalar]}, {&m, inst.arg[scalar]}};
-}
-
-// The slope times the derivatives of the arguments.
+// The slope times the derivatives of the arguments. Factors of a vector scale the dot product.
 Id ForwardDiff::call_along(const Inst& result, const Activity& active, std::span<const Id> args) {
     const uint32_t function = slope_function((*module_)[result.arg[0]].extra, result.extra, active);
     if (function == 0) return no_id;
@@ -83,7 +73,9 @@ Id ForwardDiff::call_along(const Inst& result, const Activity& active, std::span
         auto part = static_cast<uint32_t>(count);
         for (int i = 0; i < count; ++i)
             part |= swizzle_lane(static_cast<int>(lane++), i);
-        const auto [along, factor] = without_factor({module_, memo_.at(args[k])});
+        const Value derivative{module_, memo_.at(args[k])};
+        const auto [along, factor] =
+            count == 1 ? Scaled{derivative, {}} : without_factors(derivative, {});
         const Value partial{module_, module_->type(slope) == Type::float_
                                          ? slope
                                          : module_->add(Op::swizzle_, {slope}, part)};

@@ -14,19 +14,6 @@ Value times_factor(Value a, Value factor) {
     return factor ? a * factor : a;
 }
 
-// Moves scalar factors of a product from the vector to the factor.
-Scaled without_factors(Value derivative, Value factor) {
-    Module& m = *derivative.module;
-    Scaled result{derivative, factor};
-    while (m[result.vector.id].op == Op::mul_) {
-        const Inst inst = m[result.vector.id];
-        const size_t scalar = m.type(inst.arg[0]) == Type::float_ ? 0 : 1;
-        if (m.type(inst.arg[scalar]) != Type::float_) break;
-        result = {{&m, inst.arg[1 - scalar]}, times_factor({&m, inst.arg[scalar]}, result.factor)};
-    }
-    return result;
-}
-
 // d value / d instruction. `whole`: it is `factor` times the identity (an empty factor is 1);
 // otherwise `lanes` holds its columns.
 struct Columns {

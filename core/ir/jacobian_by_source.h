@@ -16,11 +16,6 @@
 
 namespace wrinkle {
 
-// vector * factor. An empty factor is 1, an empty vector a zero column.
-struct Scaled {
-    Value vector, factor;
-};
-
 struct SourceJacobian {
     Id source = no_id;
     std::array<Scaled, 4> columns;  // by component of the source

@@ -79,6 +79,23 @@ inline Value sum_of(Value a, Value b) {
 inline Value product_of(Value a, Value factor) {
     return a && factor ? a * factor : a;
 }
+// A vector times a factor. An empty factor is 1, an empty vector zero.
+struct Scaled {
+    Value vector, factor;
+};
+// Moves scalar factors of a product to the factor.
+inline Scaled without_factors(Value vector, Value factor) {
+    Module& m = *vector.module;
+    while (m[vector.id].op == Op::mul_) {
+        const Inst inst = m[vector.id];
+        const size_t scalar = m.type(inst.arg[0]) == Type::float_ ? 0 : 1;
+        if (m.type(inst.arg[scalar]) != Type::float_) break;
+        const Value moved{&m, inst.arg[scalar]};
+        factor = factor ? moved * factor : moved;
+        vector.id = inst.arg[1 - scalar];
+    }
+    return {vector, factor};
+}
 inline Value abs(Value a) {
     return op(Op::abs_, a);
 }
