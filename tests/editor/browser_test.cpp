@@ -94,6 +94,19 @@ TEST_F(Headless, TheTextIsExportedUnderAName) {
     EXPECT_EQ(text_of(folder.path() / "made.glsl"), program_output("compile " + file.string()));
 }
 
+TEST_F(Headless, TheTextHasTheSuffixOfItsTarget) {
+    for (const char* name : {"old.hlsl", "old.wgsl", "old.shader", "old.frag.spv", "old.png"})
+        folder.write(name, "x");
+    open(small_graph);
+    state.code.options.target = "wgsl";
+    play("key Ctrl+E\nwait");
+    EXPECT_EQ(names(state.browser.listing), "old.frag.spv old.hlsl old.shader old.wgsl ");
+    play("key Ctrl+A\ntype made\nkey Enter\nfinish\nassert status made.wgsl");
+    state.code.options.target = "spirv";
+    play("key Ctrl+E\nkey Ctrl+A\ntype made\nkey Enter\nfinish");
+    EXPECT_TRUE(fs::exists(folder.path() / "made.frag.spv"));
+}
+
 TEST_F(Headless, APictureFromElsewhereIsBrowsedForAndCopied) {
     open(R"({ "wrinkle": 1, "nodes": { "map": { "type": "tangent_normal_map" } } })");
     const TemporaryFolder elsewhere;

@@ -170,10 +170,13 @@ void start_code_export(Session& session, const fs::path& file) {
                          [&session, file] { start_code_export(session, file); }});
 }
 
+std::string export_suffix(const CodeOptions& options) {
+    return has_stages(options) ? "" : std::string(function_suffix(target_of(options)));
+}
+
 fs::path usual_export(const Session& session) {
     const std::string stem = session.path.stem().string();
-    const std::string suffix(function_suffix(target_of(session.code.options)));
-    return session.folder() / (has_stages(session.code.options) ? stem : stem + suffix);
+    return session.folder() / (stem + export_suffix(session.code.options));
 }
 
 }  // namespace wrinkle::editor

@@ -60,6 +60,9 @@ std::string why_no_line(const Session& session, const std::set<std::string>& sel
 // files or none.
 void start_code_export(Session& session, const std::filesystem::path& file);
 
+// Returns ".glsl", ".hlsl", ...; "" for the shader form, whose stages have suffixes of their own.
+std::string export_suffix(const CodeOptions& options);
+
 // Default path: next to the graph, "graph.glsl", or "graph" for the shader form.
 std::filesystem::path usual_export(const Session& session);
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "editor/model/code/code.h"
 #include "editor/model/document/files.h"
 #include "editor/model/document/intent.h"
 #include "editor/view/drop/drop.h"
@@ -26,7 +27,7 @@ struct PurposeInfo {
     const char* title;
     void (*take)(State&, const fs::path& file);  // uses the chosen file
     std::vector<std::string> extensions;         // files to list
-    const char* added = "";                      // extension of a name without one, if it saves
+    const char* added = "";  // extension of a name without one, if it saves; not of a text
     bool saves = false;
 };
 
@@ -39,16 +40,21 @@ void take_image(State& state, const fs::path& file) {
     use_image(state, state.browser.node, state.browser.port, file.string());
 }
 
+// The suffixes of all targets' texts, in both forms.
+std::vector<std::string> text_extensions() {
+    std::vector<std::string> extensions{".frag", ".vert"};
+    for (const Target& target : targets())
+        extensions.emplace_back(function_suffix(target));
+    return extensions;
+}
+
 const PurposeInfo& info(Purpose purpose) {
     static const PurposeInfo infos[] = {
         {"", nullptr, {}},
         {"Open a graph", open_chosen, {".json"}},
         {"Save the graph as", save_chosen, {".json"}, ".json", true},
-        {"Export GLSL",
-         [](State& s, const fs::path& file) { start_code_export(s, file); },
-         {".glsl", ".frag", ".vert"},
-         ".glsl",
-         true},
+        {"Export GLSL", [](State& s, const fs::path& file) { start_code_export(s, file); },
+         text_extensions(), "", true},
         {"Save the picture of the preview",
          take_export_image,
          {".png", ".jpg", ".jpeg", ".tif", ".tiff"},
@@ -86,9 +92,9 @@ void go_to(Browser& browser, const fs::path& folder) {
 }
 
 std::string with_extension(const State& state, const std::string& name) {
-    const Purpose purpose = state.browser.purpose;
-    const bool stages = purpose == Purpose::export_text && state.code.options.form == Form::shader;
-    return stages || fs::path(name).has_extension() ? name : name + info(purpose).added;
+    if (fs::path(name).has_extension()) return name;
+    const bool text = state.browser.purpose == Purpose::export_text;
+    return name + (text ? export_suffix(state.code.options) : info(state.browser.purpose).added);
 }
 
 // Opens the chosen folder or takes the chosen file. Returns true when the browser is to be closed.
