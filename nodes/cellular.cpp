@@ -12,7 +12,7 @@ using namespace sdk;
 static vec3 random3(Uint bits) {
     const auto numbers = function("random3(bits)", [](Uint bits) {
         const Uint second = named("second", hash(bits)), third = named("third", hash(second));
-        return vec3(Float(bits >> 8u), Float(second >> 8u), Float(third >> 8u)) / 16777216;
+        return vec3(unit_float(bits), unit_float(second), unit_float(third));
     });
     return numbers(bits);
 }
@@ -76,7 +76,7 @@ static Float worley(vec3 point, Float scale, Float jitter, Distance which) {
                      const Float mean[] = {0.48 + 0.04 * jitter, 0.703 + 0.015 * jitter,
                                            0.223 - 0.025 * jitter};  // measured
                      const auto k = static_cast<size_t>(which);
-                     return mix(mean[k], found[k], fade(width, scale));
+                     return mix(named("mean", mean[k]), found[k], fade(width, scale));
                  });
     return distance(point, footprint(point), scale, jitter);
 }
@@ -98,7 +98,8 @@ static Float stroke_at(vec2 p, Int index, Float density, vec2 size, vec2 angles)
     const vec2 moved = named("moved", p + vec2(0.37, 0.61) * layer);
     const vec2 cell = named("cell", floor(moved) + offset(middle, vec2(1, 3)));
     const Uint bits = named("bits", hash(vec3(cell, layer)));
-    const Uint more = named("more", hash(bits ^ 0x9e3779b9u));
+    const Uint more =
+        named("more", hash(bits ^ named("golden_bits // 2^32 / golden ratio", Uint(0x9e3779b9u))));
     const vec3 random = named("random", random3(bits));
     const Float angle = named("angle", angles.x() + (random.z() - 0.5) * angles.y());
     const vec2 along = named("along", vec2(cos(angle), sin(angle)));

@@ -57,8 +57,10 @@ static constinit Node cube_map_list[] = {
             const vec3 normal = read_cube(image, arrangement, direction).xyz();
             const vec3 out = named("out", normalize(direction));
             const Float outward = named("outward", dot(out, normal));
-            // Limits slopes to 128, as in tangent-space maps.
-            const Float steepest = max(length(normal) / 128, 1e-6);
+            // As in tangent-space maps.
+            const Float min_ratio = named("min_ratio // slopes are at most 128", Float(1.0 / 128));
+            const Float min_length = named("min_length // of a normal", Float(1e-6));
+            const Float steepest = max(length(normal) * min_ratio, min_length);
             const vec3 volume = (out * outward - normal) / max(abs(outward), steepest) * strength;
             return std::tuple{gradient_from_normal(normal, Base(base)) * strength, volume};
         })};

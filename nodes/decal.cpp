@@ -94,11 +94,12 @@ static constinit Node decal_list[] = {
             const vec3 place = into(axes, way);
             const vec2 side = named("side", place.xy());
             const Float ahead = named("ahead", -place.z());
-            const Float wide = named("wide", max(ahead, 1e-6) * tan(radians(in.angle) * 0.5));
+            const Float nearest = named("nearest // distance from the projector", Float(1e-6));
+            const Float wide = named("wide", max(ahead, nearest) * tan(radians(in.angle) * 0.5));
             const vec2 across =
                 named("across", side / wide);  // within the unit disc inside the cone
             const Float within = inside(length(across), in.edge) *
-                                 inside(ahead / in.range, in.edge) * step(1e-6, ahead);
+                                 inside(ahead / in.range, in.edge) * step(nearest, ahead);
             return std::tuple{across * 0.5 + vec2(0.5),
                               within * angle_fade(in.normal, -normalize(way), in.angle_fade)};
         }),

@@ -4,6 +4,7 @@
 // differentiation.
 #include <span>
 
+#include "nodes/constants.h"
 #include "nodes/height_slope.h"
 #include "nodes/ports.h"
 #include "wrinkle/node.h"
@@ -39,8 +40,9 @@ struct HexBlend {
 // barycentric weights and the three corners of the triangle around a point.
 static auto grid_function() {
     return function("hex_grid(at)", [](vec2 at) {
-        const vec2 sheared = named(
-            "sheared", vec2(at.x() - at.y() * 0.57735026918962576, at.y() * 1.1547005383792515));
+        const Float tan_30 = named("tan_30 // 1 / sqrt(3)", Float(0.57735026918962576));
+        const Float sec_30 = named("sec_30 // 2 / sqrt(3)", Float(1.1547005383792515));
+        const vec2 sheared = named("sheared", vec2(at.x() - at.y() * tan_30, at.y() * sec_30));
         const vec2 cell = named("cell", floor(sheared)), f = named("f", sheared - cell);
         const Float rest = named("rest", 1 - f.x() - f.y());
         const Bool far = named("far", rest <= 0);
@@ -60,11 +62,11 @@ static auto copy_function() {
         const Uint bits = named("bits", hash(Int(corner.x()), Int(corner.y())));
         const Uint more = named("more", hash(bits)), most = named("most", hash(more));
         const Float turn = named("turn", 2 * unit_float(bits) - 1);
-        const Float angle = named("angle", turn * 3.14159265358979 * rotation);
+        const Float angle = named("angle", turn * pi() * rotation);
         const vec2 right = named("right", vec2(cos(angle), sin(angle)));
         const vec2 up = named("up", vec2(-right.y(), right.x()));
-        const vec2 centre = named(
-            "centre", vec2(corner.x() + 0.5 * corner.y(), corner.y() * 0.8660254037844386) / size);
+        const vec2 centre =
+            named("centre", vec2(corner.x() + 0.5 * corner.y(), corner.y() * sin_60()) / size);
         const vec2 way = named("way", uv - centre);
         const vec2 moved = named("moved", vec2(unit_float(more), unit_float(most)));
         return vec4(right * way.x() + up * way.y() + centre + moved, right);
@@ -72,7 +74,7 @@ static auto copy_function() {
 }
 
 static HexBlend hexagons_at(vec2 uv, Float hexagons, Float rotation) {
-    const Float size = hexagons * 3.4641016151377544;
+    const Float size = named("hex_grid_size // 2 sqrt(3) hexagons", hexagons * 3.4641016151377544);
     const auto copy = copy_function();
     const auto tap = [&](vec2 corner) {
         const vec4 at = named("copy", copy(uv, corner, size, rotation));
@@ -95,7 +97,11 @@ static vec3 contrasted(vec3 weights, Float contrast) {
 // `strength`: visibility of each sample, 0 to 1; it scales the weights from 0.4 to 1.
 static vec3 blend_weights(const HexBlend& at, vec3 strength, Float exponent, Float contrast) {
     const vec3 shown = vec3(0.4) + 0.6 * strength;
-    return contrasted(shown * pow(max(at.weights, vec3(1e-4)), exponent), contrast);
+    return contrasted(
+        shown * pow(max(at.weights, vec3(named("min_weight // of a corner, for a sum above zero",
+                                               Float(1e-4)))),
+                    exponent),
+        contrast);
 }
 
 template <class T>
@@ -151,7 +157,7 @@ static constinit Node hex_list[] = {
             const vec3 a = at.taps[0].read(image, uv).rgb();
             const vec3 b = at.taps[1].read(image, uv).rgb();
             const vec3 c = at.taps[2].read(image, uv).rgb();
-            const vec3 luminance(0.2126, 0.7152, 0.0722);
+            const vec3 luminance = named("luminance // of Rec. 709", vec3(0.2126, 0.7152, 0.0722));
             const vec3 bright(dot(a, luminance), dot(b, luminance), dot(c, luminance));
             return blend(blend_weights(at, saturate(bright), exponent, contrast), a, b, c);
         }),

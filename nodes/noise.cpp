@@ -97,8 +97,10 @@ static vec4 simplex(vec3 p) {
         const vec4 linear = named("linear", gradient_corner(corner, way));
         return vec4(cube * (near * linear.xyz() - 8 * linear.w() * way), cube * near * linear.w());
     });
-    return (corner(cell, way) + corner(cell + one, way - one + 1.0 / 6) +
-            corner(cell + two, way - two + 1.0 / 3) + corner(cell + 1, way - 0.5)) *
+    const Float unskew = named("unskew // 1 / 6: a step of the lattice, per axis", Float(1.0 / 6));
+    const Float two_unskew = named("two_unskew // of two steps", Float(1.0 / 3));
+    return (corner(cell, way) + corner(cell + one, way - one + unskew) +
+            corner(cell + two, way - two + two_unskew) + corner(cell + 1, way - 0.5)) *
            76;
 }
 

@@ -57,9 +57,11 @@ sdk::Float mean_of_octaves(const char* name, const Fractal& fractal, Height heig
         using State = std::tuple<Int, Float, Float, Float, Float, Float>;
         const auto add = [&](Int k, Float frequency, Float weight, Float previous, Float total,
                              Float sum) {
+            const vec3 offset =
+                named("octave_offset // between octaves, in cells", vec3(19.19, 7.43, 31.71));
             // Without the offset, every octave would be 0 at the origin. It is not scaled, which
             // would lose precision.
-            const vec3 p = named("p", point * frequency + vec3(19.19, 7.43, 31.71) * Float(k));
+            const vec3 p = named("p", point * frequency + offset * Float(k));
             const Float value = height(Octave{p, fade(width, frequency), previous});
             return std::tuple{k < octaves, k + 1,          frequency * lacunarity, weight * gain,
                               value,       total + weight, sum + value * weight};

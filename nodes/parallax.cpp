@@ -5,6 +5,7 @@
 // framework; segment intersection at the end of the march as in its parallax occlusion.
 #include <span>
 
+#include "nodes/constants.h"
 #include "nodes/ports.h"
 #include "wrinkle/node.h"
 
@@ -24,14 +25,13 @@ constexpr double lowest_view = 0.1;
 // are the screen differentials of the position; the offset is a and b times those of uv. Returns
 // zero if the position's differentials are zero.
 static vec2 in_texture_space(vec3 direction, vec2 uv) {
-    constexpr double min_area = 1e-36;
     const vec3 n = surface::normal;
     const auto tangential = [n](vec3 v) { return v - n * dot(n, v); };
     const vec3 x = tangential(ddx<vec3>(surface::position));
     const vec3 y = tangential(ddy<vec3>(surface::position));
     const vec3 across_y = named("across_y", cross(y, n)), across_x = named("across_x", cross(n, x));
     const Float det = named("det", dot(x, across_y));
-    const Float inverse = named("inverse_det", sign_nonzero(det) / max(abs(det), min_area));
+    const Float inverse = named("inverse_det", sign_nonzero(det) / max(abs(det), min_area()));
     const vec2 along_x = ddx(uv) * dot(direction, across_y);
     return (named("along_x", along_x) + ddy(uv) * dot(direction, across_x)) * inverse;
 }
@@ -90,10 +90,11 @@ static Stretch narrowed(Under under, Stretch stretch, int times) {
 // Returns how much wider a pixel is on the relief than on the surface, in mip levels: the relief is
 // farther from the eye, and tilted.
 static Float level_change(Gradient relief, Float way, Float eye_distance) {
-    constexpr double min_dot = 1.19e-15, least = 1.0 / (1 << 20);
+    const Float min_cosine = named("min_cosine // of a relief seen edge-on", Float(1.19e-15));
+    const Float least = named("min_change // 2^-20, of a pixel's extent", Float(1.0 / (1 << 20)));
     const vec3 view = surface::view, before = surface::normal;
     const Float farther = 1 + divide(way, eye_distance);
-    const Float turned = abs(dot(before, view)) / max(abs(dot(resolve(relief), view)), min_dot);
+    const Float turned = abs(dot(before, view)) / max(abs(dot(resolve(relief), view)), min_cosine);
     return 0.5 * log2(max(farther * farther * turned, least));
 }
 

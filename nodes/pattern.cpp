@@ -1,6 +1,7 @@
 // Regular relief on a uv set: tiles with grooves between them, and shapes in a grid.
 #include <span>
 
+#include "nodes/constants.h"
 #include "nodes/footprint.h"
 #include "nodes/relief.h"
 
@@ -24,7 +25,7 @@ struct Edges {
 
 // Returns the tile's height, fading to the mean as a pixel covers a tile.
 static Float tile(const Edges& edges, Float inside, Float mean) {
-    return mix(mean, edges.height(inside), fade(edges.footprint));
+    return mix(mean_height(mean), edges.height(inside), fade(edges.footprint));
 }
 
 template <class Declaration>
@@ -87,13 +88,14 @@ static constinit Node pattern_list[] = {
            0.008, "1 on a tile, 0 in the grooves")
         .body([](vec2 uv, Float scale, Float mortar, Float bevel, Float amplitude) {
             // Centres are on two rectangular grids, 1 by sqrt(3); the nearer centre is the tile's.
-            const vec2 grid(1, 1.7320508075688772);
+            const vec2 grid(
+                1, named("sqrt_3 // height of the grid's cells", Float(1.7320508075688772)));
             const vec2 p = named("p", uv * scale);
             const vec2 even = named("even", p - grid * floor(p / grid + 0.5));
             const vec2 odd = named("odd", p - grid * (floor(p / grid) + 0.5));
             const vec2 way = named("way", select(dot(even, even) < dot(odd, odd), even, odd));
             const vec2 side = named("side", abs(way));
-            const Float edge = named("edge", dot(side, vec2(0.5, 0.8660254037844386)));
+            const Float edge = named("edge", dot(side, vec2(0.5, sin_60())));
             const Float inside = named("inside", 0.5 - max(side.x(), edge));
             const Edges edges{mortar, bevel, footprint(p)};
             const Float tops = saturate(1 - edges.groove());
@@ -115,7 +117,8 @@ static constinit Node pattern_list[] = {
             const vec2 p = named("p", uv * density), way = named("way", p - floor(p) - 0.5);
             const vec2 side = named("side", abs(way));
             const Float value = saturate(named("rise", 1 - 2 * max(side.x(), side.y()) / base));
-            return relief_of(mix(base * base * (1.0 / 3), value, fade(footprint(p))), amplitude);
+            return relief_of(mix(mean_height(base * base * (1.0 / 3)), value, fade(footprint(p))),
+                             amplitude);
         }),
 
     relief(
@@ -143,8 +146,8 @@ static constinit Node pattern_list[] = {
                 const Float value = (cap - rim) / (1 - rim);
                 // The mean over the disc: the integral of the square root, less the rim.
                 const Float disc = (2.0 / 3) * (1 - rim * rim * rim) / square - rim;
-                const Float mean = 3.141592653589793 * radius * radius * disc / (1 - rim);
-                return relief_of(mix(mean, value, fade(footprint(p))), amplitude);
+                const Float mean = pi() * radius * radius * disc / (1 - rim);
+                return relief_of(mix(mean_height(mean), value, fade(footprint(p))), amplitude);
             })};
 constinit std::span<Node> pattern_nodes = pattern_list;
 

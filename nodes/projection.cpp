@@ -1,5 +1,6 @@
 #include "nodes/projection.h"
 
+#include "nodes/constants.h"
 #include "wrinkle/surface.h"
 
 namespace wrinkle::nodes {
@@ -27,14 +28,12 @@ vec3 volume_of(const Planes& slopes, vec3 side) {
     return {y.x() + z.x() * side.z(), x.y() + z.y(), -(x.x() * side.x() + y.y() * side.y())};
 }
 
-// Less than the sum of powers for any unit normal; a zero normal gives 0 / min_sum = 0.
-static constexpr double min_sum = 1e-36;
-
+// min_area() is less than the sum of powers for any unit normal; a zero normal gives 0.
 // Precondition: `above` >= 0 and sharpness > 0. So the op is emitted without the guards of pow().
 static vec3 shares(vec3 above, Float sharpness) {
     const vec3 powers = named("powers", vec3(emit(WR_OP_pow, {above.id, vec3(sharpness).id})));
     const Float sum = named("sum", powers.x() + powers.y() + powers.z());
-    return named("weights", detach(powers / max(sum, min_sum)));
+    return named("weights", detach(powers / max(sum, min_area())));
 }
 
 static vec3 above_threshold(vec3 normal, Float threshold) {
@@ -82,11 +81,11 @@ vec3 round_place(vec3 way, vec3 axis, vec3 front) {
 }
 
 Float turns_of(vec3 place) {
-    return atan(place.x(), place.z()) / 6.283185307179586 + 0.5;
+    return atan(place.x(), place.z()) / two_pi() + 0.5;
 }
 
 vec2 longitude_latitude(vec3 place) {
-    return {turns_of(place), atan(place.y(), length(place.xz())) / 3.141592653589793 + 0.5};
+    return {turns_of(place), atan(place.y(), length(place.xz())) / pi() + 0.5};
 }
 
 }  // namespace wrinkle::nodes

@@ -7,8 +7,6 @@
 namespace wrinkle::nodes {
 using namespace sdk;
 
-constexpr double turn = 6.283185307179586;  // times a fraction: sines of large angles are inexact
-
 struct Waves {
     vec2 uv;
     Float scale;
@@ -22,14 +20,15 @@ static Float number(int wave, int which) {
     return unit_float(hash(Int(wave), Int(which)));
 }
 
+// Both take 2 pi times a fraction, since sines of large angles are inexact.
 static Float plane_wave(const Waves& in, vec2 p, int wave) {
     const Float angle = radians(in.direction + in.spread * (number(wave, 0) - 0.5));
-    return sin(fract(dot(p, vec2(cos(angle), sin(angle))) + number(wave, 1) - in.phase) * turn);
+    return sin(fract(dot(p, vec2(cos(angle), sin(angle))) + number(wave, 1) - in.phase) * two_pi());
 }
 // A cosine, unlike a sine, is smooth at the centre of the rings.
 static Float ring_wave(const Waves& in, vec2 p, Float frequency, int wave) {
     const vec2 centre(number(wave, 0), number(wave, 1));
-    return cos(fract(length(p - centre * frequency) - in.phase) * turn);
+    return cos(fract(length(p - centre * frequency) - in.phase) * two_pi());
 }
 
 static constinit Node waves_list[] = {

@@ -1,6 +1,7 @@
 // Plain weave as a relief.
 #include <span>
 
+#include "nodes/constants.h"
 #include "nodes/footprint.h"
 #include "nodes/relief.h"
 
@@ -13,7 +14,7 @@ static auto thread_function() {
     return function("thread(p, side, width)", [](vec2 p, Float side, Float width) {
         const Float lane = floor(p.x());
         const Float across = (2 * (p.x() - lane) - 1) / width;
-        const Float above = side * cos(mod(p.y() - 0.5 + lane, 2.0) * 3.141592653589793);
+        const Float above = side * cos(mod(p.y() - 0.5 + lane, 2.0) * pi());
         return max(1 - across * across, 0) * (0.675 + 0.325 * above);
     });
 }
@@ -30,7 +31,7 @@ static constinit Node weave_list[] = {
             const vec2 p = uv * scale;
             const Float value = max(thread(p, 1, width), thread(p.yx(), -1, width));
             const Float mean = width * (0.917 - 0.271 * width);  // fitted to the mean of `value`
-            return relief_of(mix(mean, value, fade(footprint(p))), amplitude);
+            return relief_of(mix(mean_height(mean), value, fade(footprint(p))), amplitude);
         })};
 constinit std::span<Node> weave_nodes = weave_list;
 

@@ -47,12 +47,6 @@ bool refused(const Module& module, const EmitOptions& options, Shader& shader) {
     return !shader.problems.empty();
 }
 
-bool uses(const Module& module, Op op) {
-    for (Id id = 1; id < module.size(); ++id)
-        if (module[id].op == op) return true;
-    return false;
-}
-
 void write_texts(const Module& module, const EmitOptions& options, Shader& shader) {
     const EmitAnalysis analysis(module, options.target->language(),
                                 options.differentials == Differentials::given);
@@ -74,7 +68,7 @@ Shader emit(const Module& module, const EmitOptions& options) {
     Shader shader;
     if (refused(module, options, shader)) return shader;
     try {
-        if (options.target->language().has_mod || !uses(module, Op::mod_))
+        if (options.target->language().has_mod || !module.has(Op::mod_))
             write_texts(module, options, shader);
         else
             write_texts(without_mod(Module(module)), options, shader);

@@ -19,12 +19,12 @@ EmitAnalysis::EmitAnalysis(const Module& module, const Language& language, bool 
     operands_.reserve(module.size() * size_t{2});
     literals_.reserve(module.size());
     if (module.region_count() > 1) find_members();
-    walk();
     find_names();
+    walk();
     find_gradients();
 }
 
-// Selects one name per value: the first that is a node's output, else the first.
+// Selects one name per value: the first of a constant, else of a node's output, else the first.
 void EmitAnalysis::find_names() {
     const std::vector<Named>& named = module_->named;
     for (uint32_t i = 0; i < named.size(); ++i) {
@@ -37,7 +37,10 @@ void EmitAnalysis::find_names() {
             (is_sample((*module_)[inst.arg[0]].op) || (inst.level > 0 && single_call(inst.arg[0]))))
             value = inst.arg[0];
         uint32_t& name = values_[value].name;
-        if (name == 0 || (named[i].output && !named[name - 1].output)) name = i + 1;
+        const auto rank = [&](const Named& one) {
+            return !one.comment.empty() ? 2 : int(one.output);
+        };
+        if (name == 0 || rank(named[i]) > rank(named[name - 1])) name = i + 1;
     }
 }
 
@@ -171,11 +174,12 @@ void EmitAnalysis::use(Id id) {
         value.begin = static_cast<uint32_t>(literals_.size());
         append_literal(*language_, literals_, inst.type, inst.value);
         value.count = static_cast<uint32_t>(literals_.size()) - value.begin;
-        return;
+        return use_constant(id);
     }
     value.begin = static_cast<uint32_t>(operands_.size());
     list_operands(id);
     value.count = static_cast<uint32_t>(operands_.size()) - value.begin;
+    if (inst.op == Op::construct_) return use_constant(id);
     switch (inst.op) {
         case Op::input_:
             return use_input(inst.extra);
@@ -196,6 +200,15 @@ void EmitAnalysis::use(Id id) {
         default:
             return;
     }
+}
+
+// A short literal, as 0.5, needs no name.
+void EmitAnalysis::use_constant(Id id) {
+    constexpr size_t max_short = 4;
+    Value& value = values_[id];
+    value.constant = value.role == Role::leaf && value.name > 0 && !name(id)->comment.empty() &&
+                     (!value.literal || value.count > max_short);
+    if (value.constant) constants.push_back(id);
 }
 
 bool EmitAnalysis::finds_reads(const Inst& inst, std::span<const Id> operands) const {

@@ -66,14 +66,16 @@ public:
         const uint32_t name = values_[id].name;
         return name > 0 ? &module_->named[name - 1] : nullptr;
     }
+    // True for a leaf that is written as a named constant.
+    bool is_named_constant(Id id) const { return values_[id].constant; }
     // True if the value depends on a texture read. Such a value is not in surface_group
     // (emit/scope.h).
     bool reads_texture(Id id) const { return values_[id].reads; }
     // True for a gradient that a resolve subtracts from the normal, and for the terms of its sum.
     bool is_gradient(Id id) const { return values_[id].gradient; }
 
-    // Inputs, parameters, resources and functions that the outputs use. Resources and functions are
-    // in post-order from the outputs.
+    // Inputs, parameters, resources, constants and functions that the outputs use. The last three
+    // are in post-order from the outputs.
     std::array<bool, size_t{3} * surface_input_count> inputs_used{};  // by input_slot()
     std::vector<bool> parameters_used;  // by index in Module::parameters
     struct UsedResource {
@@ -81,6 +83,7 @@ public:
         uint32_t node;  // node of the first sample
     };
     std::vector<UsedResource> resources;
+    std::vector<Id> constants;        // that have a name
     std::vector<uint32_t> functions;  // regions, callees first
     bool reads_sizes = false;         // image_size is used
     bool implicit = false;            // derivatives: implicit-lod samples, differentials of inputs
@@ -103,10 +106,12 @@ private:
         VisitState met = VisitState::never;
         bool gradient = false;
         bool literal : 1 = false;
-        bool reads : 1 = false;  // reads a texture, directly or through an operand
+        bool reads : 1 = false;     // reads a texture, directly or through an operand
+        bool constant : 1 = false;  // a leaf with the name of a constant
     };
 
     void find_names();
+    void use_constant(Id id);
     void find_members();
     void walk();
     void use(Id id);

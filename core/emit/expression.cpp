@@ -68,6 +68,7 @@ private:
 
 int Writer::leaf_binding(Id id) const {
     const Inst& inst = m_[id];
+    if (analysis_.is_named_constant(id)) return name_precedence;
     switch (inst.op) {
         case Op::literal_:
             return is_negative_literal(inst.type, inst.value) ? prefix : name_precedence;
@@ -156,6 +157,11 @@ void Writer::input(Id id) {
 
 void Writer::leaf(Id id) {
     const Inst& inst = m_[id];
+    const Symbols& symbols = context_.values.symbols;
+    if (analysis_.is_named_constant(id)) {
+        text_.append(symbols.constants.at(id));
+        return;
+    }
     switch (inst.op) {
         case Op::literal_:
             text_.append(analysis_.literal(id));
@@ -164,7 +170,7 @@ void Writer::leaf(Id id) {
             input(id);
             break;
         case Op::parameter_:
-            text_.append(context_.values.symbols.parameters[inst.extra]);
+            text_.append(symbols.parameters[inst.extra]);
             break;
         case Op::region_param_:
             text_.append(context_.parameters[inst.level][inst.extra]);
@@ -275,8 +281,9 @@ void Writer::operand(Id id, size_t k, int least) {
     const Id own = operands[k], other = operands[1 - k];
     const bool broadcast = info(m_[id].op).rule == Rule::broadcast || m_[id].op == Op::div_;
     const bool splat = broadcast && analysis_.role(own) == Role::leaf &&
-                       m_[own].op == Op::construct_ && analysis_.is_splat(own) &&
-                       m_.type(other) == m_.type(own) && !m_.is_constant(other);
+                       !analysis_.is_named_constant(own) && m_[own].op == Op::construct_ &&
+                       analysis_.is_splat(own) && m_.type(other) == m_.type(own) &&
+                       !m_.is_constant(other);
     read(splat ? m_[own].arg[0] : own, least_in(id, own, least));
 }
 

@@ -78,6 +78,11 @@ void add_samplers(const EmitAnalysis& analysis, Interface& face) {
     }
 }
 
+void add_constants(const EmitAnalysis& analysis, Interface& face) {
+    for (const Id id : analysis.constants)
+        face.symbols.constants[id] = global_name(face, "", analysis.name(id)->name);
+}
+
 MemberInfo member(SurfaceInput input, Variant variant) {
     return {member_name(input, variant), info(input).type, input, variant, false};
 }
@@ -228,6 +233,7 @@ Interface make_interface(const EmitAnalysis& analysis, const EmitOptions& option
     add_functions(analysis, options, face);
     add_samplers(analysis, face);
     add_uniforms(analysis, face);
+    add_constants(analysis, face);
     add_members(analysis, options.differentials == Differentials::given, face.reflection);
     if (!face.reflection.members.empty() && language.arguments == Arguments::structs)
         face.reflection.struct_name = "WrinkleSurface_" + face.reflection.name;
@@ -290,13 +296,13 @@ void write_uniforms(const Module& module, const Language& language, const Reflec
         const uint32_t node = readers.empty() ? no_node : readers.front().node;
         const bool as_stored = sampler.options.srgb == SrgbDecoder::shader &&
                                sampler.options.encoding == Encoding::srgb;
-        const std::string declaration =
-            filled(language.image, {{'n', sampler.name},
-                                    {'s', std::to_string(sampler.binding.set)},
-                                    {'b', std::to_string(sampler.binding.binding)},
-                                    {'l', std::to_string(sampler.sampler_binding)},
-                                    {'h', sampler.options.decodes_texels() ? language.srgb_hint
-                                                                           : std::string_view()}});
+        const std::string declaration = filled(
+            language.image,
+            {{'n', sampler.name},
+             {'s', std::to_string(sampler.binding.set)},
+             {'b', std::to_string(sampler.binding.binding)},
+             {'l', std::to_string(sampler.sampler_binding)},
+             {'h', sampler.options.decodes_texels() ? language.srgb_hint : std::string_view()}});
         lines.comments.append(declaration.empty() ? sampler.name + ": " : "")
             .append(sampler.written)
             .append(" (")
@@ -325,8 +331,33 @@ void write_precision(const Target& target, Text& text) {
         if (!line.empty()) text.line(0, line);
 }
 
+static std::string constant_text(const EmitAnalysis& analysis, const Language& language, Id id) {
+    const Module& m = analysis.module();
+    if (m[id].op == Op::literal_) return std::string(analysis.literal(id));
+    std::string list;
+    for (const Id part : m.operands(id))
+        append_item(list, analysis.literal(part));
+    return std::string(language.type(m.type(id))) + "(" + list + ")";
+}
+
+static void write_constants(const EmitAnalysis& analysis, const Language& language,
+                            const Symbols& symbols, Text& text) {
+    CommentedLines lines;
+    for (const Id id : analysis.constants) {
+        append_filled(lines.code, language.global_constant,
+                      {{'t', language.type(analysis.module().type(id))},
+                       {'n', symbols.constants.at(id)},
+                       {'v', constant_text(analysis, language, id)}});
+        lines.comments.append(analysis.name(id)->comment);
+        lines.end_line();
+    }
+    constexpr size_t max_column = 64;
+    write(lines, 0, max_column, text);
+}
+
 void write_functions(const EmitAnalysis& analysis, const Interface& face, const Target& target,
                      Text& text) {
+    write_constants(analysis, target.language(), face.symbols, text);
     Values values(analysis, face.symbols);
     const std::string_view helper = target.language().image_size_helper;
     if (analysis.reads_sizes && !helper.empty()) {

@@ -71,6 +71,7 @@ struct Language {
     std::string_view infinity = "uintBitsToFloat(0x7f800000u)";
     std::string_view minus_infinity = "uintBitsToFloat(0xff800000u)";
 
+    std::string_view global_constant = "const $t $n = $v;";
     std::string_view constant = "$t $n = $v;";
     std::string_view variable = "$t $n = $v;";
     std::string_view unset = "$t $n;";

@@ -67,6 +67,7 @@ Language hlsl_language() {
     language.not_a_number = "asfloat(0x7fc00000u)";
     language.infinity = "asfloat(0x7f800000u)";
     language.minus_infinity = "asfloat(0xff800000u)";
+    language.global_constant = "static const $t $n = $v;";
     language.image =
         "Texture2D<float4> $n : register(t$b);\nSamplerState $n_sampler : register(s$b);";
     language.block = "cbuffer $n : register(b$b) {";

@@ -75,6 +75,7 @@ Language msl_language() {
     language.not_a_number = "as_type<float>(0x7fc00000u)";
     language.infinity = "as_type<float>(0x7f800000u)";
     language.minus_infinity = "as_type<float>(0xff800000u)";
+    language.global_constant = "constant $t $n = $v;";
     language.out_parameter = "thread $t& $n";
     language.function = "inline $t $n($v) {";
     language.no_value = "inline void $n($v) {";

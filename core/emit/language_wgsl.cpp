@@ -42,6 +42,7 @@ void set_wgsl_ops(Language& language) {
 }
 
 void set_wgsl_declarations(Language& language) {
+    language.global_constant = "const $n: $t = $v;";
     language.constant = "let $n = $v;";
     language.variable = "var $n = $v;";
     language.unset = "var $n: $t;";

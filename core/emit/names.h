@@ -22,6 +22,7 @@ struct Symbols {
     std::vector<std::string> resources;   // by index in Module::resources
     std::vector<std::string> functions;   // by region
     std::string prefix;                   // begins the name of each function
+    std::unordered_map<Id, std::string> constants;
     // By region, where functions take the images and the block of numbers that they use: those
     // parameters, and the arguments of a call.
     std::vector<std::string> resource_parameters, resource_arguments;

@@ -35,6 +35,7 @@ constexpr auto own_widths = [] {
 
 }  // namespace
 
+// A named constant counts as its literal, so that statements do not depend on the material's name.
 uint32_t leaf_width(const EmitAnalysis& analysis, const Symbols& symbols, Id leaf) {
     const Module& m = analysis.module();
     const Inst& inst = m[leaf];

@@ -20,6 +20,10 @@ namespace {
 // FLT_EPSILON: keeps SurfgradFromPerturbedNormal finite where the normal lies in the tangent plane.
 constexpr double min_cosine = 1.1920929e-7;
 
+constexpr std::string_view cosine_name = "min_cosine // between the normal and one in its plane";
+constexpr std::string_view ratio_name = "min_ratio // of z to x and y: slopes are at most 128";
+constexpr std::string_view depth_name = "min_z // of a normal map: the zero vector is flat";
+
 struct Derivative {
     Value slope;  // in the uv; normals: xy, and the slope is -xy strength / depth
     Frame frame;
@@ -100,7 +104,7 @@ GradientSum Expander::from_normal(Value n, Value v) {
     GradientSum::Term& term = result.pending.emplace_back();
     term.numerator.rest = v;
     term.numerator.along = -k;
-    term.denominator = max(abs(k), min_cosine / factor);
+    term.denominator = max(abs(k), constant(cosine_name, k, min_cosine / factor));
     return result;
 }
 
@@ -109,8 +113,8 @@ Derivative Expander::normal_derivative(Value m, Value strength, const Frame& fra
     double factor = 1;
     m = strip_positive_factor(m, factor);
     const Value widest = max(abs(m.x()), abs(m.y()));
-    const Value least = named("least_depth", widest * (1 / max_slope));
-    const Value depth = max(max(abs(m.z()), least), min_depth / factor);
+    const Value least = named("least_depth", widest * constant(ratio_name, m, 1 / max_slope));
+    const Value depth = max(max(abs(m.z()), least), constant(depth_name, m, min_depth / factor));
     const Value xy = variance ? variance->tangent_normal(m, depth, factor) : m.xy();
     return {xy, frame, strength, named("depth", depth)};
 }

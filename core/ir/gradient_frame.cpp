@@ -13,12 +13,10 @@ constexpr uint32_t bit(SurfaceInput input) {
 constexpr uint32_t all_uv_sets = bit(SurfaceInput::uv0_) | bit(SurfaceInput::uv1_) |
                                  bit(SurfaceInput::uv2_) | bit(SurfaceInput::uv3_);
 
-// Squared lengths and determinants below this count as zero; well under (pixel size)^4 of any
-// sensible scene.
-constexpr double tiny_square = 1e-36;
 // Least squared sine of the angle between a guessed tangent and the normal; far above the rounding
 // of floats.
 constexpr double min_sine_square = 1e-10;
+constexpr std::string_view sine_name = "min_sine_square // between a tangent and the normal";
 
 // Returns the uv set if the inputs are exactly one uv set.
 std::optional<SurfaceInput> single_uv_set(uint32_t dependencies) {
@@ -35,7 +33,7 @@ void change_basis_to_set(Module& target, ScreenDerivatives& screen, Id uv, Surfa
     const Value u = screen.along(axis_of_uv(set, 0), uv);
     const Value v = screen.along(axis_of_uv(set, 1), uv);
     const Value det = abs(u.x() * v.y() - u.y() * v.x());
-    const Value scale = select(greater(det, 0), inversesqrt(max(det, tiny_square)), number(u, 0));
+    const Value scale = select(greater(det, 0), inversesqrt(max(det, min_area(det))), number(u, 0));
     frame.row_u = vec2(u.x() * scale, u.y() * scale);
     frame.row_v = vec2(v.x() * scale, v.y() * scale);
 }
@@ -112,7 +110,7 @@ TangentBasis derived_basis(Module& target, Id uv, ScreenDerivatives& screen,
     const Value along = call("direction", p_x * uv_y.y() - p_y * uv_x.y());
     const Value b = call("bitangent", cross(n, along));
     const Value t = call("tangent", cross(b, n));
-    const Value scale = call("scale", inversesqrt(max(dot(b, b), tiny_square)));
+    const Value scale = call("scale", inversesqrt(max(dot(b, b), min_area(b))));
     return {t, b, scale * sign_nonzero(det), scale * flip};
 }
 
@@ -122,8 +120,8 @@ TangentBasis guessed_basis(Module& target, Id direction) {
     const Value part = d - n * dot(n, d);
     // A direction along n leaves only rounding errors, which define no tangent.
     const Value square = dot(part, part);
-    const Value seen = greater(square - dot(d, d) * min_sine_square, 0);
-    const Value scale = select(seen, inversesqrt(max(square, tiny_square)), number(n, 0));
+    const Value seen = greater(square - dot(d, d) * constant(sine_name, d, min_sine_square), 0);
+    const Value scale = select(seen, inversesqrt(max(square, min_area(square))), number(n, 0));
     return {part, cross(n, d), scale, scale};
 }
 

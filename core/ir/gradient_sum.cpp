@@ -7,14 +7,11 @@
 namespace wrinkle {
 namespace {
 
-// A determinant of screen differentials is an area of order (pixel size)^2; a higher floor would
-// flatten bumps seen from a short distance.
-constexpr double min_area = 1e-36;
-
 // Added along z to normals resolved on vertex tangents, at the cost of one addition. Lost in
 // rounding, unless a tangent along the normal cancels the normal entirely. Its square is a normal
 // float.
 constexpr double min_normal = 1e-18;
+constexpr std::string_view min_normal_name = "min_normal // of a tangent along the normal";
 
 bool on_vertex_tangents(const Slopes::Slot& slot) {
     return slot.basis.basis == Basis::vertex;
@@ -120,7 +117,7 @@ Value GradientAlgebra::screen_gradient(Value slope) {
     const Value area{target_, screen_area(*target_)};
     // A pixel of zero area gives a flat gradient.
     const Value inverse =
-        surface_named("inverse_area", op(Op::sign_, area) / max(abs(area), min_area));
+        surface_named("inverse_area", op(Op::sign_, area) / max(abs(area), min_area(area)));
     Value factor = inverse;
     const Value change = without_factor(slope, factor);
     const Value per_area = named("per_area", change * factor);
@@ -194,7 +191,7 @@ Value GradientAlgebra::resolve(const GradientSum& sum, Value facing, Value sign,
     if (!may_vanish) return normalize(bumped);
     named("gradient", gamma.vec);
     named("bumped", bumped);
-    return normalize(vec3(bumped.xy(), bumped.z() + number(bumped, min_normal)));
+    return normalize(vec3(bumped.xy(), bumped.z() + constant(min_normal_name, bumped, min_normal)));
 }
 
 }  // namespace wrinkle

@@ -14,6 +14,7 @@ namespace {
 
 // Footprints below a millionth of a texel are clamped; they are on the finest level too.
 constexpr double min_footprint = 9.094947017729282e-13;  // 2^-40
+constexpr std::string_view footprint_name = "min_footprint // in squared texels, 2^-40";
 
 struct LodWriter {
     std::optional<ForwardDiff> x, y;
@@ -66,7 +67,7 @@ Id sample_lod_of(Module& module, uint32_t resource, Id uv_dx, Id uv_dy) {
     const Value size{&module, module.add(Op::image_size_, {}, resource)};
     const Value x = size * Value{&module, uv_dx};
     const Value y = size * Value{&module, uv_dy};
-    const Value square = max(max(dot(x, x), dot(y, y)), min_footprint);
+    const Value square = max(max(dot(x, x), dot(y, y)), constant(footprint_name, x, min_footprint));
     return (op(Op::log2_, square) * 0.5).id;
 }
 

@@ -54,7 +54,8 @@ struct Named {
     std::string name;      // "gradient"
     bool output;           // an output of that node: a separate statement; preferred to other names
     bool derived = false;  // made from the name of the value of which it is the derivative
-    bool unshared = false;  // several nodes name it alike, and it stays with the first
+    bool unshared = false;     // several nodes name it alike, and it stays with the first
+    std::string comment = {};  // if not empty, the value is a constant of the generated source
 };
 
 struct ModuleOutput {

@@ -7,6 +7,7 @@ namespace wrinkle {
 namespace {
 
 constexpr double tiny_volume = 1e-30;
+constexpr std::string_view volume_name = "min_volume // of the frame: smaller ones are flat";
 
 Value times(Value vector, Value factor) {
     return factor ? vector * factor : vector;
@@ -29,7 +30,8 @@ Value in_tangent_space(Module& module, Value normal, bool vertex_tangents) {
     const Value m = vec3(dot(normal, cross(b, n)) * side, dot(normal, cross(n, t)) * side,
                          dot(normal, cross(t, b)) * side);
     const Value up = vec3(number(m, 0), number(m, 0), number(m, 1));
-    return select(greater(abs(volume), tiny_volume), normalize(m), up);
+    return select(greater(abs(volume), constant(volume_name, volume, tiny_volume)), normalize(m),
+                  up);
 }
 
 Module with_tangent_space_normals(Module module, bool vertex_tangents) {

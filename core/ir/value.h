@@ -44,6 +44,15 @@ inline Value op(Op o, Value a, Value b, Value c) {
 inline Value number(Value like, double value) {
     return {like.module, like.module->number(value)};
 }
+// A constant with a name and a comment in generated source: "min_area // why".
+inline Value constant(std::string_view name, Value like, double value) {
+    return surface_named(name, number(like, value));
+}
+// Areas and squared lengths below it count as zero. It is well under (pixel size)^4 of any sensible
+// scene: a higher floor would flatten bumps seen from a short distance.
+inline Value min_area(Value like) {
+    return constant("min_area // smaller areas and squared lengths are zero", like, 1e-36);
+}
 inline Value vec3(Value xy, Value z) {
     return {xy.module, xy.module->construct(Type::vec3_, {xy.id, z.id})};
 }
@@ -123,8 +132,11 @@ inline Value sign_nonzero(Value a) {
 inline Value detach(Value a) {
     return op(Op::detach_, a);
 }
+inline Value greater(Value a, Value b) {
+    return op(Op::gt_, a, b);
+}
 inline Value greater(Value a, double b) {
-    return op(Op::gt_, a, number(a, b));
+    return greater(a, number(a, b));
 }
 inline Value select(Value condition, Value a, Value b) {
     return op(Op::select_, condition, a, b);

@@ -344,11 +344,12 @@ private:
     }
 
     void name(wr_value value, const char* name) {
-        if (value != poison && value < module_.size() && is_plain(name))
+        constexpr size_t max_commented = 160;
+        if (value != poison && value < module_.size() && is_plain(name, max_commented))
             module_.name(value, module_.current_node, name);
     }
-    static bool is_plain(const char* name) {
-        return name && strnlen(name, max_name + 1) <= max_name && is_utf8(name);
+    static bool is_plain(const char* name, size_t most = max_name) {
+        return name && strnlen(name, most + 1) <= most && is_utf8(name);
     }
 
     void error(const char* text) { refuse(text ? plugin_text(text) : "reports an error", ""); }

@@ -10,23 +10,27 @@ struct WrinkleMaterial_base_and_detail {
 };
 uniform sampler2D base_and_detail_base_image;    // textures/rivets_normal.png (normal_gl, repeat)
 uniform sampler2D base_and_detail_detail_image;  // textures/weave_normal.png (normal_gl, repeat)
+const float base_and_detail_min_ratio = 0.0078125;  // of z to x and y: slopes are at most 128
+const float base_and_detail_min_z = 5e-07;          // of a normal map: the zero vector is flat
+const float base_and_detail_min_normal = 1e-18;     // of a tangent along the normal
 
 WrinkleMaterial_base_and_detail wrinkle_base_and_detail(WrinkleSurface_base_and_detail s) {
     // base: Tangent normal map
     vec3 base_texel = texture(base_and_detail_base_image, s.uv0).xyz - 0.5;
-    float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
-    float base_depth = max(max(abs(base_texel.z), base_least_depth), 5e-07);
+    float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * base_and_detail_min_ratio;
+    float base_depth = max(max(abs(base_texel.z), base_least_depth), base_and_detail_min_z);
     vec2 tile_uv = s.uv0 * 8.0;  // tile: UV transform
     // detail: Tangent normal map
     vec3 detail_texel = texture(base_and_detail_detail_image, tile_uv).xyz - 0.5;
-    float detail_least_depth = max(abs(detail_texel.x), abs(detail_texel.y)) * 0.0078125;
-    float detail_depth = max(max(abs(detail_texel.z), detail_least_depth), 5e-07);
+    float detail_least_depth = max(abs(detail_texel.x), abs(detail_texel.y)) *
+            base_and_detail_min_ratio;
+    float detail_depth = max(max(abs(detail_texel.z), detail_least_depth), base_and_detail_min_z);
     vec3 normal_raised = s.normal * (base_depth * detail_depth * s.facing);  // normal: Resolve
     vec2 normal_slope = base_texel.xy * detail_depth + detail_texel.xy * 0.5 * base_depth;
     float normal_slope_v = normal_slope.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * normal_slope_v;
     vec3 normal_bumped = normal_raised + (s.tangent.xyz * normal_slope.x + normal_along_v);
     WrinkleMaterial_base_and_detail m;
-    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + base_and_detail_min_normal));
     return m;
 }

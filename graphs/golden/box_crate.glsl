@@ -9,6 +9,9 @@ struct WrinkleMaterial_box_crate {
     vec3 normal;  // unit normal, object space
 };
 uniform sampler2D box_crate_g_image;  // textures/rivets_normal.png (normal_gl, repeat)
+const float box_crate_min_ratio = 0.0078125;  // of z to x and y: slopes are at most 128
+const float box_crate_min_z = 5e-07;          // of a normal map: the zero vector is flat
+const float box_crate_min_area = 1e-36;       // smaller areas and squared lengths are zero
 
 WrinkleMaterial_box_crate wrinkle_box_crate(WrinkleSurface_box_crate s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -50,11 +53,12 @@ WrinkleMaterial_box_crate wrinkle_box_crate(WrinkleSurface_box_crate s) {
     // g: Tangent normal map
     vec4 g_texel = textureGrad(box_crate_g_image, sides_uv, sides_uv_dx, sides_uv_dy);
     vec3 g_texel_2 = g_texel.xyz - 0.5;
-    float g_least_depth = max(abs(g_texel_2.x), abs(g_texel_2.y)) * 0.0078125;
+    float g_least_depth = max(abs(g_texel_2.x), abs(g_texel_2.y)) * box_crate_min_ratio;
     // normal: Resolve
-    float normal_product = max(max(abs(g_texel_2.z), g_least_depth), 5e-07) * s.facing;
+    float normal_product = max(max(abs(g_texel_2.z), g_least_depth), box_crate_min_z) * s.facing;
     vec3 normal_bitangent = cross(normal, dpdx * sides_uv_dy_2.y - dpdy * sides_uv_dx_2.y);
-    float normal_scale = inversesqrt(max(dot(normal_bitangent, normal_bitangent), 1e-36));
+    float normal_scale = inversesqrt(max(dot(normal_bitangent, normal_bitangent),
+            box_crate_min_area));
     float normal_det = sides_uv_dx_2.x * sides_uv_dy_2.y - sides_uv_dy_2.x * sides_uv_dx_2.y;
     float normal_slope_u = g_texel_2.x * (normal_scale * (normal_det < 0.0 ? -1.0 : 1.0));
     vec3 normal_along_u = cross(normal_bitangent, normal) * normal_slope_u;

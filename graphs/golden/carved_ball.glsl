@@ -10,17 +10,19 @@ struct WrinkleMaterial_carved_ball {
     vec3 normal;  // unit normal, object space
 };
 uniform sampler2D carved_ball_carving_image;  // textures/ball_object.png (normal_gl, repeat)
+const float carved_ball_min_cosine = 5.9604645e-08;               // between the normal and one in its plane
+const vec3 carved_ball_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
 
-uint wrinkle_carved_ball_hash(uint x) {
+uint wrinkle_carved_ball_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_carved_ball_hash3(vec3 cell) {
-    uint z = wrinkle_carved_ball_hash(uint(int(cell.z)));
-    uint yz = wrinkle_carved_ball_hash(uint(int(cell.y)) + z);
-    return wrinkle_carved_ball_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_carved_ball_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_carved_ball_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_carved_ball_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_carved_ball_gradient_corner(vec3 corner, vec3 way) {
@@ -72,7 +74,7 @@ vec3 wrinkle_carved_ball_fbm_slope(vec3 point, float width, float scale, int oct
     float total = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + carved_ball_octave_offset * float(i);
         vec4 noise = wrinkle_carved_ball_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -88,7 +90,7 @@ WrinkleMaterial_carved_ball wrinkle_carved_ball(WrinkleSurface_carved_ball s) {
     // carving: Object normal map
     vec3 carving_texel = texture(carved_ball_carving_image, s.uv0).xyz - 0.5;
     float carving_dot_product = dot(normal, carving_texel);
-    float carving_greatest = max(abs(carving_dot_product), 5.9604645e-08);
+    float carving_greatest = max(abs(carving_dot_product), carved_ball_min_cosine);
     // grain: Gradient noise
     float grain_width = max(length(dFdx(s.position_relative)), length(dFdy(s.position_relative)));
     vec3 grain_slope = wrinkle_carved_ball_fbm_slope(s.position, grain_width, 24.0, 3, 2.0, 0.5) *

@@ -10,6 +10,10 @@ struct WrinkleMaterial_combed_cloth {
 };
 uniform sampler2D combed_cloth_cloth_image;  // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D combed_cloth_comb_image;   // textures/rivets_normal.png (normal_gl, repeat)
+const float combed_cloth_min_ratio = 0.0078125;    // of z to x and y: slopes are at most 128
+const float combed_cloth_min_z = 5e-07;            // of a normal map: the zero vector is flat
+const float combed_cloth_min_sine_square = 1e-10;  // between a tangent and the normal
+const float combed_cloth_min_area = 1e-36;         // smaller areas and squared lengths are zero
 
 WrinkleMaterial_combed_cloth wrinkle_combed_cloth(WrinkleSurface_combed_cloth s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
@@ -17,7 +21,7 @@ WrinkleMaterial_combed_cloth wrinkle_combed_cloth(WrinkleSurface_combed_cloth s)
     vec2 tile_uv = s.uv0 * vec2(10.0, 5.0);  // tile: UV transform
     // cloth: Tangent normal map
     vec3 cloth_texel = texture(combed_cloth_cloth_image, tile_uv).xyz - 0.5;
-    float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
+    float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * combed_cloth_min_ratio;
     vec3 vectors_tangent = s.tangent.xyz * inverse_normal_length;  // vectors: Tangent frame
     float vectors_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
     // comb: Tangent map
@@ -26,11 +30,14 @@ WrinkleMaterial_combed_cloth wrinkle_combed_cloth(WrinkleSurface_combed_cloth s)
     vec3 comb_direction = s.tangent.xyz * (comb_texel.x * inverse_normal_length) + comb_along_v;
     vec3 lean_vector = vectors_tangent + comb_direction;  // lean: Add vec3
     // normal: Resolve
-    float normal_product = max(max(abs(cloth_texel.z), cloth_least_depth), 5e-07) * s.facing;
+    float normal_product = max(max(abs(cloth_texel.z), cloth_least_depth), combed_cloth_min_z) *
+            s.facing;
     vec3 normal_difference = lean_vector - normal * dot(normal, lean_vector);
     float normal_dot_product = dot(normal_difference, normal_difference);
-    bool normal_test = normal_dot_product - dot(lean_vector, lean_vector) * 1e-10 > 0.0;
-    float normal_choice = normal_test ? inversesqrt(max(normal_dot_product, 1e-36)) : 0.0;
+    bool normal_test = normal_dot_product -
+            dot(lean_vector, lean_vector) * combed_cloth_min_sine_square > 0.0;
+    float normal_choice = normal_test ?
+            inversesqrt(max(normal_dot_product, combed_cloth_min_area)) : 0.0;
     vec3 normal_along_u = normal_difference * (cloth_texel.x * 1.4142135 * normal_choice);
     float normal_slope_v = cloth_texel.y * 0.70710677 * normal_choice;
     vec3 normal_sum = normal_along_u + cross(normal, lean_vector) * normal_slope_v;

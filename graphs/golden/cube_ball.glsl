@@ -9,6 +9,7 @@ struct WrinkleMaterial_cube_ball {
     vec3 normal;  // unit normal, object space
 };
 uniform sampler2D cube_ball_g_image;  // textures/ball_cube.png (normal_gl, repeat)
+const float cube_ball_min_cosine = 5.9604645e-08;  // between the normal and one in its plane
 
 WrinkleMaterial_cube_ball wrinkle_cube_ball(WrinkleSurface_cube_ball s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -58,7 +59,8 @@ WrinkleMaterial_cube_ball wrinkle_cube_ball(WrinkleSurface_cube_ball s) {
     vec3 g_texel = textureGrad(cube_ball_g_image, g_at, g_at_dx, g_at_dy).xyz - 0.5;
     float g_dot_product = dot(normal, g_texel);
     // normal: Resolve
-    float normal_difference = max(abs(g_dot_product), 5.9604645e-08) * s.facing - g_dot_product;
+    float normal_difference = max(abs(g_dot_product), cube_ball_min_cosine) * s.facing -
+            g_dot_product;
     vec3 normal_sum = normal * normal_difference + g_texel;
     WrinkleMaterial_cube_ball m;
     m.normal = normalize(normal_sum);

@@ -9,6 +9,7 @@ struct WrinkleMaterial_cylinder_tower {
     vec3 normal;  // unit normal, object space
 };
 uniform sampler2D cylinder_tower_g_image;  // textures/bricks_height.png (linear, repeat)
+const float cylinder_tower_two_pi = 6.2831855;  // a turn, in radians
 
 vec2 wrinkle_cylinder_tower_smooth_slope(vec2 at, vec2 texel) {
     vec4 upper_right = textureLod(cylinder_tower_g_image, at + texel, 0.0);
@@ -30,19 +31,22 @@ WrinkleMaterial_cylinder_tower wrinkle_cylinder_tower(WrinkleSurface_cylinder_to
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     bool round_test = abs(s.position.z) + abs(s.position.x) > 0.0;  // round: Cylinder UV
-    float round_sum = (round_test ? atan(s.position.x, s.position.z) : 0.0) / 6.2831855 + 0.5;
+    float round_sum = (round_test ? atan(s.position.x, s.position.z) : 0.0) /
+            cylinder_tower_two_pi + 0.5;
     vec2 round_uv = vec2(round_sum, s.position.y);
     float round_sum_2 = s.position.x * s.position.x + s.position.z * s.position.z;
     float round_choice = round_sum_2 > 0.0 ? 1.0 / round_sum_2 : 0.0;
     float round_product = (dpdx.x * s.position.z - dpdx.z * s.position.x) * round_choice;
-    vec2 round_uv_dx = vec2((round_test ? round_product : 0.0) / 6.2831855, dpdx.y);
+    vec2 round_uv_dx = vec2((round_test ? round_product : 0.0) / cylinder_tower_two_pi, dpdx.y);
     float round_product_2 = (dpdy.x * s.position.z - dpdy.z * s.position.x) * round_choice;
-    vec2 round_uv_dy = vec2((round_test ? round_product_2 : 0.0) / 6.2831855, dpdy.y);
+    vec2 round_uv_dy = vec2((round_test ? round_product_2 : 0.0) / cylinder_tower_two_pi, dpdy.y);
     vec2 tile_uv = round_uv * vec2(8.0, 1.2);  // tile: UV transform
     vec2 tile_uv_dx = round_uv_dx * vec2(8.0, 1.2);
     vec2 tile_uv_dy = round_uv_dy * vec2(8.0, 1.2);
-    float tile_product = (round_test ? s.position.z * round_choice : 0.0) / 6.2831855 * 8.0;
-    float tile_product_2 = (round_test ? -s.position.x * round_choice : 0.0) / 6.2831855 * 8.0;
+    float tile_product = (round_test ? s.position.z * round_choice : 0.0) / cylinder_tower_two_pi *
+            8.0;
+    float tile_product_2 = (round_test ? -s.position.x * round_choice : 0.0) /
+            cylinder_tower_two_pi * 8.0;
     vec2 g_size = vec2(textureSize(cylinder_tower_g_image, 0));  // g: Height map
     vec2 g_texels_dx = tile_uv_dx * g_size;
     vec2 g_texels_dy = tile_uv_dy * g_size;

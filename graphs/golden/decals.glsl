@@ -11,17 +11,20 @@ struct WrinkleMaterial_decals {
 uniform sampler2D decals_bricks_image;  // textures/bricks_height.png (linear, repeat)
 uniform sampler2D decals_weave_image;   // textures/weave_height.png (linear, repeat)
 uniform sampler2D decals_ball_image;    // textures/ball_cube.png (normal_gl, repeat)
+const vec3 decals_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const float decals_nearest = 1e-06;                          // distance from the projector
+const float decals_min_ratio = 0.0078125;                    // slopes are at most 128
 
-uint wrinkle_decals_hash(uint x) {
+uint wrinkle_decals_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_decals_hash3(vec3 cell) {
-    uint z = wrinkle_decals_hash(uint(int(cell.z)));
-    uint yz = wrinkle_decals_hash(uint(int(cell.y)) + z);
-    return wrinkle_decals_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_decals_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_decals_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_decals_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_decals_gradient_corner(vec3 corner, vec3 way) {
@@ -73,7 +76,7 @@ vec3 wrinkle_decals_fbm_slope(vec3 point, float width, float scale, int octaves,
     float total = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + decals_octave_offset * float(i);
         vec4 noise = wrinkle_decals_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -122,7 +125,7 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     float slide_sum = slide_way.x * 0.9103665 + slide_way.z * 0.41380295;
     float slide_dot_product = dot(slide_way, vec3(0.15822151, 0.9240136, -0.3480873));
     float slide_ahead = -dot(slide_way, vec3(-0.38235956, 0.38235956, 0.84119105));
-    float slide_wide = max(slide_ahead, 1e-06) * 0.23086819;
+    float slide_wide = max(slide_ahead, decals_nearest) * 0.23086819;
     vec2 slide_across = vec2(slide_sum, slide_dot_product) / slide_wide;
     float slide_difference = 1.0 - smoothstep(0.9, 1.0, length(slide_across));
     float slide_product = slide_difference * (1.0 - smoothstep(0.9, 1.0, slide_ahead / 4.0));
@@ -130,11 +133,11 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec3 slide_choice = dot(slide_way, slide_way) > 0.0 ? normalize(slide_way) : vec3(0.0);
     float slide_clamped = clamp(dot(slide_product_2, -slide_choice), 0.0, 1.0);
     float slide_choice_2 = slide_clamped > 0.0 ? pow(slide_clamped, 0.2) : 0.0;
-    float slide_attenuation = slide_product * step(1e-06, slide_ahead) * slide_choice_2;
+    float slide_attenuation = slide_product * step(decals_nearest, slide_ahead) * slide_choice_2;
     vec2 slide_uv = slide_across * 0.5 + 0.5;
     vec2 slide_side_dx = vec2(slide_way_dx.x * 0.9103665 + slide_way_dx.z * 0.41380295,
             dot(slide_way_dx, vec3(0.15822151, 0.9240136, -0.3480873)));
-    bool slide_test = slide_ahead < 1e-06;
+    bool slide_test = slide_ahead < decals_nearest;
     float slide_ahead_slope_dx = -dot(slide_way_dx, vec3(-0.38235956, 0.38235956, 0.84119105));
     vec2 slide_product_3 = (slide_test ? 0.0 : slide_ahead_slope_dx) * 0.23086819 * slide_across;
     vec2 slide_side_dy = vec2(slide_way_dy.x * 0.9103665 + slide_way_dy.z * 0.41380295,
@@ -277,7 +280,8 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec3 ball_texel = textureGrad(decals_ball_image, ball_at, ball_at_dx, ball_at_dy).xyz - 0.5;
     vec3 ball_texel_2 = ball_texel * 2.0;
     float ball_outward = dot(hit_direction, ball_texel_2);
-    float ball_greatest = max(abs(ball_outward), max(length(ball_texel_2) / 128.0, 1e-06));
+    float ball_greatest = max(abs(ball_outward),
+            max(length(ball_texel_2) * decals_min_ratio, decals_nearest));
     vec3 ball_volume = (hit_direction * ball_outward - ball_texel_2) / ball_greatest;
     vec3 with_dent_product = with_weave_sum * (1.0 - hit_attenuation);  // with_dent: Masked decal
     vec3 with_dent_difference = with_dent_product - ball_volume * hit_attenuation;

@@ -13,17 +13,22 @@ struct WrinkleMaterial_everything {
 uniform sampler2D everything_carving_image;  // textures/ball_object.png (normal_gl, repeat)
 uniform sampler2D everything_cloth_image;    // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D everything_bricks_image;   // textures/bricks_height.png (linear, repeat)
+const float everything_min_cosine = 5.9604645e-08;               // between the normal and one in its plane
+const float everything_min_ratio = 0.0078125;                    // of z to x and y: slopes are at most 128
+const float everything_min_z = 5e-07;                            // of a normal map: the zero vector is flat
+const vec3 everything_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const float everything_min_area = 1e-36;                         // smaller areas and squared lengths are zero
 
-uint wrinkle_everything_hash(uint x) {
+uint wrinkle_everything_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_everything_hash3(vec3 cell) {
-    uint z = wrinkle_everything_hash(uint(int(cell.z)));
-    uint yz = wrinkle_everything_hash(uint(int(cell.y)) + z);
-    return wrinkle_everything_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_everything_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_everything_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_everything_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_everything_gradient_corner(vec3 corner, vec3 way) {
@@ -75,7 +80,7 @@ vec3 wrinkle_everything_fbm_slope(vec3 point, float width, float scale, int octa
     float total = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + everything_octave_offset * float(i);
         vec4 noise = wrinkle_everything_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -108,21 +113,21 @@ WrinkleMaterial_everything wrinkle_everything(WrinkleSurface_everything s) {
     vec2 duv1_dy = dFdy(s.uv1);
     vec2 duv1_dx = dFdx(s.uv1);
     vec3 uv1_bitangent = cross(normal, dpdx * duv1_dy.y - dpdy * duv1_dx.y);
-    float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), 1e-36));
+    float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), everything_min_area));
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    float inverse_area = sign(screen_area) / max(abs(screen_area), 1e-36);
+    float inverse_area = sign(screen_area) / max(abs(screen_area), everything_min_area);
     // carving: Object normal map
     vec3 carving_texel = texture(everything_carving_image, s.uv0).xyz - 0.5;
     float carving_dot_product = dot(normal, carving_texel);
-    float carving_greatest = max(abs(carving_dot_product), 5.9604645e-08);
+    float carving_greatest = max(abs(carving_dot_product), everything_min_cosine);
     vec2 cloth_uv_product = s.uv1 * 10.0;  // cloth_uv: UV transform
     float cloth_uv_difference = 0.9396926 * cloth_uv_product.x - 0.34202015 * cloth_uv_product.y;
     float cloth_uv_sum = 0.34202015 * cloth_uv_product.x + 0.9396926 * cloth_uv_product.y;
     vec2 cloth_uv_uv = vec2(cloth_uv_difference, cloth_uv_sum);
     // cloth: Tangent normal map
     vec3 cloth_texel = texture(everything_cloth_image, cloth_uv_uv).xyz - 0.5;
-    float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
-    float cloth_depth = max(max(abs(cloth_texel.z), cloth_least_depth), 5e-07);
+    float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * everything_min_ratio;
+    float cloth_depth = max(max(abs(cloth_texel.z), cloth_least_depth), everything_min_z);
     vec2 cloth_texel_2 = cloth_texel.x * vec2(0.9396926, -0.34202015);
     float grain_width = max(length(dpdx), length(dpdy));  // grain: Gradient noise
     vec3 grain_slope = wrinkle_everything_fbm_slope(s.position, grain_width, 30.0, 2, 2.0, 0.5) *

@@ -11,6 +11,7 @@ struct WrinkleMaterial_facing_bricks {
     vec3 unturned;
 };
 uniform sampler2D facing_bricks_bricks_image;  // textures/bricks_height.png (linear, repeat)
+const float facing_bricks_min_area = 1e-36;  // smaller areas and squared lengths are zero
 
 vec2 wrinkle_facing_bricks_smooth_slope(vec2 at, vec2 texel) {
     vec4 upper_right = textureLod(facing_bricks_bricks_image, at + texel, 0.0);
@@ -53,7 +54,7 @@ WrinkleMaterial_facing_bricks wrinkle_facing_bricks(WrinkleSurface_facing_bricks
     float bricks_dot_product_2 = dot(bricks_slope_2, bricks_texels_dx);
     // bumped: Resolve
     vec2 bumped_vector = vec2(bricks_dot_product_2, dot(bricks_slope_2, bricks_texels_dy));
-    float bumped_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.12;
+    float bumped_product = sign(screen_area) / max(abs(screen_area), facing_bricks_min_area) * 0.12;
     vec2 bumped_per_area = bumped_vector * bumped_product;
     vec3 bumped_gradient = cross(normal, dpdx * bumped_per_area.y - dpdy * bumped_per_area.x);
     vec3 bumped_normal = normalize(normal * s.facing - bumped_gradient);

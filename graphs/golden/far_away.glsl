@@ -12,6 +12,10 @@ struct WrinkleMaterial_far_away {
 uniform sampler2D far_away_weave_image;      // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D far_away_pebbles_slopes;   // textures/pebbles_slopes.png (derivative, repeat)
 uniform sampler2D far_away_pebbles_moments;  // textures/pebbles_moments.png (derivative, repeat)
+const float far_away_min_ratio = 0.0078125;         // of z to x and y: slopes are at most 128
+const float far_away_min_z = 5e-07;                 // of a normal map: the zero vector is flat
+const float far_away_min_normal = 1e-18;            // of a tangent along the normal
+const float far_away_min_footprint = 9.094947e-13;  // in squared texels, 2^-40
 
 WrinkleMaterial_far_away wrinkle_far_away(WrinkleSurface_far_away s) {
     vec2 tile_uv = s.uv0 * 4.0;  // tile: UV transform
@@ -19,8 +23,8 @@ WrinkleMaterial_far_away wrinkle_far_away(WrinkleSurface_far_away s) {
     vec2 tile_uv_dy = dFdy(s.uv0) * 4.0;
     // weave: Tangent normal map
     vec3 weave_texel = texture(far_away_weave_image, tile_uv).xyz - 0.5;
-    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * far_away_min_ratio;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), far_away_min_z);
     vec2 weave_slope = weave_texel.xy / weave_depth;
     vec3 weave_vector = vec3(weave_slope * weave_slope + 1.0, weave_slope.x * weave_slope.y);
     vec2 weave_size = vec2(textureSize(far_away_weave_image, 0));
@@ -28,7 +32,7 @@ WrinkleMaterial_far_away wrinkle_far_away(WrinkleSurface_far_away s) {
     float weave_dot_product = dot(weave_product, weave_product);
     vec2 weave_product_2 = weave_size * tile_uv_dy;
     float weave_greatest = max(weave_dot_product, dot(weave_product_2, weave_product_2));
-    float weave_minified = clamp(log2(max(weave_greatest, 9.094947e-13)) * 0.5, 0.0, 1.0);
+    float weave_minified = clamp(log2(max(weave_greatest, far_away_min_footprint)) * 0.5, 0.0, 1.0);
     float weave_product_3 = max(1.0 - dot(weave_texel, weave_texel) * 4.0, 0.0) * weave_minified;
     vec3 weave_covariance = weave_vector * (weave_product_3 * 0.125);
     // pebbles: Slope moments map
@@ -49,7 +53,7 @@ WrinkleMaterial_far_away wrinkle_far_away(WrinkleSurface_far_away s) {
     vec3 normal_along_v = bitangent * (normal_slope.y * handedness);
     vec3 normal_gradient = s.tangent.xyz * normal_slope.x + normal_along_v;
     vec3 normal_bumped = s.normal * (weave_depth * s.facing) + normal_gradient;
-    vec3 normal_vector = vec3(normal_bumped.xy, normal_bumped.z + 1e-18);
+    vec3 normal_vector = vec3(normal_bumped.xy, normal_bumped.z + far_away_min_normal);
     vec3 normal_normal = normalize(normal_vector);
     float rough_dot_product = dot(normal_normal, s.tangent.xyz);  // rough: Roughness of bump
     float rough_product = rough_dot_product * rough_dot_product;

@@ -12,10 +12,21 @@ struct WrinkleMaterial_hex_pebbles {
 };
 uniform sampler2D hex_pebbles_grain_image;    // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D hex_pebbles_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
+const float hex_pebbles_tan_30 = 0.57735026;                      // 1 / sqrt(3)
+const float hex_pebbles_sec_30 = 1.1547005;                       // 2 / sqrt(3)
+const float hex_pebbles_two_24 = 16777216.0;                      // the upper 24 bits to [0, 1)
+const float hex_pebbles_pi = 3.1415927;                           // half a turn, in radians
+const float hex_pebbles_sin_60 = 0.8660254;                       // sqrt(3) / 2
+const float hex_pebbles_min_ratio = 0.0078125;                    // of z to x and y: slopes are at most 128
+const float hex_pebbles_min_z = 5e-07;                            // of a normal map: the zero vector is flat
+const float hex_pebbles_min_weight = 1e-04;                       // of a corner, for a sum above zero
+const float hex_pebbles_min_area = 1e-36;                         // smaller areas and squared lengths are zero
+const float hex_pebbles_min_normal = 1e-18;                       // of a tangent along the normal
+const vec3 hex_pebbles_luminance = vec3(0.2126, 0.7152, 0.0722);  // of Rec. 709
 
 vec3 wrinkle_hex_pebbles_hex_grid(vec2 at, out vec2 result_2, out vec2 result_3,
         out vec2 result_4) {
-    vec2 sheared = vec2(at.x - at.y * 0.57735026, at.y * 1.1547005);
+    vec2 sheared = vec2(at.x - at.y * hex_pebbles_tan_30, at.y * hex_pebbles_sec_30);
     vec2 cell = floor(sheared);
     vec2 f = sheared - cell;
     float difference = 1.0 - f.x;
@@ -29,26 +40,26 @@ vec3 wrinkle_hex_pebbles_hex_grid(vec2 at, out vec2 result_2, out vec2 result_3,
     return far ? vec3(f.y - difference, 1.0 - f.y, difference) : vec3(rest, f.yx);
 }
 
-uint wrinkle_hex_pebbles_hash(uint x) {
+uint wrinkle_hex_pebbles_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 vec4 wrinkle_hex_pebbles_hex_copy(vec2 uv, vec2 corner, float size, float rotation) {
-    uint bits = wrinkle_hex_pebbles_hash(uint(int(corner.x)) +
-            wrinkle_hex_pebbles_hash(uint(int(corner.y))));
-    float turn = 2.0 * (float(bits >> 8u) / 16777216.0) - 1.0;
-    float angle = turn * 3.1415927 * rotation;
+    uint bits = wrinkle_hex_pebbles_pcg_hash(uint(int(corner.x)) +
+            wrinkle_hex_pebbles_pcg_hash(uint(int(corner.y))));
+    float turn = 2.0 * (float(bits >> 8u) / hex_pebbles_two_24) - 1.0;
+    float angle = turn * hex_pebbles_pi * rotation;
     float cosine = cos(angle);
     float sine = sin(angle);
     vec2 right = vec2(cosine, sine);
-    vec2 centre = vec2(corner.x + 0.5 * corner.y, corner.y * 0.8660254) / size;
+    vec2 centre = vec2(corner.x + 0.5 * corner.y, corner.y * hex_pebbles_sin_60) / size;
     vec2 way = uv - centre;
     vec2 up = vec2(-sine, cosine);
-    uint more = wrinkle_hex_pebbles_hash(bits);
-    uint most = wrinkle_hex_pebbles_hash(more);
-    vec2 moved = vec2(float(more >> 8u), float(most >> 8u)) / 16777216.0;
+    uint more = wrinkle_hex_pebbles_pcg_hash(bits);
+    uint most = wrinkle_hex_pebbles_pcg_hash(more);
+    vec2 moved = vec2(float(more >> 8u), float(most >> 8u)) / hex_pebbles_two_24;
     return vec4(right * way.x + up * way.y + centre + moved, cosine, sine);
 }
 
@@ -89,8 +100,10 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec4 grain_texel = textureGrad(hex_pebbles_grain_image, grain_copy.xy, grain_copy_dx,
             grain_copy_dy);
     vec3 grain_texel_2 = grain_texel.xyz - 0.5;
-    float grain_least_depth = max(abs(grain_texel_2.x), abs(grain_texel_2.y)) * 0.0078125;
-    float grain_quotient = -0.4 / max(max(abs(grain_texel_2.z), grain_least_depth), 5e-07);
+    float grain_least_depth = max(abs(grain_texel_2.x), abs(grain_texel_2.y)) *
+            hex_pebbles_min_ratio;
+    float grain_quotient = -0.4 / max(max(abs(grain_texel_2.z), grain_least_depth),
+            hex_pebbles_min_z);
     vec2 grain_product = grain_texel_2.xy * grain_quotient;
     vec2 grain_vector_2 = vec2(dot(grain_product, grain_copy.zw), dot(grain_product, grain_vector));
     float grain_dot_product = dot(grain_vector_2, grain_vector_2);
@@ -101,8 +114,10 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec4 grain_texel_3 = textureGrad(hex_pebbles_grain_image, grain_copy_2.xy, grain_copy_dx_2,
             grain_copy_dy_2);
     vec3 grain_texel_4 = grain_texel_3.xyz - 0.5;
-    float grain_least_depth_2 = max(abs(grain_texel_4.x), abs(grain_texel_4.y)) * 0.0078125;
-    float grain_quotient_2 = -0.4 / max(max(abs(grain_texel_4.z), grain_least_depth_2), 5e-07);
+    float grain_least_depth_2 = max(abs(grain_texel_4.x), abs(grain_texel_4.y)) *
+            hex_pebbles_min_ratio;
+    float grain_quotient_2 = -0.4 / max(max(abs(grain_texel_4.z), grain_least_depth_2),
+            hex_pebbles_min_z);
     vec2 grain_product_2 = grain_texel_4.xy * grain_quotient_2;
     vec2 grain_vector_4 = vec2(dot(grain_product_2, grain_copy_2.zw),
             dot(grain_product_2, grain_vector_3));
@@ -114,8 +129,10 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec4 grain_texel_5 = textureGrad(hex_pebbles_grain_image, grain_copy_3.xy, grain_copy_dx_3,
             grain_copy_dy_3);
     vec3 grain_texel_6 = grain_texel_5.xyz - 0.5;
-    float grain_least_depth_3 = max(abs(grain_texel_6.x), abs(grain_texel_6.y)) * 0.0078125;
-    float grain_quotient_3 = -0.4 / max(max(abs(grain_texel_6.z), grain_least_depth_3), 5e-07);
+    float grain_least_depth_3 = max(abs(grain_texel_6.x), abs(grain_texel_6.y)) *
+            hex_pebbles_min_ratio;
+    float grain_quotient_3 = -0.4 / max(max(abs(grain_texel_6.z), grain_least_depth_3),
+            hex_pebbles_min_z);
     vec2 grain_product_3 = grain_texel_6.xy * grain_quotient_3;
     vec2 grain_vector_6 = vec2(dot(grain_product_3, grain_copy_3.zw),
             dot(grain_product_3, grain_vector_5));
@@ -123,7 +140,8 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec3 grain_vector_7 = vec3(grain_dot_product, grain_dot_product_2, grain_dot_product_3);
     vec3 grain_product_4 = 0.6 * sqrt(max(grain_vector_7 / (1.0 + grain_vector_7), 0.0));
     vec3 grain_sum = 0.4 + grain_product_4;
-    vec3 grain_product_5 = grain_sum * pow(max(grain_grid, vec3(1e-04)), vec3(7.0));
+    vec3 grain_product_5 = grain_sum *
+            pow(max(grain_grid, vec3(hex_pebbles_min_weight)), vec3(7.0));
     float grain_sum_2 = grain_product_5.x + grain_product_5.y + grain_product_5.z;
     vec3 grain_quotient_4 = grain_product_5 / grain_sum_2;
     float grain_product_6 = 2.0 * grain_quotient_4.x;
@@ -178,7 +196,7 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 pebbles_slope_2 = mix(pebbles_coarse, pebbles_slope * pebbles_size, pebbles_magnified);
     float pebbles_dot_product_2 = dot(pebbles_slope_2, pebbles_copy.zw);
     vec2 pebbles_vector_4 = vec2(pebbles_dot_product_2, dot(pebbles_slope_2, pebbles_vector));
-    vec3 pebbles_greatest_2 = max(pebbles_grid, vec3(1e-04));
+    vec3 pebbles_greatest_2 = max(pebbles_grid, vec3(hex_pebbles_min_weight));
     vec3 pebbles_power = pow(pebbles_greatest_2, vec3(7.0));
     float pebbles_sum = pow(pebbles_greatest_2.x, 7.0) + pow(pebbles_greatest_2.y, 7.0);
     vec3 pebbles_quotient_2 = pebbles_power / (pebbles_sum + pow(pebbles_greatest_2.z, 7.0));
@@ -266,14 +284,15 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
     vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (grain_sum_4.y * normal_product);
     vec3 normal_sum = s.tangent.xyz * (grain_sum_4.x * inverse_normal_length) + normal_along_v;
-    vec2 normal_per_area = pebbles_vector_14 * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec2 normal_per_area = pebbles_vector_14 *
+            (sign(screen_area) / max(abs(screen_area), hex_pebbles_min_area));
     vec3 normal_cross_product = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     vec3 normal_gradient = normal_sum + normal_cross_product;
     vec3 normal_bumped = normal * s.facing - normal_gradient;
     // tint: Hex-tiled colour
-    float tint_dot_product = dot(pebbles_here.xyz, vec3(0.2126, 0.7152, 0.0722));
-    float tint_dot_product_2 = dot(pebbles_here_2.xyz, vec3(0.2126, 0.7152, 0.0722));
-    float tint_dot_product_3 = dot(pebbles_here_3.xyz, vec3(0.2126, 0.7152, 0.0722));
+    float tint_dot_product = dot(pebbles_here.xyz, hex_pebbles_luminance);
+    float tint_dot_product_2 = dot(pebbles_here_2.xyz, hex_pebbles_luminance);
+    float tint_dot_product_3 = dot(pebbles_here_3.xyz, hex_pebbles_luminance);
     vec3 tint_vector = vec3(tint_dot_product, tint_dot_product_2, tint_dot_product_3);
     vec3 tint_product = (0.4 + 0.6 * clamp(tint_vector, 0.0, 1.0)) * pebbles_power;
     vec3 tint_quotient = tint_product / (tint_product.x + tint_product.y + tint_product.z);
@@ -298,7 +317,7 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec3 tint_sum = tint_product_8 + pebbles_here_2.xyz * tint_quotient_2.y;
     WrinkleMaterial_hex_pebbles m;
     // normal: Resolve (continued)
-    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + hex_pebbles_min_normal));
     // tint: Hex-tiled colour (continued)
     m.color = tint_sum + pebbles_here_3.xyz * tint_quotient_2.z;
     return m;

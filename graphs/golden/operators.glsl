@@ -14,18 +14,23 @@ uniform sampler2D operators_weave_image;    // textures/weave_normal.png (normal
 uniform sampler2D operators_rivets_image;   // textures/rivets_normal.png (normal_gl, repeat)
 uniform sampler2D operators_patches_image;  // textures/patches_mask.png (linear, repeat)
 uniform sampler2D operators_pebbles_image;  // textures/pebbles_slopes.png (derivative, repeat)
+const float operators_min_ratio = 0.0078125;       // of z to x and y: slopes are at most 128
+const float operators_min_z = 5e-07;               // of a normal map: the zero vector is flat
+const float operators_min_normal = 1e-18;          // of a tangent along the normal
+const float operators_min_cosine = 1.1920929e-07;  // between the normal and one in its plane
+const float operators_radian = 57.29578;           // in degrees
 
 WrinkleMaterial_operators wrinkle_operators(WrinkleSurface_operators s) {
     vec2 tile_uv = s.uv0 * 4.0;  // tile: UV transform
     // weave: Tangent normal map
     vec3 weave_texel = texture(operators_weave_image, tile_uv).xyz - 0.5;
-    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * operators_min_ratio;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), operators_min_z);
     vec2 weave_texel_2 = weave_texel.xy * 0.6;
     // rivets: Tangent normal map
     vec3 rivets_texel = texture(operators_rivets_image, tile_uv).xyz - 0.5;
-    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
-    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
+    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * operators_min_ratio;
+    float rivets_depth = max(max(abs(rivets_texel.z), rivets_least_depth), operators_min_z);
     // cloth: Bump over bump
     float cloth_least = min(max(texture(operators_patches_image, s.uv0).x, 0.0), 1.0);
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
@@ -50,9 +55,10 @@ WrinkleMaterial_operators wrinkle_operators(WrinkleSurface_operators s) {
     vec3 normal_along_v = bitangent * (normal_slope_3.y * handedness);
     vec3 normal_gradient = s.tangent.xyz * normal_slope_3.x + normal_along_v;
     vec3 normal_bumped = s.normal * (normal_product * s.facing) + normal_gradient;
-    vec3 normal_normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    vec3 normal_normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + operators_min_normal));
     float again_dot_product = dot(normal, normal_normal);  // again: Bump from normal
-    float tilt_quotient = -1.0 / max(abs(again_dot_product), 1.1920929e-07);  // tilt: Tilt of bump
+    // tilt: Tilt of bump
+    float tilt_quotient = -1.0 / max(abs(again_dot_product), operators_min_cosine);
     vec3 tilt_product = normal * (-again_dot_product * tilt_quotient);
     float tilt_slope = length(normal_normal * tilt_quotient + tilt_product);
     vec3 pebbles_product = normal * s.facing;  // pebbles: Derivative map
@@ -61,8 +67,8 @@ WrinkleMaterial_operators wrinkle_operators(WrinkleSurface_operators s) {
     bool apart_test = abs(apart_dot_product) + abs(apart_extent) > 0.0;
     WrinkleMaterial_operators m;
     m.normal = normal_normal;
-    m.tilt = atan(tilt_slope) * 57.29578;  // tilt: Tilt of bump (continued)
+    m.tilt = atan(tilt_slope) * operators_radian;  // tilt: Tilt of bump (continued)
     // apart: Angle of normals (continued)
-    m.angle = (apart_test ? atan(apart_extent, apart_dot_product) : 0.0) * 57.29578;
+    m.angle = (apart_test ? atan(apart_extent, apart_dot_product) : 0.0) * operators_radian;
     return m;
 }

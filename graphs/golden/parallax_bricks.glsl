@@ -11,6 +11,7 @@ struct WrinkleMaterial_parallax_bricks {
     float height;  // outwards, in length units
 };
 uniform sampler2D parallax_bricks_bricks_image;  // textures/bricks_height.png (linear, repeat)
+const float parallax_bricks_min_area = 1e-36;  // smaller areas and squared lengths are zero
 
 vec2 wrinkle_parallax_bricks_smooth_slope(vec2 at, vec2 texel) {
     vec4 upper_right = textureLod(parallax_bricks_bricks_image, at + texel, 0.0);
@@ -43,7 +44,8 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
     vec3 march_difference = dpdx - bricks_product * dot(bricks_product, dpdx);
     float march_dot_product = dot(march_sideways, cross(bricks_product, march_difference));
     float march_det = dot(march_difference, march_across_y);
-    float march_inverse_det = (march_det < 0.0 ? -1.0 : 1.0) / max(abs(march_det), 1e-36);
+    float march_inverse_det = (march_det < 0.0 ? -1.0 : 1.0) /
+            max(abs(march_det), parallax_bricks_min_area);
     vec2 march_product = (march_along_x + march_uv_dy * march_dot_product) * march_inverse_det;
     vec2 march_uv_descent = march_product * (-1.0 / max(abs(march_cosine), 0.1));
     float march_depth_step = 0.03 / max(32.0 * (0.25 + 0.75 * length(march_sideways)), 1.0);
@@ -126,7 +128,8 @@ WrinkleMaterial_parallax_bricks wrinkle_parallax_bricks(WrinkleSurface_parallax_
     float bricks_dot_product_2 = dot(bricks_mixed, bricks_texels_dx);
     // normal: Resolve
     vec2 normal_vector = vec2(bricks_dot_product_2, dot(bricks_mixed, bricks_texels_dy));
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
+    float normal_product = sign(screen_area) / max(abs(screen_area), parallax_bricks_min_area) *
+            0.03;
     vec2 normal_per_area = normal_vector * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_parallax_bricks m;

@@ -12,6 +12,8 @@ struct WrinkleMaterial_parallax_dents {
     float height;  // outwards, in length units
 };
 uniform sampler2D parallax_dents_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
+const float parallax_dents_min_area = 1e-36;  // smaller areas and squared lengths are zero
+const vec3 parallax_dents_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
 
 vec2 wrinkle_parallax_dents_smooth_slope(vec2 at, vec2 texel) {
     vec4 upper_right = textureLod(parallax_dents_pebbles_image, at + texel, 0.0);
@@ -28,16 +30,16 @@ vec2 wrinkle_parallax_dents_smooth_slope(vec2 at, vec2 texel) {
     return (vec2(rising + falling, rising - falling) + product) * 0.125;
 }
 
-uint wrinkle_parallax_dents_hash(uint x) {
+uint wrinkle_parallax_dents_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_parallax_dents_hash3(vec3 cell) {
-    uint z = wrinkle_parallax_dents_hash(uint(int(cell.z)));
-    uint yz = wrinkle_parallax_dents_hash(uint(int(cell.y)) + z);
-    return wrinkle_parallax_dents_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_parallax_dents_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_parallax_dents_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_parallax_dents_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_parallax_dents_gradient_corner(vec3 corner, vec3 way) {
@@ -89,7 +91,7 @@ vec3 wrinkle_parallax_dents_fbm_slope(vec3 point, float width, float scale, int 
     float total = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + parallax_dents_octave_offset * float(i);
         vec4 noise = wrinkle_parallax_dents_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -117,7 +119,8 @@ WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_de
     vec3 march_difference = march_position_dx - march_product_2;
     float march_dot_product = dot(march_sideways, cross(pebbles_product, march_difference));
     float march_det = dot(march_difference, march_across_y);
-    float march_inverse_det = (march_det < 0.0 ? -1.0 : 1.0) / max(abs(march_det), 1e-36);
+    float march_inverse_det = (march_det < 0.0 ? -1.0 : 1.0) /
+            max(abs(march_det), parallax_dents_min_area);
     vec2 march_product_3 = (march_along_x + march_uv_dy * march_dot_product) * march_inverse_det;
     float march_per_depth = -1.0 / max(abs(march_cosine), 0.1);
     vec2 march_uv_descent = march_product_3 * march_per_depth;
@@ -203,7 +206,8 @@ WrinkleMaterial_parallax_dents wrinkle_parallax_dents(WrinkleSurface_parallax_de
     float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_texels_dx);
     // relief: Resolve
     vec2 relief_vector = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_texels_dy));
-    float relief_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
+    float relief_product = sign(screen_area) / max(abs(screen_area), parallax_dents_min_area) *
+            0.03;
     vec2 relief_per_area = relief_vector * relief_product;
     vec3 relief_product_2 = march_position_dx * relief_per_area.y;
     vec3 relief_gradient = cross(normal, relief_product_2 - march_position_dy * relief_per_area.x);

@@ -12,17 +12,23 @@ struct WrinkleMaterial_parallax_detail {
     float height;  // outwards, in length units
 };
 uniform sampler2D parallax_detail_weave_image;  // textures/weave_normal.png (normal_gl, repeat)
+const float parallax_detail_min_area = 1e-36;           // smaller areas and squared lengths are zero
+const vec3 parallax_detail_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const float parallax_detail_min_cosine = 1.19e-15;      // of a relief seen edge-on
+const float parallax_detail_min_change = 9.536743e-07;  // 2^-20, of a pixel's extent
+const float parallax_detail_min_ratio = 0.0078125;      // of z to x and y: slopes are at most 128
+const float parallax_detail_min_z = 5e-07;              // of a normal map: the zero vector is flat
 
-uint wrinkle_parallax_detail_hash(uint x) {
+uint wrinkle_parallax_detail_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_parallax_detail_hash3(vec3 cell) {
-    uint z = wrinkle_parallax_detail_hash(uint(int(cell.z)));
-    uint yz = wrinkle_parallax_detail_hash(uint(int(cell.y)) + z);
-    return wrinkle_parallax_detail_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_parallax_detail_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_parallax_detail_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_parallax_detail_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_parallax_detail_gradient_corner(vec3 corner, vec3 way) {
@@ -75,7 +81,7 @@ vec4 wrinkle_parallax_detail_fbm(vec3 point, float width, float scale, int octav
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + parallax_detail_octave_offset * float(i);
         vec4 noise = wrinkle_parallax_detail_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -104,7 +110,8 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     vec3 march_difference = dpdx - march_product * dot(march_product, dpdx);
     float march_dot_product = dot(march_sideways, cross(march_product, march_difference));
     float march_det = dot(march_difference, march_across_y);
-    float march_inverse_det = (march_det < 0.0 ? -1.0 : 1.0) / max(abs(march_det), 1e-36);
+    float march_inverse_det = (march_det < 0.0 ? -1.0 : 1.0) /
+            max(abs(march_det), parallax_detail_min_area);
     vec2 march_product_2 = (march_along_x + march_uv_dy * march_dot_product) * march_inverse_det;
     float march_magnitude = abs(march_cosine);
     vec2 march_uv_descent = march_product_2 * (-1.0 / max(march_magnitude, 0.1));
@@ -164,12 +171,14 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     vec2 dunes_product = dunes_3.x * vec2(march_uv_dx.x, march_uv_dy.x);
     vec2 dunes_sum = dunes_product + dunes_3.y * vec2(march_uv_dx.y, march_uv_dy.y);
     // march: Parallax occlusion (continued)
-    vec2 march_per_area = dunes_sum * (sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08);
+    vec2 march_per_area = dunes_sum *
+            (sign(screen_area) / max(abs(screen_area), parallax_detail_min_area) * 0.08);
     vec3 march_gradient = cross(normal, dpdx * march_per_area.y - dpdy * march_per_area.x);
     vec3 relief_normal = normalize(march_product - march_gradient);  // relief: Resolve
     // march: Parallax occlusion (continued)
-    float march_quotient = march_magnitude / max(abs(dot(relief_normal, s.view)), 1.19e-15);
-    float march_logarithm = log2(max(march_quotient, 9.536743e-07));
+    float march_quotient = march_magnitude /
+            max(abs(dot(relief_normal, s.view)), parallax_detail_min_cosine);
+    float march_logarithm = log2(max(march_quotient, parallax_detail_min_change));
     float march_lod = 0.5 * march_logarithm;
     float march_exponential = exp2(march_lod);
     vec2 tile_uv = march_uv * 4.0;  // tile: UV transform
@@ -179,11 +188,13 @@ WrinkleMaterial_parallax_detail wrinkle_parallax_detail(WrinkleSurface_parallax_
     // weave: Tangent normal map
     vec4 weave_texel = textureGrad(parallax_detail_weave_image, tile_uv, tile_uv_dx, tile_uv_dy);
     vec3 weave_texel_2 = weave_texel.xyz - 0.5;
-    float weave_least_depth = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel_2.z), weave_least_depth), 5e-07);
+    float weave_least_depth = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) *
+            parallax_detail_min_ratio;
+    float weave_depth = max(max(abs(weave_texel_2.z), weave_least_depth), parallax_detail_min_z);
     vec2 weave_texel_3 = weave_texel_2.xy * 0.5;
     float weave_magnitude = abs(tile_product * tile_product);
-    float weave_choice = weave_magnitude > 0.0 ? inversesqrt(max(weave_magnitude, 1e-36)) : 0.0;
+    float weave_choice = weave_magnitude > 0.0 ?
+            inversesqrt(max(weave_magnitude, parallax_detail_min_area)) : 0.0;
     float weave_product = tile_product * weave_choice;
     // normal: Resolve
     float normal_slope_u = weave_texel_3.x * weave_product * inverse_normal_length;

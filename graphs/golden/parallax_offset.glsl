@@ -11,6 +11,7 @@ struct WrinkleMaterial_parallax_offset {
     float height;  // outwards, in length units
 };
 uniform sampler2D parallax_offset_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
+const float parallax_offset_min_area = 1e-36;  // smaller areas and squared lengths are zero
 
 vec2 wrinkle_parallax_offset_smooth_slope(vec2 at, vec2 texel) {
     vec4 upper_right = textureLod(parallax_offset_pebbles_image, at + texel, 0.0);
@@ -42,7 +43,8 @@ WrinkleMaterial_parallax_offset wrinkle_parallax_offset(WrinkleSurface_parallax_
     vec2 shift_product = shift_uv_dy * dot(s.view, cross(pebbles_product, shift_difference_2));
     vec2 shift_sum = shift_uv_dx * dot(s.view, shift_across_y) + shift_product;
     float shift_det = dot(shift_difference_2, shift_across_y);
-    float shift_inverse_det = (shift_det < 0.0 ? -1.0 : 1.0) / max(abs(shift_det), 1e-36);
+    float shift_inverse_det = (shift_det < 0.0 ? -1.0 : 1.0) /
+            max(abs(shift_det), parallax_offset_min_area);
     vec2 tile_uv = s.uv0 * 2.0;  // tile: UV transform
     vec2 tile_uv_dx = shift_uv_dx * 2.0;
     vec2 tile_uv_dy = shift_uv_dy * 2.0;
@@ -74,7 +76,8 @@ WrinkleMaterial_parallax_offset wrinkle_parallax_offset(WrinkleSurface_parallax_
     float pebbles_dot_product_2 = dot(pebbles_mixed, pebbles_texels_dx);
     // normal: Resolve
     vec2 normal_vector = vec2(pebbles_dot_product_2, dot(pebbles_mixed, pebbles_texels_dy));
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.03;
+    float normal_product = sign(screen_area) / max(abs(screen_area), parallax_offset_min_area) *
+            0.03;
     vec2 normal_per_area = normal_vector * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_parallax_offset m;

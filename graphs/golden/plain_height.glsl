@@ -10,6 +10,7 @@ struct WrinkleMaterial_plain_height {
     float height;  // outwards, in length units
 };
 uniform sampler2D plain_height_bricks_image;  // textures/bricks_height.png (linear, repeat)
+const float plain_height_min_area = 1e-36;  // smaller areas and squared lengths are zero
 
 vec2 wrinkle_plain_height_smooth_slope(vec2 at, vec2 texel) {
     vec4 upper_right = textureLod(plain_height_bricks_image, at + texel, 0.0);
@@ -52,7 +53,7 @@ WrinkleMaterial_plain_height wrinkle_plain_height(WrinkleSurface_plain_height s)
     float bricks_dot_product_2 = dot(bricks_slope_2, bricks_texels_dx);
     // normal: Resolve
     vec2 normal_vector = vec2(bricks_dot_product_2, dot(bricks_slope_2, bricks_texels_dy));
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.04;
+    float normal_product = sign(screen_area) / max(abs(screen_area), plain_height_min_area) * 0.04;
     vec2 normal_per_area = normal_vector * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_plain_height m;

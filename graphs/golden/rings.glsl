@@ -11,6 +11,7 @@ struct WrinkleMaterial_rings {
     float height;  // outwards, in length units
     float front;
 };
+const float rings_min_area = 1e-36;  // smaller areas and squared lengths are zero
 
 WrinkleMaterial_rings wrinkle_rings(WrinkleSurface_rings s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -70,7 +71,7 @@ WrinkleMaterial_rings wrinkle_rings(WrinkleSurface_rings s) {
     // sum: Add heights
     vec2 sum_slope = waves_slope * 0.01 * edge_result + bend_slope * (1.0 - odd_result) * 0.01;
     // normal: Resolve
-    vec2 normal_per_area = sum_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec2 normal_per_area = sum_slope * (sign(screen_area) / max(abs(screen_area), rings_min_area));
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     float relief_result = waves_result * 0.01;  // relief: Multiply
     float ringed_result = relief_result * edge_result;  // ringed: Multiply

@@ -15,17 +15,21 @@ struct WrinkleMaterial_rusty_steel {
     float occlusion;  // 1: no occlusion
     vec3 emission;    // emitted color, linear
 };
+const vec3 rusty_steel_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const uint rusty_steel_golden_bits = 2654435769u;                 // 2^32 / golden ratio
+const float rusty_steel_two_24 = 16777216.0;                      // the upper 24 bits to [0, 1)
+const float rusty_steel_min_area = 1e-36;                         // smaller areas and squared lengths are zero
 
-uint wrinkle_rusty_steel_hash(uint x) {
+uint wrinkle_rusty_steel_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_rusty_steel_hash3(vec3 cell) {
-    uint z = wrinkle_rusty_steel_hash(uint(int(cell.z)));
-    uint yz = wrinkle_rusty_steel_hash(uint(int(cell.y)) + z);
-    return wrinkle_rusty_steel_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_rusty_steel_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_rusty_steel_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_rusty_steel_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_rusty_steel_gradient_corner(vec3 corner, vec3 way) {
@@ -78,7 +82,7 @@ vec4 wrinkle_rusty_steel_fbm(vec3 point, float width, float scale, int octaves, 
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + rusty_steel_octave_offset * float(i);
         vec4 noise = wrinkle_rusty_steel_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -91,9 +95,9 @@ vec4 wrinkle_rusty_steel_fbm(vec3 point, float width, float scale, int octaves, 
 }
 
 vec3 wrinkle_rusty_steel_random3(uint bits) {
-    uint second = wrinkle_rusty_steel_hash(bits);
-    uint third = wrinkle_rusty_steel_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / 16777216.0;
+    uint second = wrinkle_rusty_steel_pcg_hash(bits);
+    uint third = wrinkle_rusty_steel_pcg_hash(second);
+    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / rusty_steel_two_24;
 }
 
 vec3 wrinkle_rusty_steel_scratch(vec2 p, int index, float density, vec2 size, vec2 angles) {
@@ -102,8 +106,8 @@ vec3 wrinkle_rusty_steel_scratch(vec2 p, int index, float density, vec2 size, ve
     vec2 moved = p + vec2(0.37, 0.61) * layer;
     vec2 cell = floor(moved) + (floor(mod(middle / vec2(1.0, 3.0), 3.0)) - 1.0);
     uint bits = wrinkle_rusty_steel_hash3(vec3(cell, layer));
-    uint more = wrinkle_rusty_steel_hash(bits ^ 2654435769u);
-    bool drawn = float(wrinkle_rusty_steel_hash(more) >> 8u) / 16777216.0 < density;
+    uint more = wrinkle_rusty_steel_pcg_hash(bits ^ rusty_steel_golden_bits);
+    bool drawn = float(wrinkle_rusty_steel_pcg_hash(more) >> 8u) / rusty_steel_two_24 < density;
     vec3 random = wrinkle_rusty_steel_random3(bits);
     float angle = angles.x + (random.z - 0.5) * angles.y;
     float sine = sin(angle);
@@ -114,7 +118,7 @@ vec3 wrinkle_rusty_steel_scratch(vec2 p, int index, float density, vec2 size, ve
     float inside = 1.0 - abs(side);
     float t = clamp(inside, 0.0, 1.0);
     vec2 along = vec2(cosine, sine);
-    float half_length = size.x * (0.25 + 0.25 * (float(more >> 8u) / 16777216.0));
+    float half_length = size.x * (0.25 + 0.25 * (float(more >> 8u) / rusty_steel_two_24));
     float end = dot(way, along) / half_length;
     float rest = 1.0 - end * end;
     float taper = max(rest, 0.0);
@@ -165,7 +169,8 @@ vec4 wrinkle_rusty_steel_worley(vec3 point, float width, float scale, float jitt
     float extent = length(to_nearest);
     float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(scale));
     vec3 product = (extent > 0.0 ? to_nearest * -scale / extent : vec3(0.0)) * fade;
-    return vec4(product, mix(0.48 + 0.04 * jitter, extent, fade));
+    float mean = 0.48 + 0.04 * jitter;
+    return vec4(product, mix(mean, extent, fade));
 }
 
 WrinkleMaterial_rusty_steel wrinkle_rusty_steel(WrinkleSurface_rusty_steel s) {
@@ -241,7 +246,8 @@ WrinkleMaterial_rusty_steel wrinkle_rusty_steel(WrinkleSurface_rusty_steel s) {
     vec2 dusty_product = rusted_slope * (1.0 - dust_mask_result);  // dusty: Mix heights
     vec2 dusty_slope = dusty_product + dust_edge_slope * 0.6 * (0.004 - rusted_height);
     // normal: Resolve
-    vec2 normal_per_area = dusty_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec2 normal_per_area = dusty_slope *
+            (sign(screen_area) / max(abs(screen_area), rusty_steel_min_area));
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     float tone_result = (bends.w + 0.6) / 1.2;  // tone: Remap
     // steel_color: Mix vec3

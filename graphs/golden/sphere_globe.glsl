@@ -9,6 +9,11 @@ struct WrinkleMaterial_sphere_globe {
     vec3 normal;  // unit normal, object space
 };
 uniform sampler2D sphere_globe_g_image;  // textures/weave_normal.png (normal_gl, repeat)
+const float sphere_globe_two_pi = 6.2831855;     // a turn, in radians
+const float sphere_globe_pi = 3.1415927;         // half a turn, in radians
+const float sphere_globe_min_ratio = 0.0078125;  // of z to x and y: slopes are at most 128
+const float sphere_globe_min_z = 5e-07;          // of a normal map: the zero vector is flat
+const float sphere_globe_min_area = 1e-36;       // smaller areas and squared lengths are zero
 
 WrinkleMaterial_sphere_globe wrinkle_sphere_globe(WrinkleSurface_sphere_globe s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -25,7 +30,7 @@ WrinkleMaterial_sphere_globe wrinkle_sphere_globe(WrinkleSurface_sphere_globe s)
     float globe_sum = s.position.x * 0.70710677 + s.position.y * 0.70710677;
     bool globe_test_2 = abs(globe_extent) + abs(globe_sum) > 0.0;
     vec2 globe_vector_2 = vec2(globe_choice, globe_test_2 ? atan(globe_sum, globe_extent) : 0.0);
-    vec2 globe_uv = globe_vector_2 / vec2(6.2831855, 3.1415927) + 0.5;
+    vec2 globe_uv = globe_vector_2 / vec2(sphere_globe_two_pi, sphere_globe_pi) + 0.5;
     float globe_negated_2 = -(dpdx.x * -0.70710677 + dpdx.y * 0.70710677);
     float globe_sum_2 = globe_negated * globe_negated + s.position.z * s.position.z;
     float globe_choice_2 = globe_sum_2 > 0.0 ? 1.0 / globe_sum_2 : 0.0;
@@ -69,17 +74,20 @@ WrinkleMaterial_sphere_globe wrinkle_sphere_globe(WrinkleSurface_sphere_globe s)
     vec2 globe_vector_6 = vec2(globe_choice_7, globe_test_2 ? globe_difference_6 * globe_choice_3 :
             0.0);
     vec2 tile_uv = globe_uv * vec2(8.0, 4.0);  // tile: UV transform
-    vec2 tile_uv_dx = globe_vector_3 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
-    vec2 tile_uv_dy = globe_vector_4 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
-    vec2 tile_uv_dy_2 = globe_vector_5 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
-    vec2 tile_uv_dx_2 = globe_vector_6 / vec2(6.2831855, 3.1415927) * vec2(8.0, 4.0);
+    vec2 tile_uv_dx = globe_vector_3 / vec2(sphere_globe_two_pi, sphere_globe_pi) * vec2(8.0, 4.0);
+    vec2 tile_uv_dy = globe_vector_4 / vec2(sphere_globe_two_pi, sphere_globe_pi) * vec2(8.0, 4.0);
+    vec2 tile_uv_dy_2 = globe_vector_5 / vec2(sphere_globe_two_pi, sphere_globe_pi) *
+            vec2(8.0, 4.0);
+    vec2 tile_uv_dx_2 = globe_vector_6 / vec2(sphere_globe_two_pi, sphere_globe_pi) *
+            vec2(8.0, 4.0);
     // g: Tangent normal map
     vec3 g_texel = textureGrad(sphere_globe_g_image, tile_uv, tile_uv_dx, tile_uv_dy).xyz - 0.5;
-    float g_least_depth = max(abs(g_texel.x), abs(g_texel.y)) * 0.0078125;
+    float g_least_depth = max(abs(g_texel.x), abs(g_texel.y)) * sphere_globe_min_ratio;
     // normal: Resolve
-    float normal_product = max(max(abs(g_texel.z), g_least_depth), 5e-07) * s.facing;
+    float normal_product = max(max(abs(g_texel.z), g_least_depth), sphere_globe_min_z) * s.facing;
     vec3 normal_bitangent = cross(normal, dpdx * tile_uv_dy_2.y - dpdy * tile_uv_dx_2.y);
-    float normal_scale = inversesqrt(max(dot(normal_bitangent, normal_bitangent), 1e-36));
+    float normal_scale = inversesqrt(max(dot(normal_bitangent, normal_bitangent),
+            sphere_globe_min_area));
     float normal_det = tile_uv_dx_2.x * tile_uv_dy_2.y - tile_uv_dy_2.x * tile_uv_dx_2.y;
     float normal_slope_u = g_texel.x * (normal_scale * (normal_det < 0.0 ? -1.0 : 1.0));
     vec3 normal_along_u = cross(normal_bitangent, normal) * normal_slope_u;

@@ -11,6 +11,9 @@ struct WrinkleMaterial_triplanar_by_hand {
 uniform sampler2D triplanar_by_hand_rivets_image;  // textures/rivets_normal.png (normal_gl, repeat)
 uniform sampler2D triplanar_by_hand_weave_image;  // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D triplanar_by_hand_bricks_image;  // textures/bricks_height.png (linear, repeat)
+const float triplanar_by_hand_min_ratio = 0.0078125;  // of z to x and y: slopes are at most 128
+const float triplanar_by_hand_min_z = 5e-07;          // of a normal map: the zero vector is flat
+const float triplanar_by_hand_min_area = 1e-36;       // smaller areas and squared lengths are zero
 
 vec2 wrinkle_triplanar_by_hand_smooth_slope(vec2 at, vec2 texel) {
     vec4 upper_right = textureLod(triplanar_by_hand_bricks_image, at + texel, 0.0);
@@ -43,16 +46,17 @@ WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_tripl
     vec3 weights_product = weights_choice * weights_choice;
     vec3 weights_powers = weights_product * weights_product;
     float weights_sum = weights_powers.x + weights_powers.y + weights_powers.z;
-    vec3 weights_weights = weights_powers / max(weights_sum, 1e-36);
+    vec3 weights_weights = weights_powers / max(weights_sum, triplanar_by_hand_min_area);
     vec2 front_uv = vec2(normal_side_z * s.position.x, s.position.y) * 2.0;  // front: Planar UV
     // rivets: Tangent normal map
     vec3 rivets_texel = texture(triplanar_by_hand_rivets_image, side_uv).xyz - 0.5;
-    float rivets_product = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
-    float rivets_greatest = max(max(abs(rivets_texel.z), rivets_product), 5e-07);
+    float rivets_product = max(abs(rivets_texel.x), abs(rivets_texel.y)) *
+            triplanar_by_hand_min_ratio;
+    float rivets_greatest = max(max(abs(rivets_texel.z), rivets_product), triplanar_by_hand_min_z);
     vec2 rivets_texel_2 = rivets_texel.xy * 0.5;
     // weave: Tangent normal map
     vec3 weave_texel = texture(triplanar_by_hand_weave_image, top_uv).xyz - 0.5;
-    float weave_product = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
+    float weave_product = max(abs(weave_texel.x), abs(weave_texel.y)) * triplanar_by_hand_min_ratio;
     vec2 weave_texel_2 = weave_texel.xy * 0.25;
     vec3 weave_vector = vec3(weave_texel_2.x, rivets_texel_2.yx);
     vec3 weave_product_2 = weave_vector * vec3(4.0, 2.0, side_negated * 2.0);
@@ -60,7 +64,8 @@ WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_tripl
     vec3 rivets_magnitude = abs(vec3(rivets_texel.z, weave_texel.zz));
     vec3 rivets_magnitude_2 = abs(vec3(rivets_texel.x, weave_texel.xx));
     vec3 rivets_greatest_2 = max(rivets_magnitude_2, abs(vec3(rivets_texel.y, weave_texel.yy)));
-    vec3 rivets_depth = max(max(rivets_magnitude, rivets_greatest_2 * 0.0078125), 5e-07);
+    vec3 rivets_depth = max(max(rivets_magnitude, rivets_greatest_2 * triplanar_by_hand_min_ratio),
+            triplanar_by_hand_min_z);
     vec2 bricks_size = vec2(textureSize(triplanar_by_hand_bricks_image, 0));  // bricks: Height map
     vec2 bricks_texels_dx = vec2(dpdx.x * normal_side_z, dpdx.y) * 2.0 * bricks_size;
     float bricks_dot_product = dot(bricks_texels_dx, bricks_texels_dx);
@@ -82,7 +87,8 @@ WrinkleMaterial_triplanar_by_hand wrinkle_triplanar_by_hand(WrinkleSurface_tripl
     vec3 bricks_vector_3 = vec3(bricks_product, weave_texel_2.y);
     vec3 bricks_product_2 = bricks_vector_3 * vec3(0.02, 0.02, side_negated_2 * 4.0);
     // normal: Resolve
-    float normal_product = rivets_greatest * max(max(abs(weave_texel.z), weave_product), 5e-07);
+    float normal_product = rivets_greatest *
+            max(max(abs(weave_texel.z), weave_product), triplanar_by_hand_min_z);
     float normal_negated = -normal_product;
     vec3 normal_vector = vec3(normal_negated, normal_negated, rivets_greatest);
     vec3 normal_product_2 = bricks_product_2 * weights_weights.zzy * normal_vector;

@@ -14,6 +14,9 @@ uniform sampler2D triplanar_rock_weave_image;    // textures/weave_normal.png (n
 uniform sampler2D triplanar_rock_rivets_image;   // textures/rivets_normal.png (normal_gl, repeat)
 uniform sampler2D triplanar_rock_bricks_image;   // textures/bricks_height.png (linear, repeat)
 uniform sampler2D triplanar_rock_tint_image;     // textures/patches_mask.png (linear, repeat)
+const float triplanar_rock_min_area = 1e-36;       // smaller areas and squared lengths are zero
+const float triplanar_rock_min_ratio = 0.0078125;  // of z to x and y: slopes are at most 128
+const float triplanar_rock_min_z = 5e-07;          // of a normal map: the zero vector is flat
 
 vec2 wrinkle_triplanar_rock_smooth_slope(vec2 at, vec2 texel) {
     vec4 upper_right = textureLod(triplanar_rock_pebbles_image, at + texel, 0.0);
@@ -107,7 +110,7 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec3 pebbles_above_3 = max(abs(normal) - 0.2, vec3(0.0));
     vec3 pebbles_powers = pebbles_above_3 * pebbles_above_3 * pebbles_above_3;
     float pebbles_sum = pebbles_powers.x + pebbles_powers.y + pebbles_powers.z;
-    vec3 pebbles_weights = pebbles_powers / max(pebbles_sum, 1e-36);
+    vec3 pebbles_weights = pebbles_powers / max(pebbles_sum, triplanar_rock_min_area);
     vec3 pebbles_product_9 = pebbles_product_8 * pebbles_weights.yxx;
     float pebbles_product_10 = normal_side_z * pebbles_product.x;
     vec2 pebbles_vector_12 = vec2(pebbles_product_2.x * normal_side_z, pebbles_product_2.y);
@@ -139,23 +142,27 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec2 weave_vector = vec2(weave_product.x, pebbles_negated * weave_product.z);
     vec3 weave_texel = texture(triplanar_rock_weave_image, weave_vector).xyz - 0.5;
     vec3 weave_powers = pow(pebbles_above_3, vec3(8.0));
-    float weave_greatest = max(weave_powers.x + weave_powers.y + weave_powers.z, 1e-36);
+    float weave_greatest = max(weave_powers.x + weave_powers.y + weave_powers.z,
+            triplanar_rock_min_area);
     vec3 weave_product_2 = weave_powers / weave_greatest * 0.5;
-    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 5e-07);
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) *
+            triplanar_rock_min_ratio;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), triplanar_rock_min_z);
     float weave_quotient = -weave_product_2.y / weave_depth;
     vec2 weave_product_3 = weave_texel.xy * weave_quotient;
     vec2 weave_vector_2 = vec2(normal_side_z * weave_product.x, weave_product.y);
     vec3 weave_texel_2 = texture(triplanar_rock_weave_image, weave_vector_2).xyz - 0.5;
-    float weave_least_depth_2 = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
-    float weave_depth_2 = max(max(abs(weave_texel_2.z), weave_least_depth_2), 5e-07);
+    float weave_least_depth_2 = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) *
+            triplanar_rock_min_ratio;
+    float weave_depth_2 = max(max(abs(weave_texel_2.z), weave_least_depth_2), triplanar_rock_min_z);
     float weave_quotient_2 = -weave_product_2.z / weave_depth_2;
     vec2 weave_product_4 = weave_texel_2.xy * weave_quotient_2;
     float weave_sum = weave_product_3.x + weave_product_4.x * normal_side_z;
     vec2 weave_vector_3 = vec2(pebbles_negated_2 * weave_product.z, weave_product.y);
     vec3 weave_texel_3 = texture(triplanar_rock_weave_image, weave_vector_3).xyz - 0.5;
-    float weave_least_depth_3 = max(abs(weave_texel_3.x), abs(weave_texel_3.y)) * 0.0078125;
-    float weave_depth_3 = max(max(abs(weave_texel_3.z), weave_least_depth_3), 5e-07);
+    float weave_least_depth_3 = max(abs(weave_texel_3.x), abs(weave_texel_3.y)) *
+            triplanar_rock_min_ratio;
+    float weave_depth_3 = max(max(abs(weave_texel_3.z), weave_least_depth_3), triplanar_rock_min_z);
     float weave_quotient_3 = -weave_product_2.x / weave_depth_3;
     vec2 weave_product_5 = weave_texel_3.xy * weave_quotient_3;
     float weave_sum_2 = weave_product_5.x * normal_side_x + weave_product_3.y * normal_side_y;
@@ -174,18 +181,24 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     vec2 slopes_vector_3 = vec2(pebbles_negated_2 * slopes_product.z, slopes_product.y);
     // rivets: Tangent normal map
     vec3 rivets_texel = texture(triplanar_rock_rivets_image, slopes_vector).xyz - 0.5;
-    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) * 0.0078125;
+    float rivets_least_depth = max(abs(rivets_texel.x), abs(rivets_texel.y)) *
+            triplanar_rock_min_ratio;
     vec3 rivets_texel_2 = texture(triplanar_rock_rivets_image, slopes_vector_2).xyz - 0.5;
-    float rivets_least_depth_2 = max(abs(rivets_texel_2.x), abs(rivets_texel_2.y)) * 0.0078125;
+    float rivets_least_depth_2 = max(abs(rivets_texel_2.x), abs(rivets_texel_2.y)) *
+            triplanar_rock_min_ratio;
     vec3 rivets_texel_3 = texture(triplanar_rock_rivets_image, slopes_vector_3).xyz - 0.5;
-    float rivets_least_depth_3 = max(abs(rivets_texel_3.x), abs(rivets_texel_3.y)) * 0.0078125;
+    float rivets_least_depth_3 = max(abs(rivets_texel_3.x), abs(rivets_texel_3.y)) *
+            triplanar_rock_min_ratio;
     // slopes: Triplanar slopes (continued)
-    float slopes_quotient = -1.0 / max(max(abs(rivets_texel.z), rivets_least_depth), 5e-07);
+    float slopes_quotient = -1.0 / max(max(abs(rivets_texel.z), rivets_least_depth),
+            triplanar_rock_min_z);
     vec2 slopes_product_2 = rivets_texel.xy * slopes_quotient * pebbles_weights.y;
-    float slopes_quotient_2 = -1.0 / max(max(abs(rivets_texel_2.z), rivets_least_depth_2), 5e-07);
+    float slopes_quotient_2 = -1.0 /
+            max(max(abs(rivets_texel_2.z), rivets_least_depth_2), triplanar_rock_min_z);
     vec2 slopes_product_3 = rivets_texel_2.xy * slopes_quotient_2 * pebbles_weights.z;
     float slopes_sum = slopes_product_2.x + slopes_product_3.x * normal_side_z;
-    float slopes_quotient_3 = -1.0 / max(max(abs(rivets_texel_3.z), rivets_least_depth_3), 5e-07);
+    float slopes_quotient_3 = -1.0 /
+            max(max(abs(rivets_texel_3.z), rivets_least_depth_3), triplanar_rock_min_z);
     vec2 slopes_product_4 = rivets_texel_3.xy * slopes_quotient_3 * pebbles_weights.x;
     float slopes_sum_2 = slopes_product_4.x * normal_side_x + slopes_product_2.y * normal_side_y;
     vec3 slopes_volume = vec3(slopes_sum, slopes_product_4.y + slopes_product_3.y, -slopes_sum_2);

@@ -9,17 +9,19 @@ struct WrinkleMaterial_triplanar_slopes {
     vec3 normal;  // unit normal, object space
 };
 uniform sampler2D triplanar_slopes_g_image;  // textures/weave_normal.png (derivative, repeat)
+const vec3 triplanar_slopes_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const float triplanar_slopes_min_area = 1e-36;  // smaller areas and squared lengths are zero
 
-uint wrinkle_triplanar_slopes_hash(uint x) {
+uint wrinkle_triplanar_slopes_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_triplanar_slopes_hash3(vec3 cell) {
-    uint z = wrinkle_triplanar_slopes_hash(uint(int(cell.z)));
-    uint yz = wrinkle_triplanar_slopes_hash(uint(int(cell.y)) + z);
-    return wrinkle_triplanar_slopes_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_triplanar_slopes_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_triplanar_slopes_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_triplanar_slopes_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_triplanar_slopes_gradient_corner(vec3 corner, vec3 way) {
@@ -71,7 +73,7 @@ vec3 wrinkle_triplanar_slopes_fbm_slope(vec3 point, float width, float scale, in
     float total = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + triplanar_slopes_octave_offset * float(i);
         vec4 noise = wrinkle_triplanar_slopes_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -96,7 +98,8 @@ WrinkleMaterial_triplanar_slopes wrinkle_triplanar_slopes(WrinkleSurface_triplan
     vec2 g_vector = vec2(g_product.x, -g_side_y * g_product.z);
     vec3 g_above = max(abs(base_normal) - 0.2, vec3(0.0));
     vec3 g_powers = g_above * g_above * g_above;
-    vec3 g_product_3 = g_powers / max(g_powers.x + g_powers.y + g_powers.z, 1e-36) * 0.1;
+    vec3 g_product_3 = g_powers / max(g_powers.x + g_powers.y + g_powers.z,
+            triplanar_slopes_min_area) * 0.1;
     vec2 g_product_4 = (texture(triplanar_slopes_g_image, g_vector).xy - 0.5) * 2.0 * g_product_3.y;
     float g_side_z = g_product_2.z < 0.0 ? -1.0 : 1.0;
     vec2 g_vector_2 = vec2(g_side_z * g_product.x, g_product.y);

@@ -13,6 +13,10 @@ struct WrinkleMaterial_woven_strap {
 uniform sampler2D woven_strap_plates_image;  // textures/rivets_normal.png (normal_gl, repeat)
 uniform sampler2D woven_strap_cloth_image;   // textures/weave_normal.png (normal_gl, repeat)
 uniform float woven_strap_input_weave;
+const float woven_strap_min_ratio = 0.0078125;  // of z to x and y: slopes are at most 128
+const float woven_strap_min_z = 5e-07;          // of a normal map: the zero vector is flat
+const float woven_strap_min_area = 1e-36;       // smaller areas and squared lengths are zero
+const float woven_strap_min_normal = 1e-18;     // of a tangent along the normal
 
 WrinkleMaterial_woven_strap wrinkle_woven_strap(WrinkleSurface_woven_strap s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
@@ -22,16 +26,17 @@ WrinkleMaterial_woven_strap wrinkle_woven_strap(WrinkleSurface_woven_strap s) {
     vec3 dpdy = dFdy(s.position_relative);
     vec2 duv1_dx = dFdx(s.uv1);
     vec3 uv1_bitangent = cross(normal, dpdx * duv1_dy.y - dpdy * duv1_dx.y);
-    float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), 1e-36));
+    float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), woven_strap_min_area));
     // plates: Tangent normal map
     vec3 plates_texel = texture(woven_strap_plates_image, s.uv0).xyz - 0.5;
-    float plates_least_depth = max(abs(plates_texel.x), abs(plates_texel.y)) * 0.0078125;
-    float plates_depth = max(max(abs(plates_texel.z), plates_least_depth), 5e-07);
+    float plates_least_depth = max(abs(plates_texel.x), abs(plates_texel.y)) *
+            woven_strap_min_ratio;
+    float plates_depth = max(max(abs(plates_texel.z), plates_least_depth), woven_strap_min_z);
     vec2 tile_uv = s.uv1 * 6.0;  // tile: UV transform
     // cloth: Tangent normal map
     vec3 cloth_texel = texture(woven_strap_cloth_image, tile_uv).xyz - 0.5;
-    float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * 0.0078125;
-    float cloth_depth = max(max(abs(cloth_texel.z), cloth_least_depth), 5e-07);
+    float cloth_least_depth = max(abs(cloth_texel.x), abs(cloth_texel.y)) * woven_strap_min_ratio;
+    float cloth_depth = max(max(abs(cloth_texel.z), cloth_least_depth), woven_strap_min_z);
     vec2 normal_slope = plates_texel.xy * cloth_depth;  // normal: Resolve
     vec3 normal_along_u = s.tangent.xyz * (normal_slope.x * inverse_normal_length);
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
@@ -45,6 +50,6 @@ WrinkleMaterial_woven_strap wrinkle_woven_strap(WrinkleSurface_woven_strap s) {
     vec3 normal_gradient = normal_along_u + normal_along_v + (normal_along_u_2 + normal_along_v_2);
     vec3 normal_bumped = normal * (plates_depth * cloth_depth * s.facing) + normal_gradient;
     WrinkleMaterial_woven_strap m;
-    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + woven_strap_min_normal));
     return m;
 }

@@ -17,32 +17,37 @@ struct WrinkleMaterial_strap {
 };
 uniform sampler2D strap_base_image;   // base.png (normal_gl, repeat)
 uniform sampler2D strap_weave_image;  // weave.png (normal_gl, repeat)
+const float strap_min_footprint = 9.094947e-13;  // in squared texels, 2^-40
+const float strap_min_ratio = 0.0078125;         // of z to x and y: slopes are at most 128
+const float strap_min_z = 1e-06;                 // of a normal map: the zero vector is flat
+const float strap_min_area = 1e-36;              // smaller areas and squared lengths are zero
+const float strap_min_normal = 1e-18;            // of a tangent along the normal
 
 WrinkleMaterial_strap wrinkle_strap(WrinkleSurface_strap s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
     vec3 normal = s.normal * inverse_normal_length;
     vec3 uv1_bitangent = cross(normal, s.position_dx * s.uv1_dy.y - s.position_dy * s.uv1_dx.y);
-    float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), 1e-36));
+    float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), strap_min_area));
     vec2 base_size = vec2(textureSize(strap_base_image, 0));  // base: Tangent normal map
     vec2 base_product = base_size * s.uv0_dx;
     vec2 base_product_2 = base_size * s.uv0_dy;
     float base_greatest = max(dot(base_product, base_product), dot(base_product_2, base_product_2));
-    float base_product_3 = log2(max(base_greatest, 9.094947e-13)) * 0.5;
+    float base_product_3 = log2(max(base_greatest, strap_min_footprint)) * 0.5;
     vec4 base_texel = textureLod(strap_base_image, s.uv0, base_product_3);
     vec3 base_texel_2 = base_texel.xyz * 2.0 - 1.0;
-    float base_least_depth = max(abs(base_texel_2.x), abs(base_texel_2.y)) * 0.0078125;
-    float base_depth = max(max(abs(base_texel_2.z), base_least_depth), 1e-06);
+    float base_least_depth = max(abs(base_texel_2.x), abs(base_texel_2.y)) * strap_min_ratio;
+    float base_depth = max(max(abs(base_texel_2.z), base_least_depth), strap_min_z);
     vec2 tile_uv = s.uv1 * 8.0;  // tile: Tile
     vec2 weave_size = vec2(textureSize(strap_weave_image, 0));  // weave: Tangent normal map
     vec2 weave_product = weave_size * (s.uv1_dx * 8.0);
     float weave_dot_product = dot(weave_product, weave_product);
     vec2 weave_product_2 = weave_size * (s.uv1_dy * 8.0);
     float weave_greatest = max(weave_dot_product, dot(weave_product_2, weave_product_2));
-    float weave_product_3 = log2(max(weave_greatest, 9.094947e-13)) * 0.5;
+    float weave_product_3 = log2(max(weave_greatest, strap_min_footprint)) * 0.5;
     vec4 weave_texel = textureLod(strap_weave_image, tile_uv, weave_product_3);
     vec3 weave_texel_2 = weave_texel.xyz * 2.0 - 1.0;
-    float weave_least_depth = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel_2.z), weave_least_depth), 1e-06);
+    float weave_least_depth = max(abs(weave_texel_2.x), abs(weave_texel_2.y)) * strap_min_ratio;
+    float weave_depth = max(max(abs(weave_texel_2.z), weave_least_depth), strap_min_z);
     vec2 normal_slope = base_texel_2.xy * weave_depth;  // normal: Resolve
     vec3 normal_along_u = s.tangent.xyz * (normal_slope.x * inverse_normal_length);
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
@@ -56,6 +61,6 @@ WrinkleMaterial_strap wrinkle_strap(WrinkleSurface_strap s) {
     vec3 normal_gradient = normal_along_u + normal_along_v + (normal_along_u_2 + normal_along_v_2);
     vec3 normal_bumped = normal * (base_depth * weave_depth * s.facing) + normal_gradient;
     WrinkleMaterial_strap m;
-    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + strap_min_normal));
     return m;
 }

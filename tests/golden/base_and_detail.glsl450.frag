@@ -27,6 +27,10 @@ layout(set = 0, binding = 3) uniform sampler2D strap_weave_image;  // weave.png 
 layout(std140, set = 0, binding = 1) uniform WrinkleParameters_strap {
     float strap_softer_amount;
 };
+const float strap_min_ratio = 0.0078125;  // of z to x and y: slopes are at most 128
+const float strap_min_z = 1e-06;          // of a normal map: the zero vector is flat
+const float strap_min_area = 1e-36;       // smaller areas and squared lengths are zero
+const float strap_min_normal = 1e-18;     // of a tangent along the normal
 
 WrinkleMaterial_strap wrinkle_strap(WrinkleSurface_strap s) {
     float inverse_normal_length = inversesqrt(dot(s.normal, s.normal));  // the surface point
@@ -36,15 +40,15 @@ WrinkleMaterial_strap wrinkle_strap(WrinkleSurface_strap s) {
     vec3 dpdy = dFdyFine(s.position_relative);
     vec2 duv1_dx = dFdxFine(s.uv1);
     vec3 uv1_bitangent = cross(normal, dpdx * duv1_dy.y - dpdy * duv1_dx.y);
-    float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), 1e-36));
+    float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), strap_min_area));
     vec3 base_texel = texture(strap_base_image, s.uv0).xyz * 2.0 - 1.0;  // base: Tangent normal map
-    float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
-    float base_depth = max(max(abs(base_texel.z), base_least_depth), 1e-06);
+    float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * strap_min_ratio;
+    float base_depth = max(max(abs(base_texel.z), base_least_depth), strap_min_z);
     vec2 tile_uv = s.uv1 * 8.0;  // tile: Tile
     // weave: Tangent normal map
     vec3 weave_texel = texture(strap_weave_image, tile_uv).xyz * 2.0 - 1.0;
-    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * strap_min_ratio;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), strap_min_z);
     vec2 normal_slope = base_texel.xy * weave_depth;  // normal: Resolve
     vec3 normal_along_u = s.tangent.xyz * (normal_slope.x * inverse_normal_length);
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
@@ -58,7 +62,7 @@ WrinkleMaterial_strap wrinkle_strap(WrinkleSurface_strap s) {
     vec3 normal_gradient = normal_along_u + normal_along_v + (normal_along_u_2 + normal_along_v_2);
     vec3 normal_bumped = normal * (base_depth * weave_depth * s.facing) + normal_gradient;
     WrinkleMaterial_strap m;
-    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + strap_min_normal));
     return m;
 }
 

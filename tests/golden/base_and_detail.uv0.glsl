@@ -7,20 +7,23 @@ struct WrinkleSurface_strap {
 };
 uniform sampler2D strap_base_image;   // base.png (normal_gl, repeat)
 uniform sampler2D strap_weave_image;  // weave.png (normal_gl, repeat)
+const float strap_min_ratio = 0.0078125;  // of z to x and y: slopes are at most 128
+const float strap_min_z = 1e-06;          // of a normal map: the zero vector is flat
+const float strap_min_normal = 1e-18;     // of a tangent along the normal
 
 vec3 wrinkle_strap(WrinkleSurface_strap s) {
     vec3 base_texel = texture(strap_base_image, s.uv0).xyz * 2.0 - 1.0;  // base: Tangent normal map
-    float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * 0.0078125;
-    float base_depth = max(max(abs(base_texel.z), base_least_depth), 1e-06);
+    float base_least_depth = max(abs(base_texel.x), abs(base_texel.y)) * strap_min_ratio;
+    float base_depth = max(max(abs(base_texel.z), base_least_depth), strap_min_z);
     vec2 tile_uv = s.uv0 * 8.0;  // tile: Tile
     // weave: Tangent normal map
     vec3 weave_texel = texture(strap_weave_image, tile_uv).xyz * 2.0 - 1.0;
-    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * 0.0078125;
-    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), 1e-06);
+    float weave_least_depth = max(abs(weave_texel.x), abs(weave_texel.y)) * strap_min_ratio;
+    float weave_depth = max(max(abs(weave_texel.z), weave_least_depth), strap_min_z);
     vec3 normal_raised = s.normal * (base_depth * weave_depth * s.facing);  // normal: Resolve
     vec2 normal_slope = base_texel.xy * weave_depth + weave_texel.xy * 0.6 * base_depth;
     float normal_slope_v = normal_slope.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * normal_slope_v;
     vec3 normal_bumped = normal_raised + (s.tangent.xyz * normal_slope.x + normal_along_v);
-    return normalize(vec3(normal_bumped.xy, normal_bumped.z + 1e-18));
+    return normalize(vec3(normal_bumped.xy, normal_bumped.z + strap_min_normal));
 }

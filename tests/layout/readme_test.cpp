@@ -59,11 +59,11 @@ TEST(Readme, FilesOfItsCommandsExistOrAreDeclared) {
     EXPECT_GT(files, 15U);
 }
 
-// Base and detail in function form take at most 32 lines: 6 of them are the result's struct and its
-// assignment, without which a further output would change the signature.
+// Base and detail in function form take at most 36 lines: 6 of them are the result's struct and its
+// assignment, without which a further output would change the signature, 3 are named constants.
 TEST(Readme, BaseAndDetailStayShort) {
     const std::string golden = bytes_of(repository / "graphs/golden/base_and_detail.glsl");
-    EXPECT_LE(std::count(golden.begin(), golden.end(), '\n'), 32);
+    EXPECT_LE(std::count(golden.begin(), golden.end(), '\n'), 36);
 }
 
 }  // namespace

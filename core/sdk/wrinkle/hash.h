@@ -16,7 +16,7 @@ inline Uint permuted(Uint seed) {
 
 // A well mixed integer of one to three integers, by one function of the generated code.
 inline Uint hash(Uint x) {
-    return function("hash(x)", detail::permuted)(x);
+    return function("pcg_hash(x)", detail::permuted)(x);
 }
 inline Uint hash(Int x) {
     return hash(Uint(x));
@@ -39,7 +39,7 @@ inline Uint hash(vec3 cell) {
 
 // A number in [0, 1) of the upper 24 bits.
 inline Float unit_float(Uint bits) {
-    return Float(bits >> 8u) / 16777216.0;
+    return Float(bits >> 8u) / named("two_24 // the upper 24 bits to [0, 1)", Float(16777216));
 }
 
 }  // namespace wrinkle::sdk

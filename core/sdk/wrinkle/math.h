@@ -13,6 +13,25 @@
 
 namespace wrinkle::sdk {
 
+// Names a value in the generated source: "slope". In a function() it is then a separate statement.
+// "pi // half a turn": a constant with a comment, the same for all nodes.
+template <class T>
+T named(const char* name, T value) {
+    if (builder) builder->name(builder, value.id, name);
+    return value;
+}
+inline Float pi() {
+    return named("pi // half a turn, in radians", Float(3.141592653589793));
+}
+inline Float two_pi() {
+    return named("two_pi // a turn, in radians", Float(6.283185307179586));
+}
+namespace detail {
+inline Float least_float() {
+    return named("min_float // the least normal float", Float(1.17549435e-38));
+}
+}  // namespace detail
+
 // clang-format off
 #define WRINKLE_UNARY(name) \
     template <FloatType T> T name(T x) { return T(emit(WR_OP_##name, {x.id})); }
@@ -151,11 +170,11 @@ T inversesqrt(T x) {
 }
 template <FloatType T>
 T log(T x) {
-    return T(emit(WR_OP_log, {max(x, 1.17549435e-38).id}));
+    return T(emit(WR_OP_log, {max(x, detail::least_float()).id}));
 }
 template <FloatType T>
 T log2(T x) {
-    return T(emit(WR_OP_log2, {max(x, 1.17549435e-38).id}));
+    return T(emit(WR_OP_log2, {max(x, detail::least_float()).id}));
 }
 template <FloatType T>
 T asin(T x) {
@@ -199,13 +218,6 @@ template <VectorType V>
 V normalize(V v) {
     return select(dot(v, v) > 0, V(emit(WR_OP_normalize, {v.id})), V(Float(0)));
 }
-// Names a value in the generated source: "slope". In a function() it is then a separate statement.
-template <class T>
-T named(const char* name, T value) {
-    if (builder) builder->name(builder, value.id, name);
-    return value;
-}
-
 // `value` with a derivative of the author's own: d(value)/d(at) = slope, whatever value is made of.
 template <VectorType V>
 Float with_slope(Float value, V at, std::type_identity_t<V> slope) {
@@ -223,10 +235,10 @@ inline mat3 transpose(mat3 m) {
     return mat3(emit(WR_OP_transpose, {m.id}));
 }
 inline Float radians(Float degrees) {
-    return degrees * 0.017453292519943295;
+    return degrees * named("degree // in radians", Float(0.017453292519943295));
 }
 inline Float degrees(Float radians) {
-    return radians * 57.29577951308232;
+    return radians * named("radian // in degrees", Float(57.29577951308232));
 }
 
 }  // namespace wrinkle::sdk

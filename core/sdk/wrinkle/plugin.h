@@ -391,7 +391,8 @@ typedef struct wr_builder {
     /* A struct of the extension "name/1", valid as long as the builder; null when the host has
      * none of this id. */
     const void* (*get_extension)(const struct wr_builder* b, const char* id);
-    /* What a value is called in generated text, where it becomes a line of its own. */
+    /* What a value is called in generated text, where it becomes a line of its own. With
+     * "pi // half a turn", a literal is a named constant with a comment. */
     void (*name)(const struct wr_builder* b, wr_value value, const char* name);
 
     /* Members from here on are younger than version 1's first header: `size` covers them or not.

@@ -60,7 +60,7 @@ std::string why_no_line(const Session& session, const std::set<std::string>& sel
 // files or none.
 void start_code_export(Session& session, const std::filesystem::path& file);
 
-// Returns ".glsl", ".hlsl", ...; "" for the shader form, whose stages have suffixes of their own.
+// Returns ".glsl", ".hlsl", ...; "" for the shader form, which adds one per stage.
 std::string export_suffix(const CodeOptions& options);
 
 // Default path: next to the graph, "graph.glsl", or "graph" for the shader form.

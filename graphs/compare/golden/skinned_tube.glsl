@@ -12,6 +12,10 @@ struct WrinkleMaterial_skinned_tube {
     vec3 naive;
 };
 uniform sampler2D skinned_tube_map_image;  // textures/rivets_normal.png (normal_gl, repeat)
+const float skinned_tube_min_ratio = 0.0078125;  // of z to x and y: slopes are at most 128
+const float skinned_tube_min_z = 5e-07;          // of a normal map: the zero vector is flat
+const float skinned_tube_min_normal = 1e-18;     // of a tangent along the normal
+const float skinned_tube_min_area = 1e-36;       // smaller areas and squared lengths are zero
 
 WrinkleMaterial_skinned_tube wrinkle_skinned_tube(WrinkleSurface_skinned_tube s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -20,16 +24,17 @@ WrinkleMaterial_skinned_tube wrinkle_skinned_tube(WrinkleSurface_skinned_tube s)
     vec3 dpdy = dFdy(s.position_relative);
     vec2 duv0_dx = dFdx(s.uv0);
     vec3 uv0_bitangent = cross(normal, dpdx * duv0_dy.y - dpdy * duv0_dx.y);
-    float uv0_scale = inversesqrt(max(dot(uv0_bitangent, uv0_bitangent), 1e-36));
+    float uv0_scale = inversesqrt(max(dot(uv0_bitangent, uv0_bitangent), skinned_tube_min_area));
     vec2 tile_uv = s.uv0 * 3.0;  // tile: UV transform
     vec2 tile_uv_dy = duv0_dy * 3.0;
     vec2 tile_uv_dx = duv0_dx * 3.0;
     vec3 map_texel = texture(skinned_tube_map_image, tile_uv).xyz - 0.5;  // map: Image
     vec3 map_color = map_texel * 2.0;
     // vertex: Bump from tangent-space normal
-    float vertex_least_depth = max(abs(map_texel.x), abs(map_texel.y)) * 0.0078125;
+    float vertex_least_depth = max(abs(map_texel.x), abs(map_texel.y)) * skinned_tube_min_ratio;
     // resolved: Resolve
-    float resolved_product = max(max(abs(map_texel.z), vertex_least_depth), 5e-07) * s.facing;
+    float resolved_product = max(max(abs(map_texel.z), vertex_least_depth), skinned_tube_min_z) *
+            s.facing;
     float resolved_slope_v = map_texel.y * (s.tangent.w > 0.0 ? 1.0 : -1.0);
     vec3 resolved_along_v = cross(s.normal, s.tangent.xyz) * resolved_slope_v;
     vec3 resolved_gradient = s.tangent.xyz * map_texel.x + resolved_along_v;
@@ -53,7 +58,7 @@ WrinkleMaterial_skinned_tube wrinkle_skinned_tube(WrinkleSurface_skinned_tube s)
     vec3 naive_sum_2 = naive_sum + normal * s.facing * map_color.z;
     WrinkleMaterial_skinned_tube m;
     // resolved: Resolve (continued)
-    m.normal = normalize(vec3(resolved_bumped.xy, resolved_bumped.z + 1e-18));
+    m.normal = normalize(vec3(resolved_bumped.xy, resolved_bumped.z + skinned_tube_min_normal));
     // derived_resolved: Resolve (continued)
     m.derived = normalize(normal * resolved_product + derived_resolved_sum);
     // naive: Wrong: unprojected derived basis (continued)

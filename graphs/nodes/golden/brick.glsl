@@ -9,6 +9,7 @@ struct WrinkleMaterial_brick {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float brick_min_area = 1e-36;  // smaller areas and squared lengths are zero
 
 WrinkleMaterial_brick wrinkle_brick(WrinkleSurface_brick s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -38,7 +39,7 @@ WrinkleMaterial_brick wrinkle_brick(WrinkleSurface_brick s) {
     float relief_difference_2 = 1.0 - clamp(relief_covered, 0.0, relief_deepest);
     float relief_value = mix(0.72364, relief_difference_2, relief_fade);
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    float normal_product = sign(screen_area) / max(abs(screen_area), brick_min_area) * 0.02;
     vec2 normal_per_area = -relief_choice_2 * relief_fade * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_brick m;

@@ -9,6 +9,7 @@ struct WrinkleMaterial_checker {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float checker_min_area = 1e-36;  // smaller areas and squared lengths are zero
 
 WrinkleMaterial_checker wrinkle_checker(WrinkleSurface_checker s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -38,7 +39,7 @@ WrinkleMaterial_checker wrinkle_checker(WrinkleSurface_checker s) {
             vec2(relief_side_dx.y, relief_side_dy.y) * relief_product_2;
     float relief_value = 0.5 + relief_product_2 * relief_side.y;
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    float normal_product = sign(screen_area) / max(abs(screen_area), checker_min_area) * 0.02;
     vec2 normal_per_area = relief_slope * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_checker m;

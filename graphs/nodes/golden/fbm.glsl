@@ -9,17 +9,20 @@ struct WrinkleMaterial_fbm {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const vec3 fbm_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const float fbm_unskew = 0.16666667;                      // 1 / 6: a step of the lattice, per axis
+const float fbm_two_unskew = 0.33333334;                  // of two steps
 
-uint wrinkle_fbm_hash(uint x) {
+uint wrinkle_fbm_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_fbm_hash3(vec3 cell) {
-    uint z = wrinkle_fbm_hash(uint(int(cell.z)));
-    uint yz = wrinkle_fbm_hash(uint(int(cell.y)) + z);
-    return wrinkle_fbm_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_fbm_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_fbm_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_fbm_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_fbm_gradient_corner(vec3 corner, vec3 way) {
@@ -52,9 +55,9 @@ vec4 wrinkle_fbm_simplex_noise(vec3 p) {
     float number_3 = float(f.y >= f.z);
     vec3 rank = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
     vec3 one = clamp(rank - 1.0, 0.0, 1.0);
-    vec4 corner = wrinkle_fbm_simplex_corner(cell + one, way - one + 0.16666667);
+    vec4 corner = wrinkle_fbm_simplex_corner(cell + one, way - one + fbm_unskew);
     vec3 two = clamp(rank, 0.0, 1.0);
-    vec4 corner_2 = wrinkle_fbm_simplex_corner(cell + two, way - two + 0.33333334);
+    vec4 corner_2 = wrinkle_fbm_simplex_corner(cell + two, way - two + fbm_two_unskew);
     vec4 sum = wrinkle_fbm_simplex_corner(cell, way) + corner + corner_2;
     return (sum + wrinkle_fbm_simplex_corner(cell + 1.0, way - 0.5)) * 76.0;
 }
@@ -67,7 +70,7 @@ vec4 wrinkle_fbm_fbm(vec3 point, float width, float scale, int octaves, float la
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + fbm_octave_offset * float(i);
         vec4 noise = wrinkle_fbm_simplex_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;

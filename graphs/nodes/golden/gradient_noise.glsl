@@ -9,17 +9,18 @@ struct WrinkleMaterial_gradient_noise {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const vec3 gradient_noise_octave_offset = vec3(19.19, 7.43, 31.71);// between octaves, in cells
 
-uint wrinkle_gradient_noise_hash(uint x) {
+uint wrinkle_gradient_noise_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_gradient_noise_hash3(vec3 cell) {
-    uint z = wrinkle_gradient_noise_hash(uint(int(cell.z)));
-    uint yz = wrinkle_gradient_noise_hash(uint(int(cell.y)) + z);
-    return wrinkle_gradient_noise_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_gradient_noise_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_gradient_noise_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_gradient_noise_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_gradient_noise_gradient_corner(vec3 corner, vec3 way) {
@@ -72,7 +73,7 @@ vec4 wrinkle_gradient_noise_fbm(vec3 point, float width, float scale, int octave
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + gradient_noise_octave_offset * float(i);
         vec4 noise = wrinkle_gradient_noise_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;

@@ -9,6 +9,7 @@ struct WrinkleMaterial_pyramids {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float pyramids_min_area = 1e-36;  // smaller areas and squared lengths are zero
 
 WrinkleMaterial_pyramids wrinkle_pyramids(WrinkleSurface_pyramids s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -32,7 +33,7 @@ WrinkleMaterial_pyramids wrinkle_pyramids(WrinkleSurface_pyramids s) {
     float relief_fade = 1.0 - smoothstep(0.25, 0.75, max(length(relief_p_dx), length(relief_p_dy)));
     float relief_value = mix(0.083333336, clamp(relief_rise, 0.0, 1.0), relief_fade);
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
+    float normal_product = sign(screen_area) / max(abs(screen_area), pyramids_min_area) * 0.05;
     vec2 normal_per_area = relief_choice_2 * relief_fade * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_pyramids m;

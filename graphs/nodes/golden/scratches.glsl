@@ -9,23 +9,26 @@ struct WrinkleMaterial_scratches {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const uint scratches_golden_bits = 2654435769u;  // 2^32 / golden ratio
+const float scratches_two_24 = 16777216.0;       // the upper 24 bits to [0, 1)
+const float scratches_min_area = 1e-36;          // smaller areas and squared lengths are zero
 
-uint wrinkle_scratches_hash(uint x) {
+uint wrinkle_scratches_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_scratches_hash3(vec3 cell) {
-    uint z = wrinkle_scratches_hash(uint(int(cell.z)));
-    uint yz = wrinkle_scratches_hash(uint(int(cell.y)) + z);
-    return wrinkle_scratches_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_scratches_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_scratches_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_scratches_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec3 wrinkle_scratches_random3(uint bits) {
-    uint second = wrinkle_scratches_hash(bits);
-    uint third = wrinkle_scratches_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / 16777216.0;
+    uint second = wrinkle_scratches_pcg_hash(bits);
+    uint third = wrinkle_scratches_pcg_hash(second);
+    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / scratches_two_24;
 }
 
 vec3 wrinkle_scratches_scratch(vec2 p, int index, float density, vec2 size, vec2 angles) {
@@ -34,8 +37,8 @@ vec3 wrinkle_scratches_scratch(vec2 p, int index, float density, vec2 size, vec2
     vec2 moved = p + vec2(0.37, 0.61) * layer;
     vec2 cell = floor(moved) + (floor(mod(middle / vec2(1.0, 3.0), 3.0)) - 1.0);
     uint bits = wrinkle_scratches_hash3(vec3(cell, layer));
-    uint more = wrinkle_scratches_hash(bits ^ 2654435769u);
-    bool drawn = float(wrinkle_scratches_hash(more) >> 8u) / 16777216.0 < density;
+    uint more = wrinkle_scratches_pcg_hash(bits ^ scratches_golden_bits);
+    bool drawn = float(wrinkle_scratches_pcg_hash(more) >> 8u) / scratches_two_24 < density;
     vec3 random = wrinkle_scratches_random3(bits);
     float angle = angles.x + (random.z - 0.5) * angles.y;
     float sine = sin(angle);
@@ -46,7 +49,7 @@ vec3 wrinkle_scratches_scratch(vec2 p, int index, float density, vec2 size, vec2
     float inside = 1.0 - abs(side);
     float t = clamp(inside, 0.0, 1.0);
     vec2 along = vec2(cosine, sine);
-    float half_length = size.x * (0.25 + 0.25 * (float(more >> 8u) / 16777216.0));
+    float half_length = size.x * (0.25 + 0.25 * (float(more >> 8u) / scratches_two_24));
     float end = dot(way, along) / half_length;
     float rest = 1.0 - end * end;
     float taper = max(rest, 0.0);
@@ -87,7 +90,7 @@ WrinkleMaterial_scratches wrinkle_scratches(WrinkleSurface_scratches s) {
     vec2 relief_slope = -vec2(dot(relief.xy, duv0_dx), dot(relief.xy, duv0_dy));
     float relief_value = -relief.z;
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.006;
+    float normal_product = sign(screen_area) / max(abs(screen_area), scratches_min_area) * 0.006;
     vec2 normal_per_area = relief_slope * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_scratches m;

@@ -9,17 +9,19 @@ struct WrinkleMaterial_simplex_noise {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float simplex_noise_unskew = 0.16666667;      // 1 / 6: a step of the lattice, per axis
+const float simplex_noise_two_unskew = 0.33333334;  // of two steps
 
-uint wrinkle_simplex_noise_hash(uint x) {
+uint wrinkle_simplex_noise_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_simplex_noise_hash3(vec3 cell) {
-    uint z = wrinkle_simplex_noise_hash(uint(int(cell.z)));
-    uint yz = wrinkle_simplex_noise_hash(uint(int(cell.y)) + z);
-    return wrinkle_simplex_noise_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_simplex_noise_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_simplex_noise_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_simplex_noise_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_simplex_noise_gradient_corner(vec3 corner, vec3 way) {
@@ -52,9 +54,11 @@ vec4 wrinkle_simplex_noise_simplex_noise(vec3 p) {
     float number_3 = float(f.y >= f.z);
     vec3 rank = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
     vec3 one = clamp(rank - 1.0, 0.0, 1.0);
-    vec4 corner = wrinkle_simplex_noise_simplex_corner(cell + one, way - one + 0.16666667);
+    vec4 corner = wrinkle_simplex_noise_simplex_corner(cell + one, way - one +
+            simplex_noise_unskew);
     vec3 two = clamp(rank, 0.0, 1.0);
-    vec4 corner_2 = wrinkle_simplex_noise_simplex_corner(cell + two, way - two + 0.33333334);
+    vec4 corner_2 = wrinkle_simplex_noise_simplex_corner(cell + two, way - two +
+            simplex_noise_two_unskew);
     vec4 sum = wrinkle_simplex_noise_simplex_corner(cell, way) + corner + corner_2;
     return (sum + wrinkle_simplex_noise_simplex_corner(cell + 1.0, way - 0.5)) * 76.0;
 }

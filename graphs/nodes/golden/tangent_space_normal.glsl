@@ -10,17 +10,20 @@ struct WrinkleSurface_tangent_space_normal {
 struct WrinkleMaterial_tangent_space_normal {
     vec3 color;  // base color, linear
 };
+const vec3 tangent_space_normal_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const float tangent_space_normal_pi = 3.1415927;    // half a turn, in radians
+const float tangent_space_normal_min_area = 1e-36;  // smaller areas and squared lengths are zero
 
-uint wrinkle_tangent_space_normal_hash(uint x) {
+uint wrinkle_tangent_space_normal_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_tangent_space_normal_hash3(vec3 cell) {
-    uint z = wrinkle_tangent_space_normal_hash(uint(int(cell.z)));
-    uint yz = wrinkle_tangent_space_normal_hash(uint(int(cell.y)) + z);
-    return wrinkle_tangent_space_normal_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_tangent_space_normal_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_tangent_space_normal_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_tangent_space_normal_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_tangent_space_normal_gradient_corner(vec3 corner, vec3 way) {
@@ -73,7 +76,7 @@ vec4 wrinkle_tangent_space_normal_billows(vec3 point, float width, float scale, 
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + tangent_space_normal_octave_offset * float(i);
         vec4 noise = wrinkle_tangent_space_normal_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -90,9 +93,9 @@ vec3 wrinkle_tangent_space_normal_thread(vec2 p, float side, float width) {
     float quotient = (2.0 * (p.x - floored) - 1.0) / width;
     float difference = 1.0 - quotient * quotient;
     float choice = difference < 0.0 ? 0.0 : -(2.0 / width * quotient * 2.0);
-    float product = mod(p.y - 0.5 + floored, 2.0) * 3.1415927;
+    float product = mod(p.y - 0.5 + floored, 2.0) * tangent_space_normal_pi;
     float greatest = max(difference, 0.0);
-    vec3 vector = vec3(choice, -(3.1415927 * sin(product)) * side * 0.325, greatest);
+    vec3 vector = vec3(choice, -(tangent_space_normal_pi * sin(product)) * side * 0.325, greatest);
     float sum = 0.675 + 0.325 * (side * cos(product));
     return vector * vec3(sum, greatest, sum);
 }
@@ -131,7 +134,8 @@ WrinkleMaterial_tangent_space_normal
     vec2 cloth_slope = cloth_choice * (1.0 - smoothstep(0.25, 0.75, cloth_width)) * 0.02;
     vec2 sum_slope = dents_slope * 0.15 + cloth_slope;  // sum: Add heights
     vec3 resolved_product = normal * s.facing;  // resolved: Resolve
-    vec2 resolved_per_area = sum_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec2 resolved_per_area = sum_slope *
+            (sign(screen_area) / max(abs(screen_area), tangent_space_normal_min_area));
     vec3 resolved_difference = dpdx * resolved_per_area.y - dpdy * resolved_per_area.x;
     vec3 resolved_normal = normalize(resolved_product - cross(normal, resolved_difference));
     // map: Normal in tangent space

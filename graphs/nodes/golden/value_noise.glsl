@@ -9,24 +9,25 @@ struct WrinkleMaterial_value_noise {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float value_noise_two_24 = 16777216.0;  // the upper 24 bits to [0, 1)
 
-uint wrinkle_value_noise_hash(uint x) {
+uint wrinkle_value_noise_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_value_noise_hash3(vec3 cell) {
-    uint z = wrinkle_value_noise_hash(uint(int(cell.z)));
-    uint yz = wrinkle_value_noise_hash(uint(int(cell.y)) + z);
-    return wrinkle_value_noise_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_value_noise_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_value_noise_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_value_noise_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec2 wrinkle_value_noise_value_edge(vec3 corner, float t, float t_slope) {
     float number = float(wrinkle_value_noise_hash3(vec3(corner.x + 1.0, corner.yz)) >> 8u);
-    float product = number / 16777216.0 * 2.0;
+    float product = number / value_noise_two_24 * 2.0;
     float b = product - 1.0;
-    float a = float(wrinkle_value_noise_hash3(corner) >> 8u) / 16777216.0 * 2.0 - 1.0;
+    float a = float(wrinkle_value_noise_hash3(corner) >> 8u) / value_noise_two_24 * 2.0 - 1.0;
     return vec2(t_slope * (b - a), mix(a, b, t));
 }
 

@@ -9,15 +9,17 @@ struct WrinkleMaterial_weave {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float weave_pi = 3.1415927;    // half a turn, in radians
+const float weave_min_area = 1e-36;  // smaller areas and squared lengths are zero
 
 vec3 wrinkle_weave_thread(vec2 p, float side, float width) {
     float floored = floor(p.x);
     float quotient = (2.0 * (p.x - floored) - 1.0) / width;
     float difference = 1.0 - quotient * quotient;
     float choice = difference < 0.0 ? 0.0 : -(2.0 / width * quotient * 2.0);
-    float product = mod(p.y - 0.5 + floored, 2.0) * 3.1415927;
+    float product = mod(p.y - 0.5 + floored, 2.0) * weave_pi;
     float greatest = max(difference, 0.0);
-    vec3 vector = vec3(choice, -(3.1415927 * sin(product)) * side * 0.325, greatest);
+    vec3 vector = vec3(choice, -(weave_pi * sin(product)) * side * 0.325, greatest);
     float sum = 0.675 + 0.325 * (side * cos(product));
     return vector * vec3(sum, greatest, sum);
 }
@@ -42,7 +44,7 @@ WrinkleMaterial_weave wrinkle_weave(WrinkleSurface_weave s) {
     vec2 relief_slope = (relief.z < relief_2.z ? relief_vector : relief_product_4) * relief_fade;
     float relief_value = mix(0.60579, max(relief.z, relief_2.z), relief_fade);
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
+    float normal_product = sign(screen_area) / max(abs(screen_area), weave_min_area) * 0.05;
     vec2 normal_per_area = relief_slope * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_weave m;

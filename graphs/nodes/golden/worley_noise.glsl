@@ -9,23 +9,24 @@ struct WrinkleMaterial_worley_noise {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float worley_noise_two_24 = 16777216.0;  // the upper 24 bits to [0, 1)
 
-uint wrinkle_worley_noise_hash(uint x) {
+uint wrinkle_worley_noise_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_worley_noise_hash3(vec3 cell) {
-    uint z = wrinkle_worley_noise_hash(uint(int(cell.z)));
-    uint yz = wrinkle_worley_noise_hash(uint(int(cell.y)) + z);
-    return wrinkle_worley_noise_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_worley_noise_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_worley_noise_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_worley_noise_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec3 wrinkle_worley_noise_random3(uint bits) {
-    uint second = wrinkle_worley_noise_hash(bits);
-    uint third = wrinkle_worley_noise_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / 16777216.0;
+    uint second = wrinkle_worley_noise_pcg_hash(bits);
+    uint third = wrinkle_worley_noise_pcg_hash(second);
+    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / worley_noise_two_24;
 }
 
 vec3 wrinkle_worley_noise_feature_point(vec3 cell, float jitter) {
@@ -61,7 +62,8 @@ vec4 wrinkle_worley_noise_worley(vec3 point, float width, float scale, float jit
     vec3 choice = extent_2 > 0.0 ? to_nearest * negated / extent_2 : vec3(0.0);
     vec3 difference = (extent > 0.0 ? to_next * negated / extent : vec3(0.0)) - choice;
     float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(scale));
-    return vec4(difference * fade, mix(0.223 - 0.025 * jitter, extent - extent_2, fade));
+    float mean = 0.223 - 0.025 * jitter;
+    return vec4(difference * fade, mix(mean, extent - extent_2, fade));
 }
 
 WrinkleMaterial_worley_noise wrinkle_worley_noise(WrinkleSurface_worley_noise s) {

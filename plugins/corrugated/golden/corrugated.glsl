@@ -9,6 +9,7 @@ struct WrinkleMaterial_corrugated {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float corrugated_min_area = 1e-36;  // smaller areas and squared lengths are zero
 
 WrinkleMaterial_corrugated wrinkle_corrugated(WrinkleSurface_corrugated s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -19,7 +20,7 @@ WrinkleMaterial_corrugated wrinkle_corrugated(WrinkleSurface_corrugated s) {
     float iron_product = s.uv0.x * 16.0 * 6.2831855;
     vec2 iron_wave_slope = -(iron_vector * 16.0 * 6.2831855 * sin(iron_product));
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    float normal_product = sign(screen_area) / max(abs(screen_area), corrugated_min_area) * 0.02;
     vec2 normal_per_area = iron_wave_slope * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_corrugated m;

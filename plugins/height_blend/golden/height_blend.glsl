@@ -10,17 +10,21 @@ struct WrinkleMaterial_height_blend {
     vec3 normal;  // unit normal, object space
     vec3 color;   // base color, linear
 };
+const vec3 height_blend_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const float height_blend_sqrt_3 = 1.7320508;  // height of the grid's cells
+const float height_blend_sin_60 = 0.8660254;  // sqrt(3) / 2
+const float height_blend_min_area = 1e-36;    // smaller areas and squared lengths are zero
 
-uint wrinkle_height_blend_hash(uint x) {
+uint wrinkle_height_blend_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_height_blend_hash3(vec3 cell) {
-    uint z = wrinkle_height_blend_hash(uint(int(cell.z)));
-    uint yz = wrinkle_height_blend_hash(uint(int(cell.y)) + z);
-    return wrinkle_height_blend_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_height_blend_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_height_blend_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_height_blend_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_height_blend_gradient_corner(vec3 corner, vec3 way) {
@@ -73,7 +77,7 @@ vec4 wrinkle_height_blend_fbm(vec3 point, float width, float scale, int octaves,
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + height_blend_octave_offset * float(i);
         vec4 noise = wrinkle_height_blend_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -103,15 +107,15 @@ WrinkleMaterial_height_blend wrinkle_height_blend(WrinkleSurface_height_blend s)
     float stones_width = max(length(stones_p_dx), length(stones_p_dy));
     float stones_slope_width = max(0.25, stones_width);
     vec2 stones_p = s.uv0 * 7.0;
-    vec2 stones_quotient = stones_p / vec2(1.0, 1.7320508);
+    vec2 stones_quotient = stones_p / vec2(1.0, height_blend_sqrt_3);
     vec2 stones_floored = floor(stones_quotient + 0.5);
-    vec2 stones_even = stones_p - vec2(stones_floored.x, 1.7320508 * stones_floored.y);
+    vec2 stones_even = stones_p - vec2(stones_floored.x, height_blend_sqrt_3 * stones_floored.y);
     vec2 stones_sum = floor(stones_quotient) + 0.5;
-    vec2 stones_odd = stones_p - vec2(stones_sum.x, 1.7320508 * stones_sum.y);
+    vec2 stones_odd = stones_p - vec2(stones_sum.x, height_blend_sqrt_3 * stones_sum.y);
     bool stones_test = dot(stones_even, stones_even) < dot(stones_odd, stones_odd);
     vec2 stones_way = stones_test ? stones_even : stones_odd;
     vec2 stones_side = abs(stones_way);
-    float stones_edge = dot(stones_side, vec2(0.5, 0.8660254));
+    float stones_edge = dot(stones_side, vec2(0.5, height_blend_sin_60));
     float stones_inside = 0.5 - max(stones_side.x, stones_edge);
     float stones_covered = (0.5 * (stones_slope_width + 0.31) - stones_inside) / stones_slope_width;
     float stones_deepest = min(1.0, 0.31 / stones_slope_width);
@@ -121,8 +125,8 @@ WrinkleMaterial_height_blend wrinkle_height_blend(WrinkleSurface_height_blend s)
     vec2 stones_sign = sign(stones_way);
     vec2 stones_side_dx = stones_p_dx * stones_sign;
     vec2 stones_side_dy = stones_p_dy * stones_sign;
-    vec2 stones_edge_slope = vec2(dot(stones_side_dx, vec2(0.5, 0.8660254)),
-            dot(stones_side_dy, vec2(0.5, 0.8660254)));
+    vec2 stones_edge_slope = vec2(dot(stones_side_dx, vec2(0.5, height_blend_sin_60)),
+            dot(stones_side_dy, vec2(0.5, height_blend_sin_60)));
     vec2 stones_vector = vec2(stones_side_dx.x, stones_side_dy.x);
     vec2 stones_choice = stones_side.x < stones_edge ? stones_edge_slope : stones_vector;
     vec2 stones_choice_2 = stones_covered < 0.0 ? vec2(0.0) : stones_choice / stones_slope_width;
@@ -132,7 +136,8 @@ WrinkleMaterial_height_blend wrinkle_height_blend(WrinkleSurface_height_blend s)
     vec3 both_gradient = (dunes.xyz * 0.03 + grain.xyz * 0.0015) * both_weight;
     vec2 both_product = -stones_choice_3 * stones_fade * 0.05 * (1.0 - both_weight);
     vec3 normal_product = normal * (s.facing + dot(normal, both_gradient));  // normal: Resolve
-    vec2 normal_per_area = both_product * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec2 normal_per_area = both_product *
+            (sign(screen_area) / max(abs(screen_area), height_blend_min_area));
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_height_blend m;
     m.normal = normalize(normal_product - (normal_gradient + both_gradient));

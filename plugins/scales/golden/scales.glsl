@@ -9,8 +9,10 @@ struct WrinkleMaterial_scales {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float scales_two_24 = 16777216.0;  // the upper 24 bits to [0, 1)
+const float scales_min_area = 1e-36;     // smaller areas and squared lengths are zero
 
-uint wrinkle_scales_hash(uint x) {
+uint wrinkle_scales_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
@@ -32,10 +34,9 @@ WrinkleMaterial_scales wrinkle_scales(WrinkleSurface_scales s) {
         float skin_difference = skin_row + float(i >> 1) - 1.0;  // skin: Scales (continued)
         float skin_product_2 = 0.5 * mod(skin_difference, 2.0);
         float skin_sum = floor(skin_product.x - skin_product_2) + float(i & 1);
-        uint skin = wrinkle_scales_hash(uint(int(skin_sum)) +
-                wrinkle_scales_hash(uint(int(skin_difference))));
-        uint skin_bits = skin >> 8u;
-        float skin_difference_2 = 1.0 - 0.3 * (float(skin_bits) / 16777216.0);
+        uint skin_hash = wrinkle_scales_pcg_hash(uint(int(skin_difference)));
+        uint skin_bits = wrinkle_scales_pcg_hash(uint(int(skin_sum)) + skin_hash) >> 8u;
+        float skin_difference_2 = 1.0 - 0.3 * (float(skin_bits) / scales_two_24);
         vec2 skin_way = skin_product - vec2(skin_sum + skin_product_2, 0.5 * skin_difference);
         float skin_difference_3 = 1.5 - 1.5 * dot(skin_way, skin_way) / 0.5625;
         float skin_product_3 = skin_difference_2 * clamp(skin_difference_3, 0.0, 1.0);
@@ -52,7 +53,7 @@ WrinkleMaterial_scales wrinkle_scales(WrinkleSurface_scales s) {
         state_2 = max(state_2, skin_product_4);
     }
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
+    float normal_product = sign(screen_area) / max(abs(screen_area), scales_min_area) * 0.05;
     vec2 normal_per_area = state_3 * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_scales m;

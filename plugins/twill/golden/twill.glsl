@@ -9,17 +9,19 @@ struct WrinkleMaterial_twill {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const vec3 twill_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const float twill_min_area = 1e-36;                         // smaller areas and squared lengths are zero
 
-uint wrinkle_twill_hash(uint x) {
+uint wrinkle_twill_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_twill_hash3(vec3 cell) {
-    uint z = wrinkle_twill_hash(uint(int(cell.z)));
-    uint yz = wrinkle_twill_hash(uint(int(cell.y)) + z);
-    return wrinkle_twill_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_twill_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_twill_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_twill_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_twill_gradient_corner(vec3 corner, vec3 way) {
@@ -72,7 +74,7 @@ vec4 wrinkle_twill_fbm(vec3 point, float width, float scale, int octaves, float 
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + twill_octave_offset * float(i);
         vec4 noise = wrinkle_twill_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -137,7 +139,8 @@ WrinkleMaterial_twill wrinkle_twill(WrinkleSurface_twill s) {
     float cloth_ramp = smoothstep(0.25, 0.75,
             max(length(cloth_product_4), length(cloth_product_5)));
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * (1.0 - cloth_ramp);
+    float normal_product = sign(screen_area) / max(abs(screen_area), twill_min_area) *
+            (1.0 - cloth_ramp);
     vec2 normal_per_area = cloth_choice * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_twill m;

@@ -13,6 +13,8 @@ struct WrinkleMaterial_brick {
     float height;
 };
 
+const float min_area = 1e-36;  // smaller areas are zero
+
 WrinkleMaterial_brick wrinkle_brick(WrinkleSurface_brick s) {
     const float mortar = 0.06, bevel = 0.15, groove = mortar + bevel, aspect = 2.5;
     vec3 normal = normalize(s.normal);
@@ -48,7 +50,7 @@ WrinkleMaterial_brick wrinkle_brick(WrinkleSurface_brick s) {
 
     // The surface gradient by screen differences (Mikkelsen 2010).
     float area = dot(normal, cross(s.position_dx, s.position_dy));
-    vec2 per_area = slope * sign(area) / max(abs(area), 1e-36);
+    vec2 per_area = slope * sign(area) / max(abs(area), min_area);
     vec3 gradient = cross(normal, s.position_dx * per_area.y - s.position_dy * per_area.x);
 
     WrinkleMaterial_brick m;

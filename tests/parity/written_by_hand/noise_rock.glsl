@@ -12,6 +12,8 @@ struct WrinkleMaterial_noise_rock {
     float roughness;
 };
 
+const vec3 octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+
 // The PCG permutation (M. O'Neill 2014).
 uint hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
@@ -79,7 +81,7 @@ vec4 fbm(vec3 point, float width, float scale, int octaves, float lacunarity, fl
     vec4 sum = vec4(0.0);
     for (int i = 0; i < octaves; ++i) {
         // Without the offset, every octave would be 0 at the origin.
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + octave_offset * float(i);
         vec4 n = noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * frequency);
         sum += vec4(n.xyz * frequency, n.w) * fade * weight;

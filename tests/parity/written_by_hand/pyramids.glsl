@@ -13,6 +13,8 @@ struct WrinkleMaterial_pyramids {
     float height;
 };
 
+const float min_area = 1e-36;  // smaller areas are zero
+
 WrinkleMaterial_pyramids wrinkle_pyramids(WrinkleSurface_pyramids s) {
     vec3 normal = normalize(s.normal);
 
@@ -37,7 +39,7 @@ WrinkleMaterial_pyramids wrinkle_pyramids(WrinkleSurface_pyramids s) {
 
     // The surface gradient by screen differences (Mikkelsen 2010).
     float area = dot(normal, cross(s.position_dx, s.position_dy));
-    vec2 per_area = slope * sign(area) / max(abs(area), 1e-36);
+    vec2 per_area = slope * sign(area) / max(abs(area), min_area);
     vec3 gradient = cross(normal, s.position_dx * per_area.y - s.position_dy * per_area.x);
 
     WrinkleMaterial_pyramids m;

@@ -19,6 +19,12 @@ struct WrinkleMaterial_rusty_steel {
     vec3 emission;
 };
 
+const float min_area = 1e-36;  // smaller areas are zero
+const vec3 octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const float two_24 = 16777216.0;  // the upper 24 bits to [0, 1)
+const uint golden_bits = 0x9e3779b9u;  // 2^32 / golden ratio
+const float two_pi = 6.2831853;  // a turn, in radians
+
 // The PCG permutation (M. O'Neill 2014).
 uint hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
@@ -86,7 +92,7 @@ vec4 fbm(vec3 point, float width, float scale, int octaves, float lacunarity, fl
     vec4 sum = vec4(0.0);
     for (int i = 0; i < octaves; ++i) {
         // Without the offset, every octave would be 0 at the origin.
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + octave_offset * float(i);
         vec4 n = noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * frequency);
         sum += vec4(n.xyz * frequency, n.w) * fade * weight;
@@ -99,7 +105,7 @@ vec4 fbm(vec3 point, float width, float scale, int octaves, float lacunarity, fl
 
 // Numbers in [0, 1).
 float random(uint bits) {
-    return float(bits >> 8u) / 16777216.0;
+    return float(bits >> 8u) / two_24;
 }
 vec3 random3(uint bits) {
     uint second = hash(bits);
@@ -113,7 +119,7 @@ vec3 scratch(vec2 p, int index, float density, vec2 size, vec2 angles) {
     vec2 moved = p + vec2(0.37, 0.61) * float(layer);
     vec2 cell = floor(moved) + vec2(float(index % 3), float(index / 3 % 3)) - 1.0;
     uint bits = hash(vec3(cell, float(layer)));
-    uint more = hash(bits ^ 0x9e3779b9u);
+    uint more = hash(bits ^ golden_bits);
     if (random(hash(more)) >= density) return vec3(0.0);
 
     vec3 r = random3(bits);
@@ -201,7 +207,7 @@ WrinkleMaterial_rusty_steel wrinkle_rusty_steel(WrinkleSurface_rusty_steel s) {
 
     // fine_scratches
     vec3 fine_scratches = scratches(s.uv0, uv_width, 11.0, 2, 0.5, vec2(1.4, 0.05),
-            vec2(0.0, 6.2831853));
+            vec2(0.0, two_pi));
     vec2 fine_slope = vec2(dot(fine_scratches.xy, s.uv0_dx), dot(fine_scratches.xy, s.uv0_dy));
 
     // steel: bends with scratches
@@ -269,7 +275,7 @@ WrinkleMaterial_rusty_steel wrinkle_rusty_steel(WrinkleSurface_rusty_steel s) {
 
     // The surface gradient by screen differences (Mikkelsen 2010).
     float area = dot(normal, cross(s.position_dx, s.position_dy));
-    vec2 per_area = dusty_slope * sign(area) / max(abs(area), 1e-36);
+    vec2 per_area = dusty_slope * sign(area) / max(abs(area), min_area);
     vec3 gradient = cross(normal, s.position_dx * per_area.y - s.position_dy * per_area.x);
 
     // Colours

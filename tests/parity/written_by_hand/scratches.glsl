@@ -13,6 +13,11 @@ struct WrinkleMaterial_scratches {
     float height;
 };
 
+const float min_area = 1e-36;  // smaller areas are zero
+const float two_24 = 16777216.0;  // the upper 24 bits to [0, 1)
+const uint golden_bits = 0x9e3779b9u;  // 2^32 / golden ratio
+const float two_pi = 6.2831853;  // a turn, in radians
+
 // The PCG permutation (M. O'Neill 2014).
 uint hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
@@ -27,7 +32,7 @@ uint hash(vec3 cell) {
 
 // Numbers in [0, 1).
 float random(uint bits) {
-    return float(bits >> 8u) / 16777216.0;
+    return float(bits >> 8u) / two_24;
 }
 vec3 random3(uint bits) {
     uint second = hash(bits);
@@ -41,7 +46,7 @@ vec3 scratch(vec2 p, int index, float density, vec2 size, vec2 angles) {
     vec2 moved = p + vec2(0.37, 0.61) * float(layer);
     vec2 cell = floor(moved) + vec2(float(index % 3), float(index / 3 % 3)) - 1.0;
     uint bits = hash(vec3(cell, float(layer)));
-    uint more = hash(bits ^ 0x9e3779b9u);
+    uint more = hash(bits ^ golden_bits);
     if (random(hash(more)) >= density) return vec3(0.0);
 
     vec3 r = random3(bits);
@@ -79,13 +84,13 @@ vec3 scratches(vec2 uv, float width, float scale, int layers, float density, vec
 WrinkleMaterial_scratches wrinkle_scratches(WrinkleSurface_scratches s) {
     vec3 normal = normalize(s.normal);
     float width = max(length(s.uv0_dx), length(s.uv0_dy));
-    vec3 relief = scratches(s.uv0, width, 5.0, 3, 0.7, vec2(1.4, 0.04), vec2(0.0, 6.2831853));
+    vec3 relief = scratches(s.uv0, width, 5.0, 3, 0.7, vec2(1.4, 0.04), vec2(0.0, two_pi));
     float height = -0.006 * relief.z;
     vec2 slope = -0.006 * vec2(dot(relief.xy, s.uv0_dx), dot(relief.xy, s.uv0_dy));
 
     // The surface gradient by screen differences (Mikkelsen 2010).
     float area = dot(normal, cross(s.position_dx, s.position_dy));
-    vec2 per_area = slope * sign(area) / max(abs(area), 1e-36);
+    vec2 per_area = slope * sign(area) / max(abs(area), min_area);
     vec3 gradient = cross(normal, s.position_dx * per_area.y - s.position_dy * per_area.x);
 
     WrinkleMaterial_scratches m;

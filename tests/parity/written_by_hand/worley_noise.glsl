@@ -11,6 +11,8 @@ struct WrinkleMaterial_worley_noise {
     float height;
 };
 
+const float two_24 = 16777216.0;  // the upper 24 bits to [0, 1)
+
 // The PCG permutation (M. O'Neill 2014).
 uint hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
@@ -25,7 +27,7 @@ uint hash(vec3 cell) {
 
 // Numbers in [0, 1).
 float random(uint bits) {
-    return float(bits >> 8u) / 16777216.0;
+    return float(bits >> 8u) / two_24;
 }
 vec3 random3(uint bits) {
     uint second = hash(bits);
