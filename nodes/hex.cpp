@@ -74,7 +74,8 @@ static auto copy_function() {
 }
 
 static HexBlend hexagons_at(vec2 uv, Float hexagons, Float rotation) {
-    const Float size = named("hex_grid_size // 2 sqrt(3) hexagons", hexagons * 3.4641016151377544);
+    const Float size =
+        named("hex_size // 2 sqrt(3) times the hexagons", hexagons * 3.4641016151377544);
     const auto copy = copy_function();
     const auto tap = [&](vec2 corner) {
         const vec4 at = named("copy", copy(uv, corner, size, rotation));

@@ -37,8 +37,9 @@ void EmitAnalysis::find_names() {
             (is_sample((*module_)[inst.arg[0]].op) || (inst.level > 0 && single_call(inst.arg[0]))))
             value = inst.arg[0];
         uint32_t& name = values_[value].name;
+        const bool constant = module_->is_constant(value);
         const auto rank = [&](const Named& one) {
-            return !one.comment.empty() ? 2 : int(one.output);
+            return constant && !one.comment.empty() ? 2 : int(one.output);
         };
         if (name == 0 || rank(named[i]) > rank(named[name - 1])) name = i + 1;
     }

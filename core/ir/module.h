@@ -180,7 +180,7 @@ public:
     void problem(std::string message, std::string expected = {});
     // Names a value for generated source, used if it becomes a separate statement; an existing name
     // is retained. "min_area // why": a named constant with a comment, the same for all nodes, if
-    // the value is a literal or a vector of literals.
+    // the value is a literal or a vector of literals, or becomes one.
     void name(Id value, uint32_t node, std::string_view name);
     const Named* name_of(Id value);  // its first name; null if it has none
     // Names the derivative of a value that has a name: "slope" for an output and for "value", else
@@ -222,7 +222,6 @@ private:
         std::vector<Type> params;
         size_t first_name;  // in `named`
     };
-    void name_constant(Id value, std::string_view name, std::string_view comment);
     void share_name(uint32_t index);
     Id intern(const Inst& inst);
     Id append(const Inst& inst);

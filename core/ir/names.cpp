@@ -7,22 +7,17 @@ namespace wrinkle {
 
 void Module::name(Id value, uint32_t node, std::string_view name) {
     constexpr std::string_view mark = " // ";
+    std::string_view comment;
     if (const size_t end = name.find(mark); end != name.npos) {
-        if (is_constant(value))
-            return name_constant(value, name.substr(0, end), name.substr(end + mark.size()));
+        comment = name.substr(end + mark.size());
         name = name.substr(0, end);
     }
     const Named* known = name_of(value);
-    if (!known)
-        named.push_back({value, node, std::string(name), false});
+    if (!known || (known->comment.empty() && !comment.empty() && is_constant(value)))
+        named.push_back(
+            {value, node, std::string(name), false, false, false, std::string(comment)});
     else if (known->node != node && known->name == name && !known->output && !known->unshared)
         share_name(names_[value] - 1);
-}
-
-void Module::name_constant(Id value, std::string_view name, std::string_view comment) {
-    const Named* known = name_of(value);
-    if (known && !known->comment.empty()) return;
-    named.push_back({value, 0, std::string(name), false, false, false, std::string(comment)});
 }
 
 // A value that several nodes name alike belongs to the surface point if it is computed from one

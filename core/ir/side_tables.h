@@ -54,8 +54,9 @@ struct Named {
     std::string name;      // "gradient"
     bool output;           // an output of that node: a separate statement; preferred to other names
     bool derived = false;  // made from the name of the value of which it is the derivative
-    bool unshared = false;     // several nodes name it alike, and it stays with the first
-    std::string comment = {};  // if not empty, the value is a constant of the generated source
+    bool unshared = false;  // several nodes name it alike, and it stays with the first
+    std::string comment =
+        {};  // if the value is a constant: its name is global, and has this comment
 };
 
 struct ModuleOutput {

@@ -10,6 +10,8 @@ struct WrinkleMaterial_heights {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float heights_mean = 0.20845777;                        // height of the pattern, seen from far away
+const float heights_mean_2 = 0.72364;                         // height of the pattern, seen from far away
 const vec3 heights_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
 const float heights_min_area = 1e-36;                         // smaller areas and squared lengths are zero
 
@@ -113,7 +115,8 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     float bricks_difference = 0.5 * (bricks_slope_width + 0.21) - min(bricks_along, bricks_across);
     float bricks_covered = bricks_difference / bricks_slope_width;
     float bricks_deepest = min(1.0, 0.21 / bricks_slope_width);
-    float bricks_value = mix(0.72364, 1.0 - clamp(bricks_covered, 0.0, bricks_deepest), domes_fade);
+    float bricks_value = mix(heights_mean_2, 1.0 - clamp(bricks_covered, 0.0, bricks_deepest),
+            domes_fade);
     float bricks_height = bricks_value * 0.05;
     bool bricks_test = bricks_across < bricks_along;
     vec2 bricks_across_slope = -(vec2(domes_p_dx.y, domes_p_dy.y) * sign(bricks_y));
@@ -126,7 +129,7 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     float domes_apart = dot(domes_way, domes_way) / 0.1225;
     float domes_difference = 1.0 - 0.64 * min(domes_apart, 1.0);
     float domes_cap = sqrt(max(domes_difference, 0.0));
-    float domes_value = mix(0.20845777, (domes_cap - 0.6) / 0.4, domes_fade);
+    float domes_value = mix(heights_mean, (domes_cap - 0.6) / 0.4, domes_fade);
     float domes_height = domes_value * 0.08;
     vec2 domes_vector = vec2(dot(domes_p_dx, domes_way), dot(domes_p_dy, domes_way));
     vec2 domes_vector_2 = vec2(dot(domes_way, domes_p_dx), dot(domes_way, domes_p_dy));

@@ -12,6 +12,7 @@ struct WrinkleMaterial_hex_pebbles {
 };
 uniform sampler2D hex_pebbles_grain_image;    // textures/weave_normal.png (normal_gl, repeat)
 uniform sampler2D hex_pebbles_pebbles_image;  // textures/pebbles_height.png (linear, repeat)
+const float hex_pebbles_hex_size = 6.928203;                      // 2 sqrt(3) times the hexagons
 const float hex_pebbles_tan_30 = 0.57735026;                      // 1 / sqrt(3)
 const float hex_pebbles_sec_30 = 1.1547005;                       // 2 / sqrt(3)
 const float hex_pebbles_two_24 = 16777216.0;                      // the upper 24 bits to [0, 1)
@@ -20,6 +21,7 @@ const float hex_pebbles_sin_60 = 0.8660254;                       // sqrt(3) / 2
 const float hex_pebbles_min_ratio = 0.0078125;                    // of z to x and y: slopes are at most 128
 const float hex_pebbles_min_z = 5e-07;                            // of a normal map: the zero vector is flat
 const float hex_pebbles_min_weight = 1e-04;                       // of a corner, for a sum above zero
+const float hex_pebbles_hex_size_2 = 3.4641016;                   // 2 sqrt(3) times the hexagons
 const float hex_pebbles_min_area = 1e-36;                         // smaller areas and squared lengths are zero
 const float hex_pebbles_min_normal = 1e-18;                       // of a tangent along the normal
 const vec3 hex_pebbles_luminance = vec3(0.2126, 0.7152, 0.0722);  // of Rec. 709
@@ -91,9 +93,10 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 grain_grid_2;
     vec2 grain_grid_3;
     vec2 grain_grid_4;
-    vec3 grain_grid = wrinkle_hex_pebbles_hex_grid(tile_uv * 6.928203, grain_grid_2, grain_grid_3,
-            grain_grid_4);
-    vec4 grain_copy = wrinkle_hex_pebbles_hex_copy(tile_uv, grain_grid_2, 6.928203, 1.0);
+    vec3 grain_grid = wrinkle_hex_pebbles_hex_grid(tile_uv * hex_pebbles_hex_size, grain_grid_2,
+            grain_grid_3, grain_grid_4);
+    vec4 grain_copy = wrinkle_hex_pebbles_hex_copy(tile_uv, grain_grid_2, hex_pebbles_hex_size,
+            1.0);
     vec2 grain_vector = vec2(-grain_copy.w, grain_copy.z);
     vec2 grain_copy_dx = grain_copy.zw * tile_uv_dx.x + grain_vector * tile_uv_dx.y;
     vec2 grain_copy_dy = grain_copy.zw * tile_uv_dy.x + grain_vector * tile_uv_dy.y;
@@ -107,7 +110,8 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 grain_product = grain_texel_2.xy * grain_quotient;
     vec2 grain_vector_2 = vec2(dot(grain_product, grain_copy.zw), dot(grain_product, grain_vector));
     float grain_dot_product = dot(grain_vector_2, grain_vector_2);
-    vec4 grain_copy_2 = wrinkle_hex_pebbles_hex_copy(tile_uv, grain_grid_3, 6.928203, 1.0);
+    vec4 grain_copy_2 = wrinkle_hex_pebbles_hex_copy(tile_uv, grain_grid_3, hex_pebbles_hex_size,
+            1.0);
     vec2 grain_vector_3 = vec2(-grain_copy_2.w, grain_copy_2.z);
     vec2 grain_copy_dx_2 = grain_copy_2.zw * tile_uv_dx.x + grain_vector_3 * tile_uv_dx.y;
     vec2 grain_copy_dy_2 = grain_copy_2.zw * tile_uv_dy.x + grain_vector_3 * tile_uv_dy.y;
@@ -122,7 +126,8 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 grain_vector_4 = vec2(dot(grain_product_2, grain_copy_2.zw),
             dot(grain_product_2, grain_vector_3));
     float grain_dot_product_2 = dot(grain_vector_4, grain_vector_4);
-    vec4 grain_copy_3 = wrinkle_hex_pebbles_hex_copy(tile_uv, grain_grid_4, 6.928203, 1.0);
+    vec4 grain_copy_3 = wrinkle_hex_pebbles_hex_copy(tile_uv, grain_grid_4, hex_pebbles_hex_size,
+            1.0);
     vec2 grain_vector_5 = vec2(-grain_copy_3.w, grain_copy_3.z);
     vec2 grain_copy_dx_3 = grain_copy_3.zw * tile_uv_dx.x + grain_vector_5 * tile_uv_dx.y;
     vec2 grain_copy_dy_3 = grain_copy_3.zw * tile_uv_dy.x + grain_vector_5 * tile_uv_dy.y;
@@ -167,9 +172,10 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 pebbles_grid_2;
     vec2 pebbles_grid_3;
     vec2 pebbles_grid_4;
-    vec3 pebbles_grid = wrinkle_hex_pebbles_hex_grid(tile_uv * 3.4641016, pebbles_grid_2,
-            pebbles_grid_3, pebbles_grid_4);
-    vec4 pebbles_copy = wrinkle_hex_pebbles_hex_copy(tile_uv, pebbles_grid_2, 3.4641016, 1.0);
+    vec3 pebbles_grid = wrinkle_hex_pebbles_hex_grid(tile_uv * hex_pebbles_hex_size_2,
+            pebbles_grid_2, pebbles_grid_3, pebbles_grid_4);
+    vec4 pebbles_copy = wrinkle_hex_pebbles_hex_copy(tile_uv, pebbles_grid_2,
+            hex_pebbles_hex_size_2, 1.0);
     vec2 pebbles_vector = vec2(-pebbles_copy.w, pebbles_copy.z);
     vec2 pebbles_copy_dx = pebbles_copy.zw * tile_uv_dx.x + pebbles_vector * tile_uv_dx.y;
     vec2 pebbles_size = vec2(textureSize(hex_pebbles_pebbles_image, 0));
@@ -222,7 +228,8 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec3 pebbles_quotient_3 = pebbles_vector_5 /
             (pebbles_choice + pebbles_choice_2 + pebbles_choice_3);
     vec2 pebbles_product_7 = pebbles_vector_4 * pebbles_quotient_3.x;
-    vec4 pebbles_copy_2 = wrinkle_hex_pebbles_hex_copy(tile_uv, pebbles_grid_3, 3.4641016, 1.0);
+    vec4 pebbles_copy_2 = wrinkle_hex_pebbles_hex_copy(tile_uv, pebbles_grid_3,
+            hex_pebbles_hex_size_2, 1.0);
     vec2 pebbles_vector_6 = vec2(-pebbles_copy_2.w, pebbles_copy_2.z);
     vec2 pebbles_copy_dx_2 = pebbles_copy_2.zw * tile_uv_dx.x + pebbles_vector_6 * tile_uv_dx.y;
     vec2 pebbles_texels_dx_2 = pebbles_copy_dx_2 * pebbles_size;
@@ -250,7 +257,8 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     float pebbles_dot_product_4 = dot(pebbles_slope_4, pebbles_copy_2.zw);
     vec2 pebbles_vector_9 = vec2(pebbles_dot_product_4, dot(pebbles_slope_4, pebbles_vector_6));
     vec2 pebbles_sum_2 = pebbles_product_7 + pebbles_vector_9 * pebbles_quotient_3.y;
-    vec4 pebbles_copy_3 = wrinkle_hex_pebbles_hex_copy(tile_uv, pebbles_grid_4, 3.4641016, 1.0);
+    vec4 pebbles_copy_3 = wrinkle_hex_pebbles_hex_copy(tile_uv, pebbles_grid_4,
+            hex_pebbles_hex_size_2, 1.0);
     vec2 pebbles_vector_10 = vec2(-pebbles_copy_3.w, pebbles_copy_3.z);
     vec2 pebbles_copy_dx_3 = pebbles_copy_3.zw * tile_uv_dx.x + pebbles_vector_10 * tile_uv_dx.y;
     vec2 pebbles_texels_dx_3 = pebbles_copy_dx_3 * pebbles_size;

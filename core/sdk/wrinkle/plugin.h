@@ -392,7 +392,7 @@ typedef struct wr_builder {
      * none of this id. */
     const void* (*get_extension)(const struct wr_builder* b, const char* id);
     /* What a value is called in generated text, where it becomes a line of its own. With
-     * "pi // half a turn", a literal is a named constant with a comment. */
+     * "pi // half a turn", it is a named constant with a comment, if it is a literal. */
     void (*name)(const struct wr_builder* b, wr_value value, const char* name);
 
     /* Members from here on are younger than version 1's first header: `size` covers them or not.

@@ -10,6 +10,7 @@ struct WrinkleMaterial_brick {
     float height;  // outwards, in length units
 };
 const float brick_min_area = 1e-36;  // smaller areas and squared lengths are zero
+const float brick_mean = 0.72364;    // height of the pattern, seen from far away
 
 WrinkleMaterial_brick wrinkle_brick(WrinkleSurface_brick s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -37,7 +38,7 @@ WrinkleMaterial_brick wrinkle_brick(WrinkleSurface_brick s) {
     vec2 relief_choice_2 = relief_deepest < max(relief_covered, 0.0) ? vec2(0.0) : relief_choice;
     float relief_fade = 1.0 - smoothstep(0.25, 0.75, relief_width);
     float relief_difference_2 = 1.0 - clamp(relief_covered, 0.0, relief_deepest);
-    float relief_value = mix(0.72364, relief_difference_2, relief_fade);
+    float relief_value = mix(brick_mean, relief_difference_2, relief_fade);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), brick_min_area) * 0.02;
     vec2 normal_per_area = -relief_choice_2 * relief_fade * normal_product;

@@ -12,6 +12,7 @@ struct WrinkleMaterial_hexagons {
 const float hexagons_sqrt_3 = 1.7320508;  // height of the grid's cells
 const float hexagons_sin_60 = 0.8660254;  // sqrt(3) / 2
 const float hexagons_min_area = 1e-36;    // smaller areas and squared lengths are zero
+const float hexagons_mean = 0.6561;       // height of the pattern, seen from far away
 
 WrinkleMaterial_hexagons wrinkle_hexagons(WrinkleSurface_hexagons s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -45,7 +46,8 @@ WrinkleMaterial_hexagons wrinkle_hexagons(WrinkleSurface_hexagons s) {
     vec2 relief_choice_2 = relief_covered < 0.0 ? vec2(0.0) : relief_choice / relief_slope_width;
     vec2 relief_choice_3 = relief_deepest < max(relief_covered, 0.0) ? vec2(0.0) : relief_choice_2;
     float relief_fade = 1.0 - smoothstep(0.25, 0.75, relief_width);
-    float relief_value = mix(0.6561, 1.0 - clamp(relief_covered, 0.0, relief_deepest), relief_fade);
+    float relief_value = mix(hexagons_mean, 1.0 - clamp(relief_covered, 0.0, relief_deepest),
+            relief_fade);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), hexagons_min_area) * 0.02;
     vec2 normal_per_area = -relief_choice_3 * relief_fade * normal_product;

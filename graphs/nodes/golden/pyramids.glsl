@@ -9,7 +9,8 @@ struct WrinkleMaterial_pyramids {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
-const float pyramids_min_area = 1e-36;  // smaller areas and squared lengths are zero
+const float pyramids_min_area = 1e-36;    // smaller areas and squared lengths are zero
+const float pyramids_mean = 0.083333336;  // height of the pattern, seen from far away
 
 WrinkleMaterial_pyramids wrinkle_pyramids(WrinkleSurface_pyramids s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -31,7 +32,7 @@ WrinkleMaterial_pyramids wrinkle_pyramids(WrinkleSurface_pyramids s) {
     vec2 relief_choice = relief_side.x < relief_side.y ? relief_vector : relief_vector_2;
     vec2 relief_choice_2 = relief_test ? vec2(0.0) : -(relief_choice * 2.0 / 0.5);
     float relief_fade = 1.0 - smoothstep(0.25, 0.75, max(length(relief_p_dx), length(relief_p_dy)));
-    float relief_value = mix(0.083333336, clamp(relief_rise, 0.0, 1.0), relief_fade);
+    float relief_value = mix(pyramids_mean, clamp(relief_rise, 0.0, 1.0), relief_fade);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), pyramids_min_area) * 0.05;
     vec2 normal_per_area = relief_choice_2 * relief_fade * normal_product;

@@ -11,6 +11,7 @@ struct WrinkleMaterial_weave {
 };
 const float weave_pi = 3.1415927;    // half a turn, in radians
 const float weave_min_area = 1e-36;  // smaller areas and squared lengths are zero
+const float weave_mean = 0.60579;    // height of the pattern, seen from far away
 
 vec3 wrinkle_weave_thread(vec2 p, float side, float width) {
     float floored = floor(p.x);
@@ -42,7 +43,7 @@ WrinkleMaterial_weave wrinkle_weave(WrinkleSurface_weave s) {
     float relief_width = max(length(relief_product_2), length(relief_product_3));
     float relief_fade = 1.0 - smoothstep(0.25, 0.75, relief_width);
     vec2 relief_slope = (relief.z < relief_2.z ? relief_vector : relief_product_4) * relief_fade;
-    float relief_value = mix(0.60579, max(relief.z, relief_2.z), relief_fade);
+    float relief_value = mix(weave_mean, max(relief.z, relief_2.z), relief_fade);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), weave_min_area) * 0.05;
     vec2 normal_per_area = relief_slope * normal_product;
