@@ -64,7 +64,6 @@ void Progress::show(double seconds) const {
                  rough_count(rate).c_str(), rough_duration(left).c_str());
 }
 
-// Ignored signals stay ignored: shells ignore SIGINT for background jobs.
 SlowStep::SlowStep(std::string name) : name_(std::move(name)) {
     if (isatty(STDERR_FILENO))
         thread_ = std::jthread([this](const std::stop_token& stop) { show(stop); });
@@ -89,6 +88,7 @@ void SlowStep::show(const std::stop_token& stop) const {
     if (seconds >= first) std::fputs("\r\x1b[K", stderr);
 }
 
+// Ignored signals stay ignored: shells ignore SIGINT for background jobs.
 void catch_interruption() {
     struct sigaction action = {}, before = {};
     action.sa_handler = [](int signal) { caught_signal = signal; };
