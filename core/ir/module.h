@@ -230,6 +230,7 @@ private:
     uint32_t intern_list(std::span<const Id> ids);
     Type typed(Op op, std::span<const Type> types, uint32_t extra, Type wanted);
     Type refused(Op op, std::span<const Type> types, Type wanted);
+    Id folded_call(uint32_t region, uint32_t result, std::span<const Id> args);
     Id folded_constant(Op op, std::span<const Id> args, uint32_t extra, Type type);
     Id not_written(Op op, std::span<const Id> args);
     Id add_swizzle(Id vector, uint32_t extra);

@@ -173,10 +173,27 @@ Id Module::apply_region(uint32_t index, std::span<const Id> args) {
     return intern(inst);
 }
 
+// Returns a result of a function called with constants, if its body folds to one; otherwise no_id.
+// Functions that call others are not folded: their bodies may be exponentially large.
+Id Module::folded_call(uint32_t region, uint32_t k, std::span<const Id> args) {
+    const std::vector<Id> constants(args.begin(), args.end());
+    const auto constant = [&](Id id) { return is_constant(id); };
+    if (regions_[region].is_open() || call_depths_[region] > 0) return no_id;
+    if (!std::ranges::all_of(constants, constant)) return no_id;
+    const Id body = regions_[region].results[k];
+    ModuleCloner copier(*this, *this, false);
+    for (uint32_t i = 0; i < constants.size(); ++i)
+        copier.map(region_parameter(1, i, type(constants[i])), constants[i]);
+    copier.run({&body, 1});
+    return is_constant(copier[body]) ? copier[body] : no_id;
+}
+
 // A function's result that is a constant or one of its parameters needs no call.
 Id Module::result(Id tuple, uint32_t k) {
     if (tuple == poison) return poison;
-    const Inst& applied = inst_[tuple];
+    const Inst applied = inst_[tuple];
+    if (applied.op == Op::call_ && k < regions_[applied.extra].results.size())
+        if (const Id folded = folded_call(applied.extra, k, lists_[applied.arg[0]])) return folded;
     const Region& region = regions_[applied.extra];
     const bool loop = applied.op == Op::loop_;
     const size_t count = loop ? region.params.size() : region.results.size();

@@ -9,16 +9,6 @@ struct WrinkleMaterial_tower {
     float height;  // outwards, in length units
     vec3 normal;   // unit normal, object space
 };
-const float tower_two_24 = 16777216.0;   // the upper 24 bits to [0, 1)
-const float tower_degree = 0.017453292;  // in radians
-const float tower_two_pi = 6.2831855;    // a turn, in radians
-const float tower_min_area = 1e-36;      // smaller areas and squared lengths are zero
-
-uint wrinkle_tower_pcg_hash(uint x) {
-    uint state = x * 747796405u + 2891336453u;
-    uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-    return (word >> 22u) ^ word;
-}
 
 // 30 gives relief, relief_slope
 float wrinkle_tower_30(float relief, out float out_relief_slope) {
@@ -376,76 +366,58 @@ float wrinkle_tower_1(float relief, out float out_relief_slope) {
 }
 
 WrinkleMaterial_tower wrinkle_tower(WrinkleSurface_tower s) {
-    uint waves_hash = wrinkle_tower_pcg_hash(0u);  // waves: Waves
-    float waves_difference = float(wrinkle_tower_pcg_hash(waves_hash) >> 8u) / tower_two_24 - 0.5;
-    float waves_product = 120.0 * waves_difference * tower_degree;
-    vec2 waves_vector = vec2(cos(waves_product), sin(waves_product));
-    uint waves_hash_2 = wrinkle_tower_pcg_hash(1u);
-    float waves_quotient = float(wrinkle_tower_pcg_hash(waves_hash_2) >> 8u) / tower_two_24;
-    float waves_fraction = fract(dot(s.uv0 * 4.0, waves_vector) + waves_quotient);
-    float waves_product_2 = waves_fraction * tower_two_pi;
-    float waves_difference_2 = float(wrinkle_tower_pcg_hash(1u + waves_hash) >> 8u) /
-            tower_two_24 - 0.5;
-    float waves_product_3 = 120.0 * waves_difference_2 * tower_degree;
-    vec2 waves_vector_2 = vec2(cos(waves_product_3), sin(waves_product_3));
-    float waves_quotient_2 = float(wrinkle_tower_pcg_hash(1u + waves_hash_2) >> 8u) / tower_two_24;
-    float waves_sum = dot(s.uv0 * 5.2, waves_vector_2) + waves_quotient_2;
-    float waves_product_4 = fract(waves_sum) * tower_two_pi;
-    float waves_difference_3 = float(wrinkle_tower_pcg_hash(2u + waves_hash) >> 8u) /
-            tower_two_24 - 0.5;
-    float waves_product_5 = 120.0 * waves_difference_3 * tower_degree;
-    vec2 waves_vector_3 = vec2(cos(waves_product_5), sin(waves_product_5));
-    float waves_quotient_3 = float(wrinkle_tower_pcg_hash(2u + waves_hash_2) >> 8u) / tower_two_24;
-    float waves_sum_2 = dot(s.uv0 * 6.76, waves_vector_3) + waves_quotient_3;
-    float waves_product_6 = fract(waves_sum_2) * tower_two_pi;
-    float waves_difference_4 = float(wrinkle_tower_pcg_hash(3u + waves_hash) >> 8u) /
-            tower_two_24 - 0.5;
-    float waves_product_7 = 120.0 * waves_difference_4 * tower_degree;
-    vec2 waves_vector_4 = vec2(cos(waves_product_7), sin(waves_product_7));
-    float waves_quotient_4 = float(wrinkle_tower_pcg_hash(3u + waves_hash_2) >> 8u) / tower_two_24;
-    float waves_sum_3 = dot(s.uv0 * 8.788, waves_vector_4) + waves_quotient_4;
-    float waves_product_8 = fract(waves_sum_3) * tower_two_pi;
+    // waves: Waves
+    float waves_fraction = fract(dot(s.uv0 * 4.0, vec2(0.79703534, -0.6039327)) + 0.91080195);
+    float waves_product = waves_fraction * 6.2831855;
+    float waves_fraction_2 = fract(dot(s.uv0 * 5.2, vec2(0.96242577, -0.2715449)) + 0.6936357);
+    float waves_product_2 = waves_fraction_2 * 6.2831855;
+    float waves_fraction_3 = fract(dot(s.uv0 * 6.76, vec2(0.84690297, -0.53174746)) + 0.87379307);
+    float waves_product_3 = waves_fraction_3 * 6.2831855;
+    float waves_fraction_4 = fract(dot(s.uv0 * 8.788, vec2(0.6053601, 0.7959517)) + 0.51955295);
+    float waves_product_4 = waves_fraction_4 * 6.2831855;
     vec2 duv0_dx = dFdx(s.uv0);  // the surface point
     vec2 duv0_dy = dFdy(s.uv0);
     vec3 normal = normalize(s.normal);
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    vec2 waves_product_9 = duv0_dx * 4.0;  // waves: Waves (continued)
-    vec2 waves_product_10 = duv0_dy * 4.0;
-    float waves_width = max(length(waves_product_9), length(waves_product_10));
+    vec2 waves_product_5 = duv0_dx * 4.0;  // waves: Waves (continued)
+    vec2 waves_product_6 = duv0_dy * 4.0;
+    float waves_width = max(length(waves_product_5), length(waves_product_6));
     float waves_fade = 1.0 - smoothstep(0.25, 0.75, waves_width);
-    vec2 waves_product_11 = duv0_dx * 5.2;
-    vec2 waves_product_12 = duv0_dy * 5.2;
-    float waves_width_2 = max(length(waves_product_11), length(waves_product_12));
-    float waves_product_13 = 0.8 * (1.0 - smoothstep(0.25, 0.75, waves_width_2));
-    float waves_sum_4 = sin(waves_product_2) * waves_fade + sin(waves_product_4) * waves_product_13;
-    vec2 waves_product_14 = duv0_dx * 6.76;
-    vec2 waves_product_15 = duv0_dy * 6.76;
-    float waves_width_3 = max(length(waves_product_14), length(waves_product_15));
-    float waves_product_16 = 0.64 * (1.0 - smoothstep(0.25, 0.75, waves_width_3));
-    float waves_sum_5 = waves_sum_4 + sin(waves_product_6) * waves_product_16;
-    vec2 waves_product_17 = duv0_dx * 8.788;
-    vec2 waves_product_18 = duv0_dy * 8.788;
-    float waves_width_4 = max(length(waves_product_17), length(waves_product_18));
-    float waves_product_19 = 0.512 * (1.0 - smoothstep(0.25, 0.75, waves_width_4));
-    float waves_value = (waves_sum_5 + sin(waves_product_8) * waves_product_19) / 2.952;
+    vec2 waves_product_7 = duv0_dx * 5.2;
+    vec2 waves_product_8 = duv0_dy * 5.2;
+    float waves_width_2 = max(length(waves_product_7), length(waves_product_8));
+    float waves_product_9 = 0.8 * (1.0 - smoothstep(0.25, 0.75, waves_width_2));
+    float waves_sum = sin(waves_product) * waves_fade + sin(waves_product_2) * waves_product_9;
+    vec2 waves_product_10 = duv0_dx * 6.76;
+    vec2 waves_product_11 = duv0_dy * 6.76;
+    float waves_width_3 = max(length(waves_product_10), length(waves_product_11));
+    float waves_product_12 = 0.64 * (1.0 - smoothstep(0.25, 0.75, waves_width_3));
+    float waves_sum_2 = waves_sum + sin(waves_product_3) * waves_product_12;
+    vec2 waves_product_13 = duv0_dx * 8.788;
+    vec2 waves_product_14 = duv0_dy * 8.788;
+    float waves_width_4 = max(length(waves_product_13), length(waves_product_14));
+    float waves_product_15 = 0.512 * (1.0 - smoothstep(0.25, 0.75, waves_width_4));
+    float waves_value = (waves_sum_2 + sin(waves_product_4) * waves_product_15) / 2.952;
     float waves_height = waves_value * 0.01;
-    vec2 waves_vector_5 = vec2(dot(waves_product_9, waves_vector),
-            dot(waves_product_10, waves_vector));
-    vec2 waves_product_20 = waves_vector_5 * tower_two_pi * cos(waves_product_2) * waves_fade;
-    vec2 waves_vector_6 = vec2(dot(waves_product_11, waves_vector_2),
-            dot(waves_product_12, waves_vector_2));
-    vec2 waves_product_21 = waves_vector_6 * tower_two_pi * cos(waves_product_4) * waves_product_13;
-    vec2 waves_vector_7 = vec2(dot(waves_product_14, waves_vector_3),
-            dot(waves_product_15, waves_vector_3));
-    vec2 waves_product_22 = waves_vector_7 * tower_two_pi * cos(waves_product_6) * waves_product_16;
-    vec2 waves_vector_8 = vec2(dot(waves_product_17, waves_vector_4),
-            dot(waves_product_18, waves_vector_4));
-    vec2 waves_product_23 = waves_vector_8 * tower_two_pi * cos(waves_product_8) * waves_product_19;
-    vec2 waves_slope = (waves_product_20 + waves_product_21 + waves_product_22 +
-            waves_product_23) / 2.952;
-    vec2 waves_slope_2 = waves_slope * 0.01;
+    float waves_dot_product = dot(waves_product_5, vec2(0.79703534, -0.6039327));
+    float waves_dot_product_2 = dot(waves_product_6, vec2(0.79703534, -0.6039327));
+    vec2 waves_product_16 = vec2(waves_dot_product, waves_dot_product_2) * 6.2831855;
+    float waves_dot_product_3 = dot(waves_product_7, vec2(0.96242577, -0.2715449));
+    float waves_dot_product_4 = dot(waves_product_8, vec2(0.96242577, -0.2715449));
+    vec2 waves_product_17 = vec2(waves_dot_product_3, waves_dot_product_4) * 6.2831855;
+    vec2 waves_product_18 = waves_product_17 * cos(waves_product_2) * waves_product_9;
+    vec2 waves_sum_3 = waves_product_16 * cos(waves_product) * waves_fade + waves_product_18;
+    float waves_dot_product_5 = dot(waves_product_10, vec2(0.84690297, -0.53174746));
+    float waves_dot_product_6 = dot(waves_product_11, vec2(0.84690297, -0.53174746));
+    vec2 waves_product_19 = vec2(waves_dot_product_5, waves_dot_product_6) * 6.2831855;
+    vec2 waves_sum_4 = waves_sum_3 + waves_product_19 * cos(waves_product_3) * waves_product_12;
+    float waves_dot_product_7 = dot(waves_product_13, vec2(0.6053601, 0.7959517));
+    vec2 waves_vector = vec2(waves_dot_product_7,
+            dot(waves_product_14, vec2(0.6053601, 0.7959517)));
+    vec2 waves_product_20 = waves_vector * 6.2831855 * cos(waves_product_4) * waves_product_15;
+    vec2 waves_slope = (waves_sum_4 + waves_product_20) / 2.952 * 0.01;
     float low_height = waves_height * 0.5;  // low: Scale height
     // left: 1
     float left_1;
@@ -455,9 +427,9 @@ WrinkleMaterial_tower wrinkle_tower(WrinkleSurface_tower s) {
     float right_1;
     float right_relief = wrinkle_tower_1(high_height, right_1);
     // both: Add heights
-    vec2 both_slope = left_1 * (waves_slope_2 * 0.5) + right_1 * (waves_slope_2 * 0.75);
+    vec2 both_slope = left_1 * (waves_slope * 0.5) + right_1 * (waves_slope * 0.75);
     // the surface point (continued)
-    vec2 per_area = both_slope * (sign(screen_area) / max(abs(screen_area), tower_min_area));
+    vec2 per_area = both_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
     vec3 gradient = cross(normal, dpdx * per_area.y - dpdy * per_area.x);
     WrinkleMaterial_tower m;
     m.height = left_relief + right_relief;  // both: Add heights (continued)

@@ -87,6 +87,16 @@ TEST_F(RegionTest, AFunctionWhoseResultIsKnownNeedsNoCall) {
     EXPECT_EQ(m[results[2]].op, Op::result_);
 }
 
+TEST_F(RegionTest, ACallWithConstantsIsTheirResult) {
+    const RegionUse once = line(n(3), n(1));
+    EXPECT_EQ(m.apply(once, std::array{n(2)})[0], n(7));
+    const Id y = m.begin_region(RegionKind::function, "looped", std::array{Type::float_})[0];
+    const RegionUse looped = m.end_region(std::array{power(y, n(2), 3)});
+    const Id called = m.apply(looped, std::array{n(2)})[0];
+    EXPECT_EQ(m[called].op, Op::result_);
+    EXPECT_EQ(value(called), 16);
+}
+
 TEST_F(RegionTest, FunctionsRecordedInsideOthersAreClosedToo) {
     const Id x = m.begin_region(RegionKind::function, "outer", std::array{Type::float_})[0];
     const RegionUse inner = line(x, f);
