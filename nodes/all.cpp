@@ -7,16 +7,13 @@
 
 // The files of nodes in the order of the menus and of the reference. Each ends with the list of its
 // nodes.
-#define WRINKLE_NODE_FILES(X)                                                                 \
-    X(uv)                                                                                     \
-    X(image)                                                                                  \
-    X(cube_map)                                                                               \
-    X(triplanar)                                                                              \
-    X(hex)                                                                                    \
-    X(decal)                                                                                  \
-    X(gradient) X(roughness) X(frame) X(compositor) X(height) X(noise) X(fractal) X(cellular) \
-        X(waves) X(pattern) X(weave) X(parallax) X(math) X(vector) X(comparison)              \
-            X(comparison_surface) X(material)
+// clang-format off
+#define WRINKLE_NODE_FILES(X) \
+    X(uv) X(image) X(cube_map) X(triplanar) X(hex) X(decal) X(gradient) X(roughness) X(frame) \
+    X(compositor) X(height) X(noise) X(fractal) X(cellular) X(waves) X(pattern) X(weave) \
+    X(parallax) X(math) X(vector) X(ramp) \
+    X(comparison) X(comparison_surface)
+// clang-format on
 
 namespace wrinkle {
 

@@ -6,6 +6,8 @@
 //               smoothstep from 0.25 to 0.75 cells (M. Mikkelsen's filtered noise). A layer of
 //               noise is multiplied by it; a pattern with a non-zero mean fades to its mean.
 // spread(p)     extent of the pixel per axis: the box around it, for exact box filters.
+// box_width(x)  width of the box that has the variance of a number over the pixel, if it changes
+//               linearly: the length of its screen differentials, whatever the pixel's rotation.
 // All are detached: they weight a slope but do not contribute to it. Zero differentials give a zero
 // footprint, which means full detail.
 #pragma once
@@ -30,6 +32,10 @@ inline sdk::Float fade(sdk::Float footprint, sdk::Float scale) {
 template <class V>
 V spread(V p) {
     return detach(fwidth(p));
+}
+
+inline sdk::Float box_width(sdk::Float x) {
+    return named("width", detach(length(sdk::vec2(ddx(x), ddy(x)))));
 }
 
 }  // namespace wrinkle::nodes
