@@ -3,19 +3,11 @@
 #include <span>
 
 #include "nodes/footprint.h"
+#include "nodes/random.h"
 #include "nodes/relief.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
-
-// Returns three numbers in [0, 1) from `bits` and two further hashes.
-static vec3 random3(Uint bits) {
-    const auto numbers = function("random3(bits)", [](Uint bits) {
-        const Uint second = named("second", hash(bits)), third = named("third", hash(second));
-        return vec3(unit_float(bits), unit_float(second), unit_float(third));
-    });
-    return numbers(bits);
-}
 
 // Returns an offset among the offsets -1, 0, 1 by axis, which repeat; `stride` is 1, 3, 9, and
 // `middle` its index and a half, which guards against inexact division.

@@ -1,0 +1,30 @@
+// Random numbers of cells: the same on every machine, constant within a cell, so without slope.
+#pragma once
+
+#include "wrinkle/node.h"
+
+namespace wrinkle::nodes {
+
+// Three numbers in [0, 1) from `bits` and two further hashes.
+inline sdk::vec3 random3(sdk::Uint bits) {
+    using namespace sdk;
+    const auto numbers = function("random3(bits)", [](Uint bits) {
+        const Uint second = named("second", hash(bits)), third = named("third", hash(second));
+        return vec3(unit_float(bits), unit_float(second), unit_float(third));
+    });
+    return numbers(bits);
+}
+
+// Random bits of a cell and a number, both rounded to whole numbers, and a seed.
+inline sdk::Uint random_bits(sdk::vec2 cell, sdk::Float id, int seed) {
+    using namespace sdk;
+    const auto bits = function("random_bits(cell, id, seed)", [](vec2 cell, Float id, Int seed) {
+        const vec2 at = named("at", floor(cell + 0.5));
+        const Uint of_id = named("of_id", hash(Uint(Int(floor(id + 0.5))) + hash(seed)));
+        const Uint of_y = named("of_y", hash(Uint(Int(at.y())) + of_id));
+        return hash(Uint(Int(at.x())) + of_y);
+    });
+    return bits(cell, id, Int(seed));
+}
+
+}  // namespace wrinkle::nodes
