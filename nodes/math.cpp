@@ -10,6 +10,22 @@ static constexpr auto math_family(const char* id, const char* title, const char*
     return node(id, title, doc).family("math");
 }
 
+// asin() and acos() of some drivers are off by 4e-4, atan() is not.
+static Float cosine_of_arcsine(Float x) {
+    return named("cosine", sqrt((1 - x) * (1 + x)));
+}
+
+struct Comparison {
+    Float a, b;
+    Choice which;
+    Float tolerance, yes, no;
+};
+static Bool holds(const Comparison& in) {
+    const Bool results[] = {in.a<in.b, in.a <= in.b, in.a> in.b, in.a >= in.b,
+                            abs(in.a - in.b) <= in.tolerance};
+    return results[static_cast<int>(in.which)];
+}
+
 static constinit Node math_list[] = {
     math_family("add", "Add", "The sum of two numbers.")
         .in<Float>("a", 0, "One number")
@@ -149,7 +165,101 @@ static constinit Node math_list[] = {
         .in<Float>("y", 0, "Second coordinate")
         .in<Float>("x", 1, "First coordinate")
         .out<Float>("result", "In radians, -pi to pi, anticlockwise from the x axis")
-        .body([](Float y, Float x) { return atan(y, x); })};
+        .body([](Float y, Float x) { return atan(y, x); }),
+
+    math_family("arcsine", "Arcsine", "The angle that has a sine.")
+        .in<Float>("x", 0, "The sine; limited to -1 to 1", slider(-1, 1))
+        .out<Float>("result", "In radians, -pi / 2 to pi / 2")
+        .body([](Float x) { return atan(clamp(x, -1, 1), cosine_of_arcsine(x)); }),
+
+    math_family("arccosine", "Arccosine", "The angle that has a cosine.")
+        .in<Float>("x", 0, "The cosine; limited to -1 to 1", slider(-1, 1))
+        .out<Float>("result", "In radians, 0 to pi")
+        .body([](Float x) { return atan(cosine_of_arcsine(x), clamp(x, -1, 1)); }),
+
+    math_family("arctangent", "Arctangent", "The angle that has a tangent.")
+        .in<Float>("x", 0, "The tangent")
+        .out<Float>("result", "In radians, -pi / 2 to pi / 2")
+        .body([](Float x) { return atan(x); }),
+
+    math_family("to_radians", "To radians", "An angle in radians.")
+        .in<Float>("angle", 0, "In degrees", slider(-180, 180), unit("deg"))
+        .out<Float>("result", "In radians")
+        .body([](Float angle) { return radians(angle); }),
+
+    math_family("to_degrees", "To degrees", "An angle in degrees.")
+        .in<Float>("angle", 0, "In radians", slider(-3.14159, 3.14159), unit("rad"))
+        .out<Float>("result", "In degrees")
+        .body([](Float angle) { return degrees(angle); }),
+
+    math_family("exponential", "Exponential", "e to a power.")
+        .in<Float>("x", 0, "The power", slider(-4, 4))
+        .out<Float>("result", "e^x")
+        .body([](Float x) { return exp(x); }),
+
+    math_family("logarithm", "Logarithm",
+                "The power that gives a number; of 0 and below that of the least number, and 0 "
+                "for a base that has none.")
+        .in<Float>("x", 1, "The number", slider(0, 8))
+        .in<Float>("base", 2.718281828459045, "The base", slider(2, 10))
+        .out<Float>("result", "The power of the base")
+        .body([](Float x, Float base) { return divide(log(x), select(base > 0, log(base), 0)); }),
+
+    math_family("hypotenuse", "Hypotenuse", "The long side of a right-angled triangle.")
+        .in<Float>("a", 3, "One side")
+        .in<Float>("b", 4, "The other side")
+        .out<Float>("result", "The root of a a + b b")
+        .body([](Float a, Float b) { return length(vec2(a, b)); }),
+
+    math_family("reciprocal", "Reciprocal", "1 by a number; 0 where it is 0.")
+        .in<Float>("x", 1, "The number")
+        .out<Float>("result", "1 / x")
+        .body([](Float x) { return divide(1, x); }),
+
+    math_family("safe_power", "Safe power", "A number to a power, with the sign of the number.")
+        .in<Float>("base", 1, "The number")
+        .in<Float>("exponent", 2, "The power", slider(0, 8))
+        .out<Float>("result", "sign(base) |base|^exponent")
+        .body([](Float base, Float exponent) { return sign(base) * pow(abs(base), exponent); }),
+
+    math_family("multiply_add", "Multiply and add", "A product and a sum in one.")
+        .in<Float>("a", 1, "One factor")
+        .in<Float>("b", 1, "The other factor")
+        .in<Float>("c", 0, "Added to the product")
+        .out<Float>("result", "a b + c")
+        .body([](Float a, Float b, Float c) { return a * b + c; }),
+
+    math_family("ceiling", "Ceiling", "The least whole number that is not less; it has no bump.")
+        .in<Float>("x", 0, "The number")
+        .out<Float>("result", "A whole number")
+        .body([](Float x) { return ceil(x); }),
+
+    math_family("round", "Round", "The nearest whole number, the upper one of two.")
+        .in<Float>("x", 0, "The number")
+        .out<Float>("result", "A whole number")
+        .body([](Float x) { return floor(x + 0.5); }),
+
+    math_family("truncate", "Truncate", "The number without its fraction, towards 0.")
+        .in<Float>("x", 0, "The number")
+        .out<Float>("result", "A whole number")
+        .body([](Float x) { return sign(x) * floor(abs(x)); }),
+
+    math_family("sign", "Sign", "-1, 0 or 1: the side of 0 that a number is on.")
+        .in<Float>("x", 0, "The number")
+        .out<Float>("result", "-1, 0 or 1")
+        .body([](Float x) { return sign(x); }),
+
+    math_family("compare", "Compare", "One of two numbers, by a comparison of two others.")
+        .in<Float>("a", 0, "The number to compare")
+        .in<Float>("b", 0, "The number to compare with")
+        .choice("comparison", {"less", "less_equal", "greater", "greater_equal", "equal"},
+                "How a is related to b where it holds", 2)
+        .in<Float>("tolerance", 1e-6, "Difference up to which numbers are equal", slider(0, 1),
+                   limits(0, 1e30))
+        .in<Float>("yes", 1, "Result where it holds")
+        .in<Float>("no", 0, "Result elsewhere")
+        .out<Float>("result", "yes or no")
+        .body([](Comparison in) { return select(holds(in), in.yes, in.no); })};
 constinit std::span<Node> math_nodes = math_list;
 
 }  // namespace wrinkle::nodes
