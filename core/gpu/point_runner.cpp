@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 
 #include "emit/attributes.h"
@@ -40,8 +41,7 @@ const MipChain* find_image(const PointJob& job, const std::string& file) {
 }
 
 bool check(const PointJob& job, Diagnostics& diagnostics) {
-    if (job.outputs < 1 || job.outputs > 8)
-        return refuse(diagnostics, "a point job has 1 to 8 outputs");
+    if (job.outputs < 1) return refuse(diagnostics, "a point job has at least one output");
     GLint limit = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
     if (rows_of(job) * job.attributes.size() > static_cast<size_t>(limit))
@@ -89,23 +89,30 @@ std::string local_of(const PointJob& job, size_t k) {
            swizzles[last] + ";\n";
 }
 
-std::string fragment_text(const PointJob& job) {
+// The outputs that one pass draws; drivers draw to at least eight targets.
+constexpr int most_targets = 8;
+struct Group {
+    int first, count;
+    bool has(int output) const { return output >= first && output < first + count; }
+};
+
+std::string fragment_text(const PointJob& job, Group group) {
     std::string text = "#version 330 core\nuniform sampler2D WrPoint_table;\n";
     for (int i = 0; i < job.outputs; ++i)
-        text += "out vec4 out" + std::to_string(i) + ";\n";
+        text += (group.has(i) ? "out vec4 out" : "vec4 out") + std::to_string(i) + ";\n";
     text += "#line 1\n" + job.globals + "\n#line 100001\nvoid main() {\n";
     for (size_t k = 0; k < job.attributes.size(); ++k)
         text += local_of(job, k);
     return text + "#line 200001\n" + job.body + "\n}\n";
 }
 
-std::optional<Program> compile(const PointJob& job, Diagnostics& diagnostics) {
+std::optional<Program> compile(const PointJob& job, Group group, Diagnostics& diagnostics) {
     std::vector<std::string> outputs;
-    for (int i = 0; i < job.outputs; ++i)
-        outputs.push_back("out" + std::to_string(i));
+    for (int i = 0; i < group.count; ++i)
+        outputs.push_back("out" + std::to_string(group.first + i));
     std::string log;
     std::optional<Program> program =
-        Program::link(point_vertex_text, fragment_text(job), outputs, log);
+        Program::link(point_vertex_text, fragment_text(job, group), outputs, log);
     if (!program) diagnostics.error("the driver refuses the shader: " + log);
     return program;
 }
@@ -119,15 +126,44 @@ void draw_all_pixels() {
     draw_covering_triangle();
 }
 
-PointResults read_results(const PointJob& job, const Target& target) {
+PointResults read_results(const PointJob& job, Group group, const Target& target) {
     PointResults results;
-    for (int k = 0; k < job.outputs; ++k) {
+    for (int k = 0; k < group.count; ++k) {
         const std::vector<float> pixels = target.read(k);
         auto& points = results.emplace_back(job.points);
         for (size_t i = 0; i < job.points; ++i)
             std::copy_n(pixels.begin() + static_cast<std::ptrdiff_t>(4 * i), 4, points[i].begin());
     }
     return results;
+}
+
+std::optional<PointResults> run_group(const PointJob& job, Group group, Diagnostics& diagnostics) {
+    TargetOptions options{static_cast<int>(row_length), static_cast<int>(rows_of(job)),
+                          PixelFormat::rgba32f};
+    options.colors = group.count;
+    const std::optional<Target> target = Target::make(options, diagnostics);
+    if (!target) return std::nullopt;
+    const std::optional<Program> program = compile(job, group, diagnostics);
+    if (!program) return std::nullopt;
+    const Texture table = upload_table(job);
+    program->use();
+    std::vector<Texture> textures;
+    std::vector<Sampler> samplers;  // their destruction unbinds them
+    for (const SamplerInfo& sampler : job.samplers) {
+        textures.push_back(Texture::upload(*find_image(job, sampler.file)));
+        samplers.emplace_back(sampler.options.wrap, sampler.options.filter);
+        const auto unit = static_cast<int>(textures.size());
+        textures.back().bind(unit);
+        samplers.back().bind(unit);
+        program->set(sampler.name.c_str(), unit);
+    }
+    table.bind(0);
+    program->set("WrPoint_table", 0);
+    for (const UniformInfo& uniform : job.uniforms)
+        program->set(uniform);
+    target->bind();
+    draw_all_pixels();
+    return read_results(job, group, *target);
 }
 
 }  // namespace
@@ -155,32 +191,14 @@ PointJob point_job_from(const Shader& shader) {
 std::optional<PointResults> run_points(const PointJob& job, Diagnostics& diagnostics) {
     if (!check(job, diagnostics)) return std::nullopt;
     if (job.points == 0) return PointResults(static_cast<size_t>(job.outputs));
-    TargetOptions options{static_cast<int>(row_length), static_cast<int>(rows_of(job)),
-                          PixelFormat::rgba32f};
-    options.colors = job.outputs;
-    const std::optional<Target> target = Target::make(options, diagnostics);
-    if (!target) return std::nullopt;
-    const std::optional<Program> program = compile(job, diagnostics);
-    if (!program) return std::nullopt;
-    const Texture table = upload_table(job);
-    program->use();
-    std::vector<Texture> textures;
-    std::vector<Sampler> samplers;  // their destruction unbinds them
-    for (const SamplerInfo& sampler : job.samplers) {
-        textures.push_back(Texture::upload(*find_image(job, sampler.file)));
-        samplers.emplace_back(sampler.options.wrap, sampler.options.filter);
-        const auto unit = static_cast<int>(textures.size());
-        textures.back().bind(unit);
-        samplers.back().bind(unit);
-        program->set(sampler.name.c_str(), unit);
+    PointResults results;
+    for (int first = 0; first < job.outputs; first += most_targets) {
+        auto group =
+            run_group(job, {first, std::min(most_targets, job.outputs - first)}, diagnostics);
+        if (!group) return std::nullopt;
+        std::ranges::move(*group, std::back_inserter(results));
     }
-    table.bind(0);
-    program->set("WrPoint_table", 0);
-    for (const UniformInfo& uniform : job.uniforms)
-        program->set(uniform);
-    target->bind();
-    draw_all_pixels();
-    return read_results(job, *target);
+    return results;
 }
 
 }  // namespace wrinkle::gpu

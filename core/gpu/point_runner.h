@@ -38,7 +38,7 @@ struct PointJob {
     std::string globals;
     // "WrinkleSurface_x s; s.normal = normal; out0 = vec4(wrinkle_x_normal(s), 1);"
     std::string body;
-    int outputs = 1;  // 1 to 8
+    int outputs = 1;  // at least 1
     size_t points = 0;
     std::vector<PointAttribute> attributes;
     std::vector<SamplerInfo> samplers;  // files are searched only in `images`
