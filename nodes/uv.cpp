@@ -4,6 +4,7 @@
 #include <span>
 
 #include "nodes/projection.h"
+#include "nodes/rotated.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
@@ -11,12 +12,6 @@ using namespace sdk;
 
 static constexpr auto uv_family(const char* id, const char* title, const char* doc) {
     return node(id, title, doc).family("uv");
-}
-
-static vec2 rotated(vec2 v, Float angle) {
-    const Float c = cos(angle), s = sin(angle);
-    const Float x = v.x(), y = v.y();
-    return {c * x - s * y, s * x + c * y};
 }
 
 enum class Axis { x, y, z };
