@@ -1,0 +1,218 @@
+// Tests of shapes against outlines made of many points, and of their masks and bevels.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "nodes/number.h"
+
+namespace wrinkle::test {
+namespace {
+
+using Point2 = std::array<double, 2>;
+constexpr double half_turn = 3.141592653589793;
+
+std::vector<Point2> random_places(size_t count) {
+    std::mt19937 random(31);
+    std::vector<Point2> places(count);
+    for (Point2& p : places)
+        for (double& each : p)
+            each = random() / 4294967296.0;
+    return places;
+}
+
+// Distance to a closed outline of straight parts, and the side by the winding number.
+double to_outline(const std::vector<Point2>& outline, Point2 p) {
+    double nearest = 9, winding = 0;
+    for (size_t k = 0; k < outline.size(); ++k) {
+        const Point2 a = outline[k], b = outline[(k + 1) % outline.size()];
+        const double ax = a[0] - p[0], ay = a[1] - p[1], bx = b[0] - p[0], by = b[1] - p[1];
+        const double dx = b[0] - a[0], dy = b[1] - a[1];
+        const double t = std::clamp(-(ax * dx + ay * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+        nearest = std::min(nearest, std::hypot(ax + t * dx, ay + t * dy));
+        winding += std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+    }
+    return std::fabs(winding) > half_turn ? -nearest : nearest;
+}
+
+// Points of an outline around (0.5, 0.5), from a radius by the angle clockwise from up.
+template <class Radius>
+std::vector<Point2> polar(int count, Radius radius) {
+    std::vector<Point2> outline;
+    for (int k = 0; k < count; ++k) {
+        const double angle = 2 * half_turn * k / count, r = radius(k);
+        outline.push_back({0.5 + r * std::sin(angle), 0.5 + r * std::cos(angle)});
+    }
+    return outline;
+}
+// Arcs of corners, one after the other: centre, radius, first angle and angle turned.
+void add_arc(std::vector<Point2>& outline, Point2 center, double radius, double from, double turn) {
+    for (int k = 0; k <= 400; ++k) {
+        const double angle = from + turn * k / 400;
+        outline.push_back(
+            {center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle)});
+    }
+}
+
+void expect_outline(const std::string& type, const std::string& in,
+                    const std::vector<Point2>& outline) {
+    const auto places = random_places(400);
+    const auto got = values({one(type, in), "n.distance"}, places);
+    for (size_t i = 0; i < places.size(); ++i)
+        EXPECT_NEAR(got[i][0], to_outline(outline, places[i]), 1e-4)
+            << type << " at " << places[i][0] << " " << places[i][1];
+}
+
+TEST(Shape, IsAsFarAsItsOutline) {
+    std::vector<Point2> circle;
+    add_arc(circle, {0.5, 0.5}, 0.3, 0, 2 * half_turn);
+    expect_outline("sd_circle", "", circle);
+    std::vector<Point2> box;
+    for (int k = 0; k < 4; ++k) {
+        const double x = k == 0 || k == 3 ? 0.2 : -0.2, y = k < 2 ? 0.1 : -0.1;
+        add_arc(box, {0.5 + x, 0.5 + y}, 0.1, k * half_turn / 2, half_turn / 2);
+    }
+    expect_outline("sd_box", "\"radius\": 0.1", box);
+    expect_outline("sd_box", "\"radius\": 0, \"size\": [0.4, 0.2], \"rotation\": 90",
+                   {{0.4, 0.3}, {0.6, 0.3}, {0.6, 0.7}, {0.4, 0.7}});
+    std::vector<Point2> segment;
+    add_arc(segment, {0.8, 0.5}, 0.1, -half_turn / 2, half_turn);
+    add_arc(segment, {0.2, 0.5}, 0.1, half_turn / 2, half_turn);
+    expect_outline("sd_segment", "", segment);
+    for (const int sides : {3, 5, 8}) {
+        // A side is up, so the first corner is half a side further.
+        auto corners = polar(2 * sides, [&](int) { return 0.3 / std::cos(half_turn / sides); });
+        std::vector<Point2> polygon;
+        for (size_t k = 1; k < corners.size(); k += 2)
+            polygon.push_back(corners[k]);
+        expect_outline("sd_polygon", "\"sides\": " + std::to_string(sides), polygon);
+    }
+    // The inner corners are where the edges of two points meet.
+    for (const double pointedness : {0.0, 0.5}) {
+        const double half = half_turn / 5, slant = half_turn / (2 + 3 * pointedness);
+        const double inner = 0.4 * (std::cos(half) - std::sin(half) / std::tan(slant));
+        expect_outline("sd_star", "\"pointedness\": " + std::to_string(pointedness),
+                       polar(10, [&](int k) { return k % 2 ? inner : 0.4; }));
+    }
+    std::vector<Point2> arc;
+    add_arc(arc, {0.5, 0.5}, 0.35, half_turn / 6, 2 * half_turn / 3);
+    add_arc(arc, {0.5 - 0.3 * std::cos(half_turn / 6), 0.5 + 0.15}, 0.05, 5 * half_turn / 6,
+            half_turn);
+    add_arc(arc, {0.5, 0.5}, 0.25, 5 * half_turn / 6, -2 * half_turn / 3);
+    add_arc(arc, {0.5 + 0.3 * std::cos(half_turn / 6), 0.5 + 0.15}, 0.05, half_turn / 6 + half_turn,
+            half_turn);
+    expect_outline("sd_arc", "\"angle\": 120", arc);
+}
+
+TEST(Shape, OfARingIsTwoCircles) {
+    for (const auto& [x, d] :
+         {std::pair{0.5, 0.25}, std::pair{0.72, 0.03}, std::pair{0.8, -0.05}, std::pair{0.95, 0.1}})
+        EXPECT_NEAR(value({one("sd_ring"), "n.distance"}, x, 0.5)[0], d, 1e-6);
+}
+
+// Right at the edge; nearby off by the square of the distance.
+TEST(Shape, OfAnEllipseIsRightAtItsEdge) {
+    std::vector<Point2> outline;
+    for (int k = 0; k < 4000; ++k)
+        outline.push_back({0.5 + 0.3 * std::cos(2 * half_turn * k / 4000),
+                           0.5 + 0.2 * std::sin(2 * half_turn * k / 4000)});
+    for (const Point2& p : random_places(400)) {
+        const double truth = to_outline(outline, p);
+        if (std::fabs(truth) > 0.04) continue;
+        EXPECT_NEAR(value({one("sd_ellipse"), "n.distance"}, p[0], p[1])[0], truth,
+                    3 * truth * truth + 1e-4);
+    }
+    EXPECT_NEAR(value({one("sd_ellipse"), "n.distance"}, 0.5, 0.5)[0], -0.2, 1e-6);
+}
+
+TEST(Shape, HasASlopeOfOne) {
+    const auto places = random_places(300);
+    for (const char* type :
+         {"sd_circle", "sd_ring", "sd_box", "sd_segment", "sd_polygon", "sd_star", "sd_arc"}) {
+        const std::string nodes =
+            one(type) +
+            R"(, "g": {"type": "gradient_from_height", "in": {"height": {"from": "n.distance"}}})";
+        for (const auto& g : values({nodes, "g.gradient"}, places))
+            EXPECT_NEAR(std::hypot(g[0], g[1]), 1, 1e-5) << type;
+    }
+}
+
+double joined(double a, double b, const std::string& mode, double band, const char* output) {
+    return value({one("shape_combine", "\"a\": " + std::to_string(a) +
+                                           ", \"b\": " + std::to_string(b) + ", \"mode\": \"" +
+                                           mode + "\", \"smoothness\": " + std::to_string(band)),
+                  std::string("n.") + output})[0];
+}
+
+// Lines cross each side of a square in its middle, and are a quarter circle from there.
+TEST(Truchet, JoinsTheMiddlesOfSides) {
+    const std::string node = one("truchet", R"("scale": 1, "width": 0)");
+    std::set<bool> turned;
+    for (int k = 0; k < 20; ++k) {
+        for (const auto& [x, y] : {std::pair{0.5, 0.0}, std::pair{0.5, 1.0}, std::pair{0.0, 0.5}})
+            EXPECT_NEAR(value({node, "n.distance"}, k + x, y)[0], 0, 1e-6);
+        const double x = k + 0.5 * std::sqrt(0.5), y = 0.5 * std::sqrt(0.5);
+        turned.insert(value({node, "n.distance"}, x, y)[0] < 1e-6);
+        EXPECT_NEAR(value({node, "n.distance"}, k + 0.5, 0.5)[0], std::sqrt(0.5) - 0.5, 1e-6);
+    }
+    EXPECT_EQ(turned.size(), 2U);
+}
+
+TEST(ShapeCombine, IsThatOfSets) {
+    for (const auto& [a, b] : {std::pair{-0.2, 0.3}, std::pair{0.1, 0.4}, std::pair{-0.3, -0.1}}) {
+        EXPECT_NEAR(joined(a, b, "union", 0, "distance"), std::min(a, b), 1e-6);
+        EXPECT_NEAR(joined(a, b, "intersection", 0, "distance"), std::max(a, b), 1e-6);
+        EXPECT_NEAR(joined(a, b, "subtraction", 0, "distance"), std::max(a, -b), 1e-6);
+        EXPECT_NEAR(joined(a, b, "exclusion", 0, "distance"),
+                    std::max(std::min(a, b), -std::max(a, b)), 1e-6);
+    }
+    EXPECT_NEAR(joined(0.1, 0.1, "union", 0.2, "distance"), 0.05, 1e-6);
+    EXPECT_NEAR(joined(0.1, 0.1, "intersection", 0.2, "distance"), 0.15, 1e-6);
+    EXPECT_NEAR(joined(0.1, 0.1, "union", 0.2, "share"), 0.5, 1e-6);
+    EXPECT_NEAR(joined(0.1, 0.2, "union", 0.2, "share"), 0.25, 1e-6);
+    EXPECT_NEAR(joined(0.2, 0.1, "union", 0.2, "share"), 0.75, 1e-6);
+    EXPECT_NEAR(joined(0.5, 0.1, "union", 0.2, "share"), 1, 1e-6);
+}
+
+double through_distance(const std::string& type, const std::string& in, double distance,
+                        const std::string& output = "value", double width = 0) {
+    return numbers_through(type, "distance", in, output, {distance}, width)[0];
+}
+
+TEST(ShapeFill, IsTheCoveredPartOfAPixel) {
+    for (const double d : {-0.3, -0.06, 0.0, 0.02, 0.09, 0.3}) {
+        const double mean = box_mean([](double x) { return x < 0 ? 1.0 : 0.0; }, d, 0.2);
+        EXPECT_NEAR(through_distance("shape_fill", "", d, "value", 0.2), mean, 1e-3);
+    }
+    EXPECT_NEAR(through_distance("shape_fill", "\"softness\": 0.4", 0.1), 0.25, 1e-6);
+    EXPECT_EQ(through_distance("shape_fill", "\"width\": 0.1", 0.04, "outline"), 1);
+    EXPECT_EQ(through_distance("shape_fill", "\"width\": 0.1", -0.06, "outline"), 0);
+}
+
+TEST(ShapeOnion, GrowsAndOutlines) {
+    EXPECT_NEAR(through_distance("shape_onion", "\"grow\": 0.1", 0.3, "distance"), 0.2, 1e-6);
+    EXPECT_NEAR(through_distance("shape_onion", "\"line\": true", -0.3, "distance"), 0.29, 1e-6);
+}
+
+TEST(Bevel, HasItsProfile) {
+    const auto at = [](const char* profile, double t) {
+        return through_distance("bevel",
+                                std::string("\"width\": 1, \"profile\": \"") + profile + "\"", -t);
+    };
+    for (const char* profile : {"linear", "smooth", "round", "cove"}) {
+        EXPECT_NEAR(at(profile, -0.5), 0, 1e-6) << profile;
+        EXPECT_NEAR(at(profile, 1.5), 1, 1e-6) << profile;
+    }
+    EXPECT_NEAR(at("linear", 0.3), 0.3, 1e-6);
+    EXPECT_NEAR(at("smooth", 0.25), 0.15625, 1e-6);
+    EXPECT_NEAR(at("round", 0.5), std::sqrt(0.75), 0.015);  // a quarter circle, almost
+    EXPECT_NEAR(at("cove", 0.5), 1 - std::sqrt(0.75), 0.015);
+    EXPECT_NEAR(
+        through_distance("bevel", "\"profile\": \"linear\", \"width\": 0", -0.1, "value", 0.2), 0.5,
+        1e-6);
+}
+
+}  // namespace
+}  // namespace wrinkle::test
