@@ -1,40 +1,13 @@
 // Regular relief on a uv set: tiles with grooves between them, and shapes in a grid.
 #include <span>
 
+#include "nodes/cells.h"
 #include "nodes/constants.h"
-#include "nodes/footprint.h"
 #include "nodes/relief.h"
+#include "nodes/tile_edges.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
-
-// Edge profile of a tile: 1 on the tile, 0 in a groove `mortar` wide at its bottom, with slopes
-// `bevel` wide; `inside` is the distance to the groove's middle. Slopes are box-filtered to the
-// footprint; a groove narrower than a pixel becomes shallower, as by its box filter. Lengths are in
-// tiles.
-struct Edges {
-    Float mortar, bevel, footprint;
-
-    Float groove() const { return mortar + bevel; }  // its width at half depth
-    Float height(Float inside) const {
-        const Float width = named("slope_width", max(bevel, footprint));
-        const Float covered = named("covered", (0.5 * (width + groove()) - inside) / width);
-        return 1 - clamp(covered, 0, named("deepest", min(1, groove() / width)));
-    }
-};
-
-// Returns the tile's height, fading to the mean as a pixel covers a tile.
-static Float tile(const Edges& edges, Float inside, Float mean) {
-    return mix(mean_height(mean), edges.height(inside), fade(edges.footprint));
-}
-
-template <class Declaration>
-static constexpr auto with_edges(const Declaration& declaration, double mortar, double bevel,
-                                 const char* tiles) {
-    return declaration.template in<Float>("mortar", mortar, tiles, slider(0, 0.3), limits(0, 1))
-        .template in<Float>("bevel", bevel, "Width of the slope on either side of it, likewise",
-                            slider(0.1, 0.5), limits(0.001, 1));
-}
 
 // The integral of a square wave: a triangle wave of period 2 between 0 and 1.
 static vec2 triangle(vec2 x) {
@@ -43,18 +16,24 @@ static vec2 triangle(vec2 x) {
 }
 
 static constinit Node pattern_list[] = {
-    relief(pattern_on_uv("checker", "Checker",
-                         "Squares in two heights, like a chessboard; box-filtered exactly.",
-                         "scale", 4, "Squares per uv unit")
-               .in<Float>("bevel", 0.1, "Width of the slope between two squares, in squares",
-                          slider(0.05, 1), limits(0.02, 1)),
-           0.01, "1 on the one kind of squares, 0 on the other")
-        .body([](vec2 uv, Float scale, Float bevel, Float amplitude) {
+    cell_outputs(
+        relief(pattern_on_uv("checker", "Checker",
+                             "Squares in two heights, like a chessboard; box-filtered exactly.",
+                             "scale", 4, "Squares per uv unit")
+                   .in<Float>("bevel", 0.1, "Width of the slope between two squares, in squares",
+                              slider(0.05, 1), limits(0.02, 1))
+                   .count("seed", 0, 0, 65535, seed_doc),
+               0.01, "1 on the one kind of squares, 0 on the other"))
+        .body([](vec2 uv, Float scale, Float bevel, int seed, Float amplitude) {
             const vec2 p = named("p", uv * scale);
             const vec2 width = named("width", max(spread(p), bevel));
             const vec2 wave =
                 named("side", (triangle(p - width * 0.5) - triangle(p + width * 0.5)) / width);
-            return relief_of(0.5 + 0.5 * wave.x() * wave.y(), amplitude);
+            const vec2 cell = named("cell", floor(p)), way = named("way", p - cell - 0.5);
+            const Float edge = 0.5 - max(abs(way.x()), abs(way.y()));
+            return std::tuple_cat(
+                relief_of(0.5 + 0.5 * wave.x() * wave.y(), amplitude),
+                cell_values({cell, way, vec2(1), edge, footprint(p)}, uv, scale, seed));
         }),
 
     relief(
@@ -77,29 +56,39 @@ static constinit Node pattern_list[] = {
             const Float along = named("along", (0.5 - abs(x)) * aspect);
             const Float across = named("across", 0.5 - abs(y));
             const Edges edges{mortar, bevel, footprint(p)};
-            const Float mean = saturate(1 - edges.groove()) * saturate(1 - edges.groove() / aspect);
-            return relief_of(tile(edges, named("inside", min(along, across)), mean), amplitude);
+            const Float inside = named("inside", min(along, across));
+            return relief_of(edges.tile(inside, edges.mean(aspect)), amplitude);
         }),
 
-    relief(with_edges(pattern_on_uv("hexagons", "Hexagons",
-                                    "Hexagonal tiles with grooves between them and bevelled edges.",
-                                    "scale", 5, "Tiles per uv unit, along u"),
-                      0.04, 0.15, "Width of the groove's bottom, in tiles"),
-           0.008, "1 on a tile, 0 in the grooves")
-        .body([](vec2 uv, Float scale, Float mortar, Float bevel, Float amplitude) {
+    cell_outputs(
+        relief(with_edges(
+                   pattern_on_uv("hexagons", "Hexagons",
+                                 "Hexagonal tiles with grooves between them and bevelled edges, "
+                                 "and numbers of each tile.",
+                                 "scale", 5, "Tiles per uv unit, along u"),
+                   0.04, 0.15, "Width of the groove's bottom, in tiles")
+                   .count("seed", 0, 0, 65535, seed_doc),
+               0.008, "1 on a tile, 0 in the grooves"))
+        .body([](vec2 uv, Float scale, Float mortar, Float bevel, int seed, Float amplitude) {
             // Centres are on two rectangular grids, 1 by sqrt(3); the nearer centre is the tile's.
             const vec2 grid(
                 1, named("sqrt_3 // height of the grid's cells", Float(1.7320508075688772)));
             const vec2 p = named("p", uv * scale);
-            const vec2 even = named("even", p - grid * floor(p / grid + 0.5));
-            const vec2 odd = named("odd", p - grid * (floor(p / grid) + 0.5));
-            const vec2 way = named("way", select(dot(even, even) < dot(odd, odd), even, odd));
+            const vec2 square = named("square", floor(p / grid));
+            const vec2 corner = named("corner", floor(p / grid + 0.5));
+            const vec2 even = named("even", p - grid * corner);
+            const vec2 odd = named("odd", p - grid * (square + 0.5));
+            const Bool is_even = dot(even, even) < dot(odd, odd);
+            const vec2 way = named("way", select(is_even, even, odd));
+            const vec2 cell = named("cell", select(is_even, 2 * corner, 2 * square + 1));
             const vec2 side = named("side", abs(way));
             const Float edge = named("edge", dot(side, vec2(0.5, sin_60())));
             const Float inside = named("inside", 0.5 - max(side.x(), edge));
             const Edges edges{mortar, bevel, footprint(p)};
             const Float tops = saturate(1 - edges.groove());
-            return relief_of(tile(edges, inside, tops * tops), amplitude);
+            const CellAt at{cell, way, vec2(1, 1.1547005383792517), inside, edges.footprint};
+            return std::tuple_cat(relief_of(edges.tile(inside, tops * tops), amplitude),
+                                  cell_values(at, uv, scale, seed));
         }),
 
     // The bump of M. Bailey's Surface Local Coordinates: in the middle of each square cell of
@@ -121,34 +110,42 @@ static constinit Node pattern_list[] = {
                              amplitude);
         }),
 
-    relief(
-        pattern_on_uv("domes", "Domes",
-                      "Round bumps in a grid, like rivets or studs: caps of a sphere, up to nearly "
-                      "half of it.",
-                      "scale", 6, "Domes per uv unit")
-            .in<Float>("base", 0.7, "Diameter of a dome, in cells", slider(0.2, 1), limits(0.01, 1))
-            .in<Float>("roundness", 0.8, "The profile: near 1 a hemisphere, near 0 a parabola",
-                       slider(0.1, 0.95), limits(0.05, 0.999))
-            .in<Float>("stagger", 0, "How far each row is moved against the one below, in cells",
-                       slider(0, 1)),
-        0.01, "1 at the tops, 0 around the domes")
-        .body(
-            [](vec2 uv, Float scale, Float base, Float roundness, Float stagger, Float amplitude) {
-                const vec2 p = named("p", uv * scale);
-                const Float row = named("row", floor(p.y()));
-                const Float x = fract(p.x() - row * stagger) - 0.5;
-                const vec2 way = named("way", vec2(x, p.y() - row - 0.5));
-                const Float radius = 0.5 * base;
-                const Float square = roundness * roundness;
-                const Float rim = sqrt(1 - square);
-                const Float apart = named("apart", dot(way, way) / (radius * radius));
-                const Float cap = named("cap", sqrt(1 - square * min(apart, 1)));
-                const Float value = (cap - rim) / (1 - rim);
-                // The mean over the disc: the integral of the square root, less the rim.
-                const Float disc = (2.0 / 3) * (1 - rim * rim * rim) / square - rim;
-                const Float mean = pi() * radius * radius * disc / (1 - rim);
-                return relief_of(mix(mean_height(mean), value, fade(footprint(p))), amplitude);
-            })};
+    cell_outputs(
+        relief(
+            pattern_on_uv(
+                "domes", "Domes",
+                "Round bumps in a grid, like rivets or studs: caps of a sphere, up to nearly "
+                "half of it.",
+                "scale", 6, "Domes per uv unit")
+                .in<Float>("base", 0.7, "Diameter of a dome, in cells", slider(0.2, 1),
+                           limits(0.01, 1))
+                .in<Float>("roundness", 0.8, "The profile: near 1 a hemisphere, near 0 a parabola",
+                           slider(0.1, 0.95), limits(0.05, 0.999))
+                .in<Float>("stagger", 0,
+                           "How far each row is moved against the one below, in cells",
+                           slider(0, 1))
+                .count("seed", 0, 0, 65535, seed_doc),
+            0.01, "1 at the tops, 0 around the domes"))
+        .body([](vec2 uv, Float scale, Float base, Float roundness, Float stagger, int seed,
+                 Float amplitude) {
+            const vec2 p = named("p", uv * scale);
+            const Float row = named("row", floor(p.y()));
+            const Float x = named("x", p.x() - row * stagger);
+            const vec2 cell = named("cell", vec2(floor(x), row));
+            const vec2 way = named("way", vec2(x, p.y()) - cell - 0.5);
+            const Float radius = 0.5 * base;
+            const Float square = roundness * roundness;
+            const Float rim = sqrt(1 - square);
+            const Float apart = named("apart", dot(way, way) / (radius * radius));
+            const Float cap = named("cap", sqrt(1 - square * min(apart, 1)));
+            const Float value = (cap - rim) / (1 - rim);
+            // The mean over the disc: the integral of the square root, less the rim.
+            const Float disc = (2.0 / 3) * (1 - rim * rim * rim) / square - rim;
+            const Float mean = pi() * radius * radius * disc / (1 - rim);
+            const Float width = footprint(p), edge = radius - length(way);
+            return std::tuple_cat(relief_of(mix(mean_height(mean), value, fade(width)), amplitude),
+                                  cell_values({cell, way, vec2(1), edge, width}, uv, scale, seed));
+        })};
 constinit std::span<Node> pattern_nodes = pattern_list;
 
 }  // namespace wrinkle::nodes

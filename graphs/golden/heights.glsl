@@ -10,21 +10,17 @@ struct WrinkleMaterial_heights {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
-const float heights_mean = 0.20845777;                        // height of the pattern, seen from far away
-const float heights_mean_2 = 0.72364;                         // height of the pattern, seen from far away
-const vec3 heights_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
-const float heights_min_area = 1e-36;                         // smaller areas and squared lengths are zero
 
-uint wrinkle_heights_pcg_hash(uint x) {
+uint wrinkle_heights_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_heights_hash3(vec3 cell) {
-    uint z = wrinkle_heights_pcg_hash(uint(int(cell.z)));
-    uint yz = wrinkle_heights_pcg_hash(uint(int(cell.y)) + z);
-    return wrinkle_heights_pcg_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_heights_hash(uint(int(cell.z)));
+    uint yz = wrinkle_heights_hash(uint(int(cell.y)) + z);
+    return wrinkle_heights_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_heights_gradient_corner(vec3 corner, vec3 way) {
@@ -77,7 +73,7 @@ vec4 wrinkle_heights_fbm(vec3 point, float width, float scale, int octaves, floa
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + heights_octave_offset * float(i);
+        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
         vec4 noise = wrinkle_heights_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -94,29 +90,36 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     vec3 dpdx = dFdx(s.position_relative);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    // sand: Gradient noise
-    vec4 sand = wrinkle_heights_fbm(s.position, max(length(dpdx), length(dpdy)), 12.0, 4, 2.0, 0.5);
-    float sand_height = sand.w * 0.02;
-    vec2 sand_slope = vec2(dot(sand.xyz, dpdx - normal * dot(normal, dpdx)),
-            dot(sand.xyz, dpdy - normal * dot(normal, dpdy)));
-    vec2 sand_slope_2 = sand_slope * 0.02;
-    float low_height = 0.01 - sand_height;  // low: Invert height
     vec2 domes_p = s.uv0 * 6.0;  // domes: Domes
     float domes_row = floor(domes_p.y);
+    vec2 domes_cell = vec2(floor(domes_p.x), domes_row);
+    vec2 domes_local = domes_p - domes_cell - 0.5;
+    float domes_apart = dot(domes_local, domes_local) / 0.1225;
+    float domes_difference = 1.0 - 0.64 * min(domes_apart, 1.0);
+    float domes_cap = sqrt(max(domes_difference, 0.0));
     vec2 domes_p_dx = dFdx(s.uv0) * 6.0;
     vec2 domes_p_dy = dFdy(s.uv0) * 6.0;
     float domes_width = max(length(domes_p_dx), length(domes_p_dy));
-    float domes_fade = 1.0 - smoothstep(0.25, 0.75, domes_width);
-    float bricks_y = domes_p.y - domes_row - 0.5;  // bricks: Bricks
-    float bricks_slope_width = max(0.15, domes_width);
+    float domes_detail = 1.0 - smoothstep(0.25, 0.75, domes_width);
+    float domes_value = mix(0.20845777, (domes_cap - 0.6) / 0.4, domes_detail);
+    float domes_height = domes_value * 0.08;
+    vec2 domes_vector = vec2(dot(domes_p_dx, domes_local), dot(domes_p_dy, domes_local));
+    vec2 domes_vector_2 = vec2(dot(domes_local, domes_p_dx), dot(domes_local, domes_p_dy));
+    vec2 domes_choice = 1.0 < domes_apart ? vec2(0.0) : (domes_vector + domes_vector_2) / 0.1225;
+    vec2 domes_product = domes_choice * 0.64;
+    vec2 domes_choice_2 = domes_difference < 0.0 ? vec2(0.0) : -domes_product;
+    vec2 domes_quotient = domes_choice_2 * (domes_cap > 0.0 ? 0.5 / domes_cap : 0.0) / 0.4;
+    vec2 domes_slope = domes_quotient * domes_detail * 0.08;
+    float bricks_slope_width = max(0.15, domes_width);  // bricks: Bricks
     float bricks_x = fract(domes_p.x / 2.5 - domes_row * 0.5) - 0.5;
     float bricks_along = (0.5 - abs(bricks_x)) * 2.5;
+    float bricks_y = domes_p.y - domes_row - 0.5;
     float bricks_across = 0.5 - abs(bricks_y);
     float bricks_difference = 0.5 * (bricks_slope_width + 0.21) - min(bricks_along, bricks_across);
     float bricks_covered = bricks_difference / bricks_slope_width;
     float bricks_deepest = min(1.0, 0.21 / bricks_slope_width);
-    float bricks_value = mix(heights_mean_2, 1.0 - clamp(bricks_covered, 0.0, bricks_deepest),
-            domes_fade);
+    float bricks_difference_2 = 1.0 - clamp(bricks_covered, 0.0, bricks_deepest);
+    float bricks_value = mix(0.72364, bricks_difference_2, domes_detail);
     float bricks_height = bricks_value * 0.05;
     bool bricks_test = bricks_across < bricks_along;
     vec2 bricks_across_slope = -(vec2(domes_p_dx.y, domes_p_dy.y) * sign(bricks_y));
@@ -124,20 +127,7 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     vec2 bricks_negated_2 = -(bricks_test ? bricks_across_slope : bricks_negated * 2.5);
     vec2 bricks_choice = bricks_covered < 0.0 ? vec2(0.0) : bricks_negated_2 / bricks_slope_width;
     vec2 bricks_choice_2 = bricks_deepest < max(bricks_covered, 0.0) ? vec2(0.0) : bricks_choice;
-    vec2 bricks_slope = -bricks_choice_2 * domes_fade * 0.05;
-    vec2 domes_way = vec2(fract(domes_p.x) - 0.5, bricks_y);  // domes: Domes (continued)
-    float domes_apart = dot(domes_way, domes_way) / 0.1225;
-    float domes_difference = 1.0 - 0.64 * min(domes_apart, 1.0);
-    float domes_cap = sqrt(max(domes_difference, 0.0));
-    float domes_value = mix(heights_mean, (domes_cap - 0.6) / 0.4, domes_fade);
-    float domes_height = domes_value * 0.08;
-    vec2 domes_vector = vec2(dot(domes_p_dx, domes_way), dot(domes_p_dy, domes_way));
-    vec2 domes_vector_2 = vec2(dot(domes_way, domes_p_dx), dot(domes_way, domes_p_dy));
-    vec2 domes_choice = 1.0 < domes_apart ? vec2(0.0) : (domes_vector + domes_vector_2) / 0.1225;
-    vec2 domes_product = domes_choice * 0.64;
-    vec2 domes_choice_2 = domes_difference < 0.0 ? vec2(0.0) : -domes_product;
-    vec2 domes_quotient = domes_choice_2 * (domes_cap > 0.0 ? 0.5 / domes_cap : 0.0) / 0.4;
-    vec2 domes_slope = domes_quotient * domes_fade * 0.08;
+    vec2 bricks_slope = -bricks_choice_2 * domes_detail * 0.05;
     float joined_difference = domes_height - bricks_height;  // joined: Higher of two heights
     float joined_difference_2 = 0.01 - abs(joined_difference);
     float joined_greatest = max(joined_difference_2, 0.0);
@@ -156,12 +146,19 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     vec2 cut_choice = cut_negated < -0.06 ? vec2(0.0) : cut_negated_2;
     vec2 cut_choice_2 = cut_difference < 0.0 ? vec2(0.0) : -(cut_negated_2 * sign(cut_sum));
     vec2 cut_sum_2 = cut_choice + cut_choice_2 * cut_greatest * 2.0 / 0.04;
+    // sand: Gradient noise
+    vec4 sand = wrinkle_heights_fbm(s.position, max(length(dpdx), length(dpdy)), 12.0, 4, 2.0, 0.5);
+    float sand_height = sand.w * 0.02;
+    vec2 sand_slope = vec2(dot(sand.xyz, dpdx - normal * dot(normal, dpdx)),
+            dot(sand.xyz, dpdy - normal * dot(normal, dpdy)));
+    vec2 sand_slope_2 = sand_slope * 0.02;
+    float low_height = 0.01 - sand_height;  // low: Invert height
     float carved_height = cut_height - low_height;  // carved: Subtract heights
     float fitted_quotient = (carved_height + 0.02) / 0.1;  // fitted: Remap height
     bool fitted_test = fitted_quotient < 0.0 || 1.0 < fitted_quotient;
     vec2 fitted_choice = fitted_test ? vec2(0.0) : (-cut_sum_2 + sand_slope_2) / 0.1;
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), heights_min_area) * 0.06;
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.06;
     vec2 normal_per_area = fitted_choice * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_heights m;

@@ -9,8 +9,6 @@ struct WrinkleMaterial_domes {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
-const float domes_min_area = 1e-36;   // smaller areas and squared lengths are zero
-const float domes_mean = 0.20845777;  // height of the pattern, seen from far away
 
 WrinkleMaterial_domes wrinkle_domes(WrinkleSurface_domes s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -19,24 +17,26 @@ WrinkleMaterial_domes wrinkle_domes(WrinkleSurface_domes s) {
     float screen_area = dot(normal, cross(dpdx, dpdy));
     vec2 relief_p = s.uv0 * 6.0;  // relief: Domes
     float relief_row = floor(relief_p.y);
-    vec2 relief_vector = vec2(fract(relief_p.x - relief_row * 0.5), relief_p.y - relief_row);
-    vec2 relief_way = relief_vector - 0.5;
-    float relief_apart = dot(relief_way, relief_way) / 0.1225;
+    float relief_x = relief_p.x - relief_row * 0.5;
+    vec2 relief_cell = vec2(floor(relief_x), relief_row);
+    vec2 relief_local = vec2(relief_x, relief_p.y) - relief_cell - 0.5;
+    float relief_apart = dot(relief_local, relief_local) / 0.1225;
     float relief_difference = 1.0 - 0.64 * min(relief_apart, 1.0);
     vec2 relief_p_dx = dFdx(s.uv0) * 6.0;
     vec2 relief_p_dy = dFdy(s.uv0) * 6.0;
-    vec2 relief_vector_2 = vec2(dot(relief_p_dx, relief_way), dot(relief_p_dy, relief_way));
-    vec2 relief_vector_3 = vec2(dot(relief_way, relief_p_dx), dot(relief_way, relief_p_dy));
-    vec2 relief_apart_slope = (relief_vector_2 + relief_vector_3) / 0.1225;
+    vec2 relief_vector = vec2(dot(relief_p_dx, relief_local), dot(relief_p_dy, relief_local));
+    vec2 relief_vector_2 = vec2(dot(relief_local, relief_p_dx), dot(relief_local, relief_p_dy));
+    vec2 relief_apart_slope = (relief_vector + relief_vector_2) / 0.1225;
     vec2 relief_product = (1.0 < relief_apart ? vec2(0.0) : relief_apart_slope) * 0.64;
     vec2 relief_choice = relief_difference < 0.0 ? vec2(0.0) : -relief_product;
     float relief_cap = sqrt(max(relief_difference, 0.0));
     vec2 relief_quotient = relief_choice * (relief_cap > 0.0 ? 0.5 / relief_cap : 0.0) / 0.4;
-    float relief_fade = 1.0 - smoothstep(0.25, 0.75, max(length(relief_p_dx), length(relief_p_dy)));
-    float relief_value = mix(domes_mean, (relief_cap - 0.6) / 0.4, relief_fade);
+    float relief_ramp = smoothstep(0.25, 0.75, max(length(relief_p_dx), length(relief_p_dy)));
+    float relief_detail = 1.0 - relief_ramp;
+    float relief_value = mix(0.20845777, (relief_cap - 0.6) / 0.4, relief_detail);
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), domes_min_area) * 0.05;
-    vec2 normal_per_area = relief_quotient * relief_fade * normal_product;
+    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
+    vec2 normal_per_area = relief_quotient * relief_detail * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_domes m;
     m.normal = normalize(normal * s.facing - normal_gradient);
