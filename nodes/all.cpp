@@ -13,7 +13,7 @@
     X(compositor) X(height) X(noise) X(fractal) X(cellular) X(waves) X(pattern) X(weave) \
     X(parallax) X(math) X(vector) X(value) X(ramp) X(color_blend) X(color) X(random) \
     X(uv_tools) X(shape) X(bricks) X(voronoi) \
-    X(comparison) X(comparison_surface)
+    X(material) X(comparison) X(comparison_surface)
 // clang-format on
 
 namespace wrinkle {

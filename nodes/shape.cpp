@@ -1,6 +1,7 @@
 // Shapes by signed distance, negative inside, in uv units: exact, so their slopes have length 1.
 // Formulas after I. Quilez.
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "nodes/footprint.h"
@@ -9,8 +10,6 @@
 
 namespace wrinkle::nodes {
 using namespace sdk;
-
-static constexpr double pi = 3.141592653589793;
 
 static constexpr auto shape_family(const char* id, const char* title, const char* doc) {
     return node(id, title, doc).family("shape");
@@ -45,7 +44,7 @@ static Float box_distance(vec2 p, vec2 half, Float radius) {
 }
 
 static Float polygon_distance(vec2 p, int sides, Float inradius) {
-    const double half = pi / sides;
+    const double half = std::numbers::pi / sides;
     const Float angle = angle_from_up(p);
     const Float side = named("side", angle - 2 * half * floor(angle / (2 * half) + 0.5));
     const Float reach = inradius * std::tan(half);
@@ -55,11 +54,11 @@ static Float polygon_distance(vec2 p, int sides, Float inradius) {
 }
 
 static Float star_distance(vec2 p, int points, Float pointedness, Float radius) {
-    const double half = pi / points;
+    const double half = std::numbers::pi / points;
     const Float side = named("side", mod(angle_from_up(p), 2 * half) - half);
     const vec2 q = named("q", length(p) * vec2(cos(side), abs(sin(side))) -
                                   radius * vec2(std::cos(half), std::sin(half)));
-    const Float slant = named("slant", pi / mix(2, points, pointedness));
+    const Float slant = named("slant", pi() / mix(2, points, pointedness));
     const vec2 edge = named("edge", vec2(cos(slant), sin(slant)));
     const Float along = clamp(-dot(q, edge), 0, radius * std::sin(half) / edge.y());
     const vec2 way = named("way", q + edge * along);
