@@ -11,6 +11,7 @@ struct WrinkleMaterial_height_blend {
     vec3 color;   // base color, linear
 };
 const vec3 height_blend_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const float height_blend_mean = 0.4761;       // height of the pattern, seen from far away
 const float height_blend_sqrt_3 = 1.7320508;  // height of the grid's cells
 const float height_blend_sin_60 = 0.8660254;  // sqrt(3) / 2
 const float height_blend_min_area = 1e-36;    // smaller areas and squared lengths are zero
@@ -120,7 +121,8 @@ WrinkleMaterial_height_blend wrinkle_height_blend(WrinkleSurface_height_blend s)
     float stones_covered = (0.5 * (stones_slope_width + 0.31) - stones_inside) / stones_slope_width;
     float stones_deepest = min(1.0, 0.31 / stones_slope_width);
     float stones_fade = 1.0 - smoothstep(0.25, 0.75, stones_width);
-    float stones_value = mix(0.4761, 1.0 - clamp(stones_covered, 0.0, stones_deepest), stones_fade);
+    float stones_value = mix(height_blend_mean, 1.0 - clamp(stones_covered, 0.0, stones_deepest),
+            stones_fade);
     float stones_height = stones_value * 0.05;
     vec2 stones_sign = sign(stones_way);
     vec2 stones_side_dx = stones_p_dx * stones_sign;
