@@ -2,6 +2,7 @@
 #include "nodes/random.h"
 
 #include <span>
+#include <vector>
 
 #include "nodes/color_space.h"
 

@@ -83,7 +83,12 @@ constexpr bool takes_struct() {
         return false;
 }
 
-// The braced lists guarantee that arguments are read in port order.
+// The braced lists guarantee that arguments are read in port order. A struct may have an array for
+// ports in a row: its inner braces are left out.
+#ifdef __clang__
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wmissing-braces"
+#endif
 template <class F, class... P>
 auto call(Ports<P...>) {
     if constexpr (std::is_invocable_v<F, typename P::Value...>) {
@@ -93,6 +98,9 @@ auto call(Ports<P...>) {
         return F{}(typename Parameter<decltype(&F::operator())>::type{P::read()...});
     }
 }
+#ifdef __clang__
+#pragma clang diagnostic pop
+#endif
 
 template <class F, class... P>
 constexpr bool callable(Ports<P...>) {
