@@ -10,8 +10,11 @@ struct WrinkleMaterial_brick_wall {
     vec3 color;       // base color, linear
     float roughness;  // perceptual, 0 to 1
 };
+const float brick_wall_min_area = 1e-36;     // smaller areas and squared lengths are zero
+const float brick_wall_two_24 = 16777216.0;  // the upper 24 bits to [0, 1)
+const float brick_wall_mean = 0.7504;        // height of the pattern, seen from far away
 
-uint wrinkle_brick_wall_hash(uint x) {
+uint wrinkle_brick_wall_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
@@ -19,16 +22,16 @@ uint wrinkle_brick_wall_hash(uint x) {
 
 uint wrinkle_brick_wall_random_bits(vec2 cell, float id, int seed) {
     vec2 at = floor(cell + 0.5);
-    uint of_id = wrinkle_brick_wall_hash(uint(int(floor(id + 0.5))) +
-            wrinkle_brick_wall_hash(uint(seed)));
-    uint of_y = wrinkle_brick_wall_hash(uint(int(at.y)) + of_id);
-    return wrinkle_brick_wall_hash(uint(int(at.x)) + of_y);
+    uint of_id = wrinkle_brick_wall_pcg_hash(uint(int(floor(id + 0.5))) +
+            wrinkle_brick_wall_pcg_hash(uint(seed)));
+    uint of_y = wrinkle_brick_wall_pcg_hash(uint(int(at.y)) + of_id);
+    return wrinkle_brick_wall_pcg_hash(uint(int(at.x)) + of_y);
 }
 
 vec3 wrinkle_brick_wall_random3(uint bits) {
-    uint second = wrinkle_brick_wall_hash(bits);
-    uint third = wrinkle_brick_wall_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / 16777216.0;
+    uint second = wrinkle_brick_wall_pcg_hash(bits);
+    uint third = wrinkle_brick_wall_pcg_hash(second);
+    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / brick_wall_two_24;
 }
 
 WrinkleMaterial_brick_wall wrinkle_brick_wall(WrinkleSurface_brick_wall s) {
@@ -77,9 +80,10 @@ WrinkleMaterial_brick_wall wrinkle_brick_wall(WrinkleSurface_brick_wall s) {
     vec2 wall_cell = vec2(2.0 * wall_pair + float(wall_test), wall_row);
     uint wall_bits = wrinkle_brick_wall_random_bits(wall_cell, 0.0, 0);
     vec3 wall_random = wrinkle_brick_wall_random3(wall_bits);
-    float wall_value = mix(0.7504, 1.0 - clamp(wall_covered, 0.0, wall_deepest), wall_detail);
+    float wall_value = mix(brick_wall_mean, 1.0 - clamp(wall_covered, 0.0, wall_deepest),
+            wall_detail);
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    float normal_product = sign(screen_area) / max(abs(screen_area), brick_wall_min_area) * 0.02;
     vec2 normal_per_area = wall_negated * wall_detail * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     float fired_at = wall_random.x * 3.4;  // fired: Palette
@@ -89,7 +93,8 @@ WrinkleMaterial_brick_wall wrinkle_brick_wall(WrinkleSurface_brick_wall s) {
     float fired_least = min(max(wall_detail, 0.0), 1.0);
     vec3 fired_color = mix(vec3(0.34411764, 0.104705885, 0.059411764), fired_choice_3, fired_least);
     // shade: Random in a range
-    float shade_value = mix(0.75, 1.15, mix(0.5, float(wall_bits >> 8u) / 16777216.0, fired_least));
+    float shade_value = mix(0.75, 1.15,
+            mix(0.5, float(wall_bits >> 8u) / brick_wall_two_24, fired_least));
     vec3 toned_vector = fired_color * shade_value;  // toned: Scale vec3
     float color_least = min(max(wall_value, 0.0), 1.0);  // color: Blend
     WrinkleMaterial_brick_wall m;

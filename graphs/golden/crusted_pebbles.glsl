@@ -10,23 +10,26 @@ struct WrinkleMaterial_crusted_pebbles {
     vec3 color;       // base color, linear
     float roughness;  // perceptual, 0 to 1
 };
+const float crusted_pebbles_two_24 = 16777216.0;  // the upper 24 bits to [0, 1)
+const vec3 crusted_pebbles_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
 
-uint wrinkle_crusted_pebbles_hash(uint x) {
+uint wrinkle_crusted_pebbles_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_crusted_pebbles_hash3(vec3 cell) {
-    uint z = wrinkle_crusted_pebbles_hash(uint(int(cell.z)));
-    uint yz = wrinkle_crusted_pebbles_hash(uint(int(cell.y)) + z);
-    return wrinkle_crusted_pebbles_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_crusted_pebbles_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_crusted_pebbles_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_crusted_pebbles_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec3 wrinkle_crusted_pebbles_random3(uint bits) {
-    uint second = wrinkle_crusted_pebbles_hash(bits);
-    uint third = wrinkle_crusted_pebbles_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / 16777216.0;
+    uint second = wrinkle_crusted_pebbles_pcg_hash(bits);
+    uint third = wrinkle_crusted_pebbles_pcg_hash(second);
+    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) /
+            crusted_pebbles_two_24;
 }
 
 vec3 wrinkle_crusted_pebbles_feature_point(vec3 cell, float jitter) {
@@ -52,7 +55,8 @@ vec4 wrinkle_crusted_pebbles_worley(vec3 point, float width, float scale, float 
     float extent = length(to_nearest);
     float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(scale));
     vec3 product = (extent > 0.0 ? to_nearest * -scale / extent : vec3(0.0)) * fade;
-    return vec4(product, mix(0.48 + 0.04 * jitter, extent, fade));
+    float mean = 0.48 + 0.04 * jitter;
+    return vec4(product, mix(mean, extent, fade));
 }
 
 vec3 wrinkle_crusted_pebbles_hermite(float t) {
@@ -152,7 +156,7 @@ vec4 wrinkle_crusted_pebbles_fbm(vec3 point, float width, float scale, int octav
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + crusted_pebbles_octave_offset * float(i);
         vec4 noise = wrinkle_crusted_pebbles_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;

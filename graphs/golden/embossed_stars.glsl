@@ -11,8 +11,9 @@ struct WrinkleMaterial_embossed_stars {
     float metalness;  // 0 dielectric, 1 metal
     float roughness;  // perceptual, 0 to 1
 };
+const float embossed_stars_min_area = 1e-36;  // smaller areas and squared lengths are zero
 
-uint wrinkle_embossed_stars_hash(uint x) {
+uint wrinkle_embossed_stars_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
@@ -20,10 +21,10 @@ uint wrinkle_embossed_stars_hash(uint x) {
 
 uint wrinkle_embossed_stars_random_bits(vec2 cell, float id, int seed) {
     vec2 at = floor(cell + 0.5);
-    uint of_id = wrinkle_embossed_stars_hash(uint(int(floor(id + 0.5))) +
-            wrinkle_embossed_stars_hash(uint(seed)));
-    uint of_y = wrinkle_embossed_stars_hash(uint(int(at.y)) + of_id);
-    return wrinkle_embossed_stars_hash(uint(int(at.x)) + of_y);
+    uint of_id = wrinkle_embossed_stars_pcg_hash(uint(int(floor(id + 0.5))) +
+            wrinkle_embossed_stars_pcg_hash(uint(seed)));
+    uint of_y = wrinkle_embossed_stars_pcg_hash(uint(int(at.y)) + of_id);
+    return wrinkle_embossed_stars_pcg_hash(uint(int(at.x)) + of_y);
 }
 
 WrinkleMaterial_embossed_stars wrinkle_embossed_stars(WrinkleSurface_embossed_stars s) {
@@ -108,7 +109,8 @@ WrinkleMaterial_embossed_stars wrinkle_embossed_stars(WrinkleSurface_embossed_st
     vec2 rise_slope = rise_choice * rise_clamped * 2.0 * (3.0 - 2.0 * rise_clamped) -
             rise_choice * 2.0 * (rise_clamped * rise_clamped);
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    float normal_product = sign(screen_area) / max(abs(screen_area), embossed_stars_min_area) *
+            0.02;
     vec2 normal_per_area = rise_slope * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     float gold_value = clamp(0.5 - both_distance / max(0.02, rise_width), 0.0, 1.0);  // gold: Fill

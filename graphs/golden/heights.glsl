@@ -10,17 +10,21 @@ struct WrinkleMaterial_heights {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float heights_mean = 0.20845777;                        // height of the pattern, seen from far away
+const float heights_mean_2 = 0.72364;                         // height of the pattern, seen from far away
+const vec3 heights_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const float heights_min_area = 1e-36;                         // smaller areas and squared lengths are zero
 
-uint wrinkle_heights_hash(uint x) {
+uint wrinkle_heights_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_heights_hash3(vec3 cell) {
-    uint z = wrinkle_heights_hash(uint(int(cell.z)));
-    uint yz = wrinkle_heights_hash(uint(int(cell.y)) + z);
-    return wrinkle_heights_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_heights_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_heights_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_heights_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_heights_gradient_corner(vec3 corner, vec3 way) {
@@ -73,7 +77,7 @@ vec4 wrinkle_heights_fbm(vec3 point, float width, float scale, int octaves, floa
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + heights_octave_offset * float(i);
         vec4 noise = wrinkle_heights_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -101,7 +105,7 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     vec2 domes_p_dy = dFdy(s.uv0) * 6.0;
     float domes_width = max(length(domes_p_dx), length(domes_p_dy));
     float domes_detail = 1.0 - smoothstep(0.25, 0.75, domes_width);
-    float domes_value = mix(0.20845777, (domes_cap - 0.6) / 0.4, domes_detail);
+    float domes_value = mix(heights_mean, (domes_cap - 0.6) / 0.4, domes_detail);
     float domes_height = domes_value * 0.08;
     vec2 domes_vector = vec2(dot(domes_p_dx, domes_local), dot(domes_p_dy, domes_local));
     vec2 domes_vector_2 = vec2(dot(domes_local, domes_p_dx), dot(domes_local, domes_p_dy));
@@ -119,7 +123,7 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     float bricks_covered = bricks_difference / bricks_slope_width;
     float bricks_deepest = min(1.0, 0.21 / bricks_slope_width);
     float bricks_difference_2 = 1.0 - clamp(bricks_covered, 0.0, bricks_deepest);
-    float bricks_value = mix(0.72364, bricks_difference_2, domes_detail);
+    float bricks_value = mix(heights_mean_2, bricks_difference_2, domes_detail);
     float bricks_height = bricks_value * 0.05;
     bool bricks_test = bricks_across < bricks_along;
     vec2 bricks_across_slope = -(vec2(domes_p_dx.y, domes_p_dy.y) * sign(bricks_y));
@@ -158,7 +162,7 @@ WrinkleMaterial_heights wrinkle_heights(WrinkleSurface_heights s) {
     bool fitted_test = fitted_quotient < 0.0 || 1.0 < fitted_quotient;
     vec2 fitted_choice = fitted_test ? vec2(0.0) : (-cut_sum_2 + sand_slope_2) / 0.1;
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.06;
+    float normal_product = sign(screen_area) / max(abs(screen_area), heights_min_area) * 0.06;
     vec2 normal_per_area = fitted_choice * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_heights m;

@@ -10,17 +10,18 @@ struct WrinkleMaterial_marble {
     vec3 color;       // base color, linear
     float roughness;  // perceptual, 0 to 1
 };
+const vec3 marble_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
 
-uint wrinkle_marble_hash(uint x) {
+uint wrinkle_marble_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_marble_hash3(vec3 cell) {
-    uint z = wrinkle_marble_hash(uint(int(cell.z)));
-    uint yz = wrinkle_marble_hash(uint(int(cell.y)) + z);
-    return wrinkle_marble_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_marble_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_marble_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_marble_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_marble_gradient_corner(vec3 corner, vec3 way) {
@@ -75,7 +76,7 @@ vec4 wrinkle_marble_ridges(vec3 point, float width, float scale, int octaves, fl
     vec3 previous_slope = vec3(0.0);
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + marble_octave_offset * float(i);
         vec4 noise = wrinkle_marble_gradient_noise(p);
         float difference = 1.0 - abs(noise.w);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
@@ -151,7 +152,7 @@ vec4 wrinkle_marble_fbm(vec3 point, float width, float scale, int octaves, float
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + marble_octave_offset * float(i);
         vec4 noise = wrinkle_marble_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;

@@ -18,17 +18,23 @@ uniform float painted_metal_input_edge;
 uniform float painted_metal_input_wear;
 uniform vec3 painted_metal_input_paint;
 uniform float painted_metal_input_gloss;
+const vec3 painted_metal_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const uint painted_metal_golden_bits = 2654435769u;  // 2^32 / golden ratio
+const float painted_metal_two_24 = 16777216.0;       // the upper 24 bits to [0, 1)
+const float painted_metal_unskew = 0.16666667;       // 1 / 6: a step of the lattice, per axis
+const float painted_metal_two_unskew = 0.33333334;   // of two steps
+const float painted_metal_min_area = 1e-36;          // smaller areas and squared lengths are zero
 
-uint wrinkle_painted_metal_hash(uint x) {
+uint wrinkle_painted_metal_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_painted_metal_hash3(vec3 cell) {
-    uint z = wrinkle_painted_metal_hash(uint(int(cell.z)));
-    uint yz = wrinkle_painted_metal_hash(uint(int(cell.y)) + z);
-    return wrinkle_painted_metal_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_painted_metal_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_painted_metal_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_painted_metal_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_painted_metal_gradient_corner(vec3 corner, vec3 way) {
@@ -81,7 +87,7 @@ vec4 wrinkle_painted_metal_fbm(vec3 point, float width, float scale, int octaves
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + painted_metal_octave_offset * float(i);
         vec4 noise = wrinkle_painted_metal_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -94,9 +100,9 @@ vec4 wrinkle_painted_metal_fbm(vec3 point, float width, float scale, int octaves
 }
 
 vec3 wrinkle_painted_metal_random3(uint bits) {
-    uint second = wrinkle_painted_metal_hash(bits);
-    uint third = wrinkle_painted_metal_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / 16777216.0;
+    uint second = wrinkle_painted_metal_pcg_hash(bits);
+    uint third = wrinkle_painted_metal_pcg_hash(second);
+    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / painted_metal_two_24;
 }
 
 vec3 wrinkle_painted_metal_scratch(vec2 p, int index, float density, vec2 size, vec2 angles) {
@@ -105,8 +111,8 @@ vec3 wrinkle_painted_metal_scratch(vec2 p, int index, float density, vec2 size, 
     vec2 moved = p + vec2(0.37, 0.61) * layer;
     vec2 cell = floor(moved) + (floor(mod(middle / vec2(1.0, 3.0), 3.0)) - 1.0);
     uint bits = wrinkle_painted_metal_hash3(vec3(cell, layer));
-    uint more = wrinkle_painted_metal_hash(bits ^ 2654435769u);
-    bool drawn = float(wrinkle_painted_metal_hash(more) >> 8u) / 16777216.0 < density;
+    uint more = wrinkle_painted_metal_pcg_hash(bits ^ painted_metal_golden_bits);
+    bool drawn = float(wrinkle_painted_metal_pcg_hash(more) >> 8u) / painted_metal_two_24 < density;
     vec3 random = wrinkle_painted_metal_random3(bits);
     float angle = angles.x + (random.z - 0.5) * angles.y;
     float sine = sin(angle);
@@ -117,7 +123,7 @@ vec3 wrinkle_painted_metal_scratch(vec2 p, int index, float density, vec2 size, 
     float inside = 1.0 - abs(side);
     float t = clamp(inside, 0.0, 1.0);
     vec2 along = vec2(cosine, sine);
-    float half_length = size.x * (0.25 + 0.25 * (float(more >> 8u) / 16777216.0));
+    float half_length = size.x * (0.25 + 0.25 * (float(more >> 8u) / painted_metal_two_24));
     float end = dot(way, along) / half_length;
     float rest = 1.0 - end * end;
     float taper = max(rest, 0.0);
@@ -162,9 +168,11 @@ vec4 wrinkle_painted_metal_simplex_noise(vec3 p) {
     float number_3 = float(f.y >= f.z);
     vec3 rank = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
     vec3 one = clamp(rank - 1.0, 0.0, 1.0);
-    vec4 corner = wrinkle_painted_metal_simplex_corner(cell + one, way - one + 0.16666667);
+    vec4 corner = wrinkle_painted_metal_simplex_corner(cell + one, way - one +
+            painted_metal_unskew);
     vec3 two = clamp(rank, 0.0, 1.0);
-    vec4 corner_2 = wrinkle_painted_metal_simplex_corner(cell + two, way - two + 0.33333334);
+    vec4 corner_2 = wrinkle_painted_metal_simplex_corner(cell + two, way - two +
+            painted_metal_two_unskew);
     vec4 sum = wrinkle_painted_metal_simplex_corner(cell, way) + corner + corner_2;
     return (sum + wrinkle_painted_metal_simplex_corner(cell + 1.0, way - 0.5)) * 76.0;
 }
@@ -177,7 +185,7 @@ vec4 wrinkle_painted_metal_fbm_2(vec3 point, float width, float scale, int octav
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + painted_metal_octave_offset * float(i);
         vec4 noise = wrinkle_painted_metal_simplex_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -238,7 +246,8 @@ WrinkleMaterial_painted_metal wrinkle_painted_metal(WrinkleSurface_painted_metal
     vec2 relief_mixed = mix(waves_slope, marks_slope, bare_result);  // relief: Mix heights
     vec2 relief_slope = relief_mixed + bare_slope * (marks_height - coat_height);
     // the surface point (continued)
-    vec2 per_area = relief_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec2 per_area = relief_slope * (sign(screen_area) /
+            max(abs(screen_area), painted_metal_min_area));
     vec3 gradient = cross(normal, dpdx * per_area.y - dpdy * per_area.x);
     WrinkleMaterial_painted_metal m;
     m.normal = normalize(normal * s.facing - gradient);

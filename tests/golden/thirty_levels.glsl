@@ -9,6 +9,8 @@ struct WrinkleMaterial_tower {
     float height;  // outwards, in length units
     vec3 normal;   // unit normal, object space
 };
+const float tower_two_pi = 6.2831855;  // a turn, in radians
+const float tower_min_area = 1e-36;    // smaller areas and squared lengths are zero
 
 // 30 gives relief, relief_slope
 float wrinkle_tower_30(float relief, out float out_relief_slope) {
@@ -368,13 +370,13 @@ float wrinkle_tower_1(float relief, out float out_relief_slope) {
 WrinkleMaterial_tower wrinkle_tower(WrinkleSurface_tower s) {
     // waves: Waves
     float waves_fraction = fract(dot(s.uv0 * 4.0, vec2(0.79703534, -0.6039327)) + 0.91080195);
-    float waves_product = waves_fraction * 6.2831855;
+    float waves_product = waves_fraction * tower_two_pi;
     float waves_fraction_2 = fract(dot(s.uv0 * 5.2, vec2(0.96242577, -0.2715449)) + 0.6936357);
-    float waves_product_2 = waves_fraction_2 * 6.2831855;
+    float waves_product_2 = waves_fraction_2 * tower_two_pi;
     float waves_fraction_3 = fract(dot(s.uv0 * 6.76, vec2(0.84690297, -0.53174746)) + 0.87379307);
-    float waves_product_3 = waves_fraction_3 * 6.2831855;
+    float waves_product_3 = waves_fraction_3 * tower_two_pi;
     float waves_fraction_4 = fract(dot(s.uv0 * 8.788, vec2(0.6053601, 0.7959517)) + 0.51955295);
-    float waves_product_4 = waves_fraction_4 * 6.2831855;
+    float waves_product_4 = waves_fraction_4 * tower_two_pi;
     vec2 duv0_dx = dFdx(s.uv0);  // the surface point
     vec2 duv0_dy = dFdy(s.uv0);
     vec3 normal = normalize(s.normal);
@@ -403,20 +405,20 @@ WrinkleMaterial_tower wrinkle_tower(WrinkleSurface_tower s) {
     float waves_height = waves_value * 0.01;
     float waves_dot_product = dot(waves_product_5, vec2(0.79703534, -0.6039327));
     float waves_dot_product_2 = dot(waves_product_6, vec2(0.79703534, -0.6039327));
-    vec2 waves_product_16 = vec2(waves_dot_product, waves_dot_product_2) * 6.2831855;
+    vec2 waves_product_16 = vec2(waves_dot_product, waves_dot_product_2) * tower_two_pi;
     float waves_dot_product_3 = dot(waves_product_7, vec2(0.96242577, -0.2715449));
     float waves_dot_product_4 = dot(waves_product_8, vec2(0.96242577, -0.2715449));
-    vec2 waves_product_17 = vec2(waves_dot_product_3, waves_dot_product_4) * 6.2831855;
+    vec2 waves_product_17 = vec2(waves_dot_product_3, waves_dot_product_4) * tower_two_pi;
     vec2 waves_product_18 = waves_product_17 * cos(waves_product_2) * waves_product_9;
     vec2 waves_sum_3 = waves_product_16 * cos(waves_product) * waves_fade + waves_product_18;
     float waves_dot_product_5 = dot(waves_product_10, vec2(0.84690297, -0.53174746));
     float waves_dot_product_6 = dot(waves_product_11, vec2(0.84690297, -0.53174746));
-    vec2 waves_product_19 = vec2(waves_dot_product_5, waves_dot_product_6) * 6.2831855;
+    vec2 waves_product_19 = vec2(waves_dot_product_5, waves_dot_product_6) * tower_two_pi;
     vec2 waves_sum_4 = waves_sum_3 + waves_product_19 * cos(waves_product_3) * waves_product_12;
     float waves_dot_product_7 = dot(waves_product_13, vec2(0.6053601, 0.7959517));
     vec2 waves_vector = vec2(waves_dot_product_7,
             dot(waves_product_14, vec2(0.6053601, 0.7959517)));
-    vec2 waves_product_20 = waves_vector * 6.2831855 * cos(waves_product_4) * waves_product_15;
+    vec2 waves_product_20 = waves_vector * tower_two_pi * cos(waves_product_4) * waves_product_15;
     vec2 waves_slope = (waves_sum_4 + waves_product_20) / 2.952 * 0.01;
     float low_height = waves_height * 0.5;  // low: Scale height
     // left: 1
@@ -429,7 +431,7 @@ WrinkleMaterial_tower wrinkle_tower(WrinkleSurface_tower s) {
     // both: Add heights
     vec2 both_slope = left_1 * (waves_slope * 0.5) + right_1 * (waves_slope * 0.75);
     // the surface point (continued)
-    vec2 per_area = both_slope * (sign(screen_area) / max(abs(screen_area), 1e-36));
+    vec2 per_area = both_slope * (sign(screen_area) / max(abs(screen_area), tower_min_area));
     vec3 gradient = cross(normal, dpdx * per_area.y - dpdy * per_area.x);
     WrinkleMaterial_tower m;
     m.height = left_relief + right_relief;  // both: Add heights (continued)

@@ -11,17 +11,22 @@ struct WrinkleMaterial_blended_bumps {
     vec3 normal;  // unit normal, object space
     vec3 naive;
 };
+const vec3 blended_bumps_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const float blended_bumps_min_area = 1e-36;       // smaller areas and squared lengths are zero
+const float blended_bumps_min_ratio = 0.0078125;  // of z to x and y: slopes are at most 128
+const float blended_bumps_min_z = 1e-06;          // of a normal map: the zero vector is flat
+const float blended_bumps_min_normal = 1e-18;     // of a tangent along the normal
 
-uint wrinkle_blended_bumps_hash(uint x) {
+uint wrinkle_blended_bumps_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_blended_bumps_hash3(vec3 cell) {
-    uint z = wrinkle_blended_bumps_hash(uint(int(cell.z)));
-    uint yz = wrinkle_blended_bumps_hash(uint(int(cell.y)) + z);
-    return wrinkle_blended_bumps_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_blended_bumps_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_blended_bumps_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_blended_bumps_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec4 wrinkle_blended_bumps_gradient_corner(vec3 corner, vec3 way) {
@@ -73,7 +78,7 @@ vec3 wrinkle_blended_bumps_fbm_slope(vec3 point, float width, float scale, int o
     float total = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + vec3(19.19, 7.43, 31.71) * float(i);
+        vec3 p = point * frequency + blended_bumps_octave_offset * float(i);
         vec4 noise = wrinkle_blended_bumps_gradient_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -112,7 +117,8 @@ WrinkleMaterial_blended_bumps wrinkle_blended_bumps(WrinkleSurface_blended_bumps
     float knobs_detail = 1.0 - smoothstep(0.25, 0.75, max(length(knobs_p_dx), length(knobs_p_dy)));
     float normal_dot_product = dot(normal, grain_slope);  // normal: Resolve
     vec3 normal_product = normal * (s.facing + normal_dot_product);
-    float normal_product_2 = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.08;
+    float normal_product_2 = sign(screen_area) / max(abs(screen_area), blended_bumps_min_area) *
+            0.08;
     vec2 normal_per_area = knobs_quotient * knobs_detail * normal_product_2;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     // blend: Wrong: bumps blended as normals
@@ -135,9 +141,11 @@ WrinkleMaterial_blended_bumps wrinkle_blended_bumps(WrinkleSurface_blended_bumps
     vec3 blend_vector = vec3(blend_choice.xy + blend_choice_2.xy, blend_choice.z);
     bool blend_test = dot(blend_vector, blend_vector) > 0.0;
     vec3 blend_choice_3 = blend_test ? normalize(blend_vector) : vec3(0.0);
-    float blend_least_depth = max(abs(blend_choice_3.x), abs(blend_choice_3.y)) * 0.0078125;
+    float blend_least_depth = max(abs(blend_choice_3.x), abs(blend_choice_3.y)) *
+            blended_bumps_min_ratio;
     // blended: Resolve
-    float blended_product = max(max(abs(blend_choice_3.z), blend_least_depth), 1e-06) * s.facing;
+    float blended_product = max(max(abs(blend_choice_3.z), blend_least_depth),
+            blended_bumps_min_z) * s.facing;
     vec3 blended_along_v = bitangent * (blend_choice_3.y * handedness);
     vec3 blended_gradient = s.tangent.xyz * blend_choice_3.x + blended_along_v;
     vec3 blended_bumped = s.normal * blended_product + blended_gradient;
@@ -145,6 +153,6 @@ WrinkleMaterial_blended_bumps wrinkle_blended_bumps(WrinkleSurface_blended_bumps
     // normal: Resolve (continued)
     m.normal = normalize(normal_product - (normal_gradient + grain_slope));
     // blended: Resolve (continued)
-    m.naive = normalize(vec3(blended_bumped.xy, blended_bumped.z + 1e-18));
+    m.naive = normalize(vec3(blended_bumped.xy, blended_bumped.z + blended_bumps_min_normal));
     return m;
 }

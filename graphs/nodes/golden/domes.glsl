@@ -9,6 +9,8 @@ struct WrinkleMaterial_domes {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float domes_min_area = 1e-36;   // smaller areas and squared lengths are zero
+const float domes_mean = 0.20845777;  // height of the pattern, seen from far away
 
 WrinkleMaterial_domes wrinkle_domes(WrinkleSurface_domes s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -33,9 +35,9 @@ WrinkleMaterial_domes wrinkle_domes(WrinkleSurface_domes s) {
     vec2 relief_quotient = relief_choice * (relief_cap > 0.0 ? 0.5 / relief_cap : 0.0) / 0.4;
     float relief_ramp = smoothstep(0.25, 0.75, max(length(relief_p_dx), length(relief_p_dy)));
     float relief_detail = 1.0 - relief_ramp;
-    float relief_value = mix(0.20845777, (relief_cap - 0.6) / 0.4, relief_detail);
+    float relief_value = mix(domes_mean, (relief_cap - 0.6) / 0.4, relief_detail);
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.05;
+    float normal_product = sign(screen_area) / max(abs(screen_area), domes_min_area) * 0.05;
     vec2 normal_per_area = relief_quotient * relief_detail * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_domes m;

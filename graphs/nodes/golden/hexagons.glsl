@@ -9,6 +9,10 @@ struct WrinkleMaterial_hexagons {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float hexagons_sqrt_3 = 1.7320508;  // height of the grid's cells
+const float hexagons_sin_60 = 0.8660254;  // sqrt(3) / 2
+const float hexagons_min_area = 1e-36;    // smaller areas and squared lengths are zero
+const float hexagons_mean = 0.6561;       // height of the pattern, seen from far away
 
 WrinkleMaterial_hexagons wrinkle_hexagons(WrinkleSurface_hexagons s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -21,31 +25,31 @@ WrinkleMaterial_hexagons wrinkle_hexagons(WrinkleSurface_hexagons s) {
     float relief_slope_width = max(0.15, relief_width);
     float relief_deepest = min(1.0, 0.19 / relief_slope_width);
     vec2 relief_p = s.uv0 * 5.0;
-    vec2 relief_quotient = relief_p / vec2(1.0, 1.7320508);
+    vec2 relief_quotient = relief_p / vec2(1.0, hexagons_sqrt_3);
     vec2 relief_corner = floor(relief_quotient + 0.5);
-    vec2 relief_even = relief_p - vec2(relief_corner.x, 1.7320508 * relief_corner.y);
+    vec2 relief_even = relief_p - vec2(relief_corner.x, hexagons_sqrt_3 * relief_corner.y);
     vec2 relief_sum = floor(relief_quotient) + 0.5;
-    vec2 relief_odd = relief_p - vec2(relief_sum.x, 1.7320508 * relief_sum.y);
+    vec2 relief_odd = relief_p - vec2(relief_sum.x, hexagons_sqrt_3 * relief_sum.y);
     bool relief_test = dot(relief_even, relief_even) < dot(relief_odd, relief_odd);
     vec2 relief_way = relief_test ? relief_even : relief_odd;
     vec2 relief_side = abs(relief_way);
-    float relief_edge = dot(relief_side, vec2(0.5, 0.8660254));
+    float relief_edge = dot(relief_side, vec2(0.5, hexagons_sin_60));
     float relief_edge_2 = 0.5 - max(relief_side.x, relief_edge);
     float relief_covered = (0.5 * (relief_slope_width + 0.19) - relief_edge_2) / relief_slope_width;
     vec2 relief_sign = sign(relief_way);
     vec2 relief_side_dx = relief_p_dx * relief_sign;
     vec2 relief_side_dy = relief_p_dy * relief_sign;
-    vec2 relief_edge_slope = vec2(dot(relief_side_dx, vec2(0.5, 0.8660254)),
-            dot(relief_side_dy, vec2(0.5, 0.8660254)));
+    vec2 relief_edge_slope = vec2(dot(relief_side_dx, vec2(0.5, hexagons_sin_60)),
+            dot(relief_side_dy, vec2(0.5, hexagons_sin_60)));
     vec2 relief_vector = vec2(relief_side_dx.x, relief_side_dy.x);
     vec2 relief_choice = relief_side.x < relief_edge ? relief_edge_slope : relief_vector;
     vec2 relief_choice_2 = relief_covered < 0.0 ? vec2(0.0) : relief_choice / relief_slope_width;
     vec2 relief_choice_3 = relief_deepest < max(relief_covered, 0.0) ? vec2(0.0) : relief_choice_2;
     float relief_detail = 1.0 - smoothstep(0.25, 0.75, relief_width);
     float relief_difference = 1.0 - clamp(relief_covered, 0.0, relief_deepest);
-    float relief_value = mix(0.6561, relief_difference, relief_detail);
+    float relief_value = mix(hexagons_mean, relief_difference, relief_detail);
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    float normal_product = sign(screen_area) / max(abs(screen_area), hexagons_min_area) * 0.02;
     vec2 normal_per_area = -relief_choice_3 * relief_detail * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_hexagons m;

@@ -5,6 +5,9 @@ struct WrinkleSurface_maths {
 struct WrinkleMaterial_maths {
     vec3 color;  // base color, linear
 };
+const float maths_degree = 0.017453292;       // in radians
+const float maths_radian = 57.29578;          // in degrees
+const float maths_min_float = 1.1754944e-38;  // the least normal float
 
 WrinkleMaterial_maths wrinkle_maths(WrinkleSurface_maths s) {
     float x_result = mix(-2.0, 2.0, s.uv0.x);  // x: Remap
@@ -21,14 +24,15 @@ WrinkleMaterial_maths wrinkle_maths(WrinkleSurface_maths s) {
     float arctangent_result = atan(x_result);  // arctangent: Arctangent
     float row_3_result = step(0.1333, s.uv0.y);  // row_3: Step
     float chart_3_result = mix(chart_2_result, arctangent_result, row_3_result);  // chart_3: Mix
-    float radians_result = x_result * 0.017453292;  // radians: To radians
-    float degrees_result = radians_result * 57.29578;  // degrees: To degrees
+    float radians_result = x_result * maths_degree;  // radians: To radians
+    float degrees_result = radians_result * maths_radian;  // degrees: To degrees
     float row_4_result = step(0.2, s.uv0.y);  // row_4: Step
     float chart_4_result = mix(chart_3_result, degrees_result, row_4_result);  // chart_4: Mix
     float exponential_result = exp(x_result);  // exponential: Exponential
     float row_5_result = step(0.2667, s.uv0.y);  // row_5: Step
     float chart_5_result = mix(chart_4_result, exponential_result, row_5_result);  // chart_5: Mix
-    float logarithm_result = log(max(s.uv0.x, 1.1754944e-38)) / 0.6931472;  // logarithm: Logarithm
+    // logarithm: Logarithm
+    float logarithm_result = log(max(s.uv0.x, maths_min_float)) / 0.6931472;
     float row_6_result = step(0.3333, s.uv0.y);  // row_6: Step
     float chart_6_result = mix(chart_5_result, logarithm_result, row_6_result);  // chart_6: Mix
     float hypotenuse_result = length(vec2(x_result, 0.3));  // hypotenuse: Hypotenuse

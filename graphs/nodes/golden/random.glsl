@@ -5,8 +5,9 @@ struct WrinkleSurface_random {
 struct WrinkleMaterial_random {
     vec3 color;  // base color, linear
 };
+const float random_two_24 = 16777216.0;  // the upper 24 bits to [0, 1)
 
-uint wrinkle_random_hash(uint x) {
+uint wrinkle_random_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
@@ -14,15 +15,16 @@ uint wrinkle_random_hash(uint x) {
 
 uint wrinkle_random_random_bits(vec2 cell, float id, int seed) {
     vec2 at = floor(cell + 0.5);
-    uint of_id = wrinkle_random_hash(uint(int(floor(id + 0.5))) + wrinkle_random_hash(uint(seed)));
-    uint of_y = wrinkle_random_hash(uint(int(at.y)) + of_id);
-    return wrinkle_random_hash(uint(int(at.x)) + of_y);
+    uint of_id = wrinkle_random_pcg_hash(uint(int(floor(id + 0.5))) +
+            wrinkle_random_pcg_hash(uint(seed)));
+    uint of_y = wrinkle_random_pcg_hash(uint(int(at.y)) + of_id);
+    return wrinkle_random_pcg_hash(uint(int(at.x)) + of_y);
 }
 
 vec3 wrinkle_random_random3(uint bits) {
-    uint second = wrinkle_random_hash(bits);
-    uint third = wrinkle_random_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / 16777216.0;
+    uint second = wrinkle_random_pcg_hash(bits);
+    uint third = wrinkle_random_pcg_hash(second);
+    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / random_two_24;
 }
 
 vec3 wrinkle_random_from_hsv(vec3 hsv) {
@@ -35,8 +37,8 @@ WrinkleMaterial_random wrinkle_random(WrinkleSurface_random s) {
     vec2 grid_uv = s.uv0 * vec2(16.0, 15.0);  // grid: UV transform
     vec2 cell_vector = floor(grid_uv);  // cell: Combine vec2
     uint numbers_bits = wrinkle_random_random_bits(cell_vector, 0.0, 0);  // numbers: Random
-    vec3 numbers_color = wrinkle_random_random3(wrinkle_random_hash(numbers_bits));
-    float numbers_value = float(numbers_bits >> 8u) / 16777216.0;
+    vec3 numbers_color = wrinkle_random_random3(wrinkle_random_pcg_hash(numbers_bits));
+    float numbers_value = float(numbers_bits >> 8u) / random_two_24;
     float part_value = mix(0.3, 0.6, numbers_value);  // part: Random in a range
     vec3 range_vector = vec3(part_value);  // range: Combine vec3
     float row_2_result = step(0.2, s.uv0.y);  // row_2: Step

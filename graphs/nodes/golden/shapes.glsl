@@ -19,7 +19,7 @@ vec3 wrinkle_shapes_box_distance(vec2 p, vec2 extent, float radius) {
     return vec3(sum, extent_2 + min(greatest_2, 0.0) - radius);
 }
 
-uint wrinkle_shapes_hash(uint x) {
+uint wrinkle_shapes_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
@@ -27,9 +27,10 @@ uint wrinkle_shapes_hash(uint x) {
 
 uint wrinkle_shapes_random_bits(vec2 cell, float id, int seed) {
     vec2 at = floor(cell + 0.5);
-    uint of_id = wrinkle_shapes_hash(uint(int(floor(id + 0.5))) + wrinkle_shapes_hash(uint(seed)));
-    uint of_y = wrinkle_shapes_hash(uint(int(at.y)) + of_id);
-    return wrinkle_shapes_hash(uint(int(at.x)) + of_y);
+    uint of_id = wrinkle_shapes_pcg_hash(uint(int(floor(id + 0.5))) +
+            wrinkle_shapes_pcg_hash(uint(seed)));
+    uint of_y = wrinkle_shapes_pcg_hash(uint(int(at.y)) + of_id);
+    return wrinkle_shapes_pcg_hash(uint(int(at.x)) + of_y);
 }
 
 WrinkleMaterial_shapes wrinkle_shapes(WrinkleSurface_shapes s) {

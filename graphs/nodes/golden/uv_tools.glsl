@@ -5,6 +5,7 @@ struct WrinkleSurface_uv_tools {
 struct WrinkleMaterial_uv_tools {
     vec3 color;  // base color, linear
 };
+const float uv_tools_two_pi = 6.2831855;  // a turn, in radians
 
 WrinkleMaterial_uv_tools wrinkle_uv_tools(WrinkleSurface_uv_tools s) {
     vec2 grid_uv = s.uv0 * 3.0;  // grid: UV transform
@@ -174,13 +175,13 @@ WrinkleMaterial_uv_tools wrinkle_uv_tools(WrinkleSurface_uv_tools s) {
     float is_kaleidoscope_squares_result = abs(index_result - 6.0) <= 1e-06 ? 1.0 : 0.0;
     // ripple: Waves
     float ripple_fraction = fract(dot(tile_uv * 2.0, vec2(0.79703534, -0.6039327)) + 0.91080195);
-    float ripple_product = ripple_fraction * 6.2831855;
+    float ripple_product = ripple_fraction * uv_tools_two_pi;
     vec2 ripple_product_2 = grid_uv_dx * 2.0;
     vec2 ripple_product_3 = grid_uv_dy * 2.0;
     float ripple_width = max(length(ripple_product_2), length(ripple_product_3));
     float ripple_fade = 1.0 - smoothstep(0.25, 0.75, ripple_width);
     float ripple_fraction_2 = fract(dot(tile_uv * 2.6, vec2(0.96242577, -0.2715449)) + 0.6936357);
-    float ripple_product_4 = ripple_fraction_2 * 6.2831855;
+    float ripple_product_4 = ripple_fraction_2 * uv_tools_two_pi;
     vec2 ripple_product_5 = grid_uv_dx * 2.6;
     vec2 ripple_product_6 = grid_uv_dy * 2.6;
     float ripple_width_2 = max(length(ripple_product_5), length(ripple_product_6));
@@ -188,39 +189,41 @@ WrinkleMaterial_uv_tools wrinkle_uv_tools(WrinkleSurface_uv_tools s) {
     float ripple_sum = sin(ripple_product) * ripple_fade + sin(ripple_product_4) * ripple_product_7;
     float ripple_fraction_3 = fract(dot(tile_uv * 3.38, vec2(0.84690297, -0.53174746)) +
             0.87379307);
-    float ripple_product_8 = ripple_fraction_3 * 6.2831855;
+    float ripple_product_8 = ripple_fraction_3 * uv_tools_two_pi;
     vec2 ripple_product_9 = grid_uv_dx * 3.38;
     vec2 ripple_product_10 = grid_uv_dy * 3.38;
     float ripple_width_3 = max(length(ripple_product_9), length(ripple_product_10));
     float ripple_product_11 = 0.64 * (1.0 - smoothstep(0.25, 0.75, ripple_width_3));
     float ripple_sum_2 = ripple_sum + sin(ripple_product_8) * ripple_product_11;
     float ripple_fraction_4 = fract(dot(tile_uv * 4.394, vec2(0.6053601, 0.7959517)) + 0.51955295);
-    float ripple_product_12 = ripple_fraction_4 * 6.2831855;
+    float ripple_product_12 = ripple_fraction_4 * uv_tools_two_pi;
     vec2 ripple_product_13 = grid_uv_dx * 4.394;
     vec2 ripple_product_14 = grid_uv_dy * 4.394;
     float ripple_width_4 = max(length(ripple_product_13), length(ripple_product_14));
     float ripple_product_15 = 0.512 * (1.0 - smoothstep(0.25, 0.75, ripple_width_4));
     float ripple_value = (ripple_sum_2 + sin(ripple_product_12) * ripple_product_15) / 2.952;
-    float ripple_product_16 = dot(ripple_product_2, vec2(0.79703534, -0.6039327)) * 6.2831855;
+    float ripple_product_16 = dot(ripple_product_2, vec2(0.79703534, -0.6039327)) * uv_tools_two_pi;
     float ripple_cosine = cos(ripple_product);
-    float ripple_product_17 = dot(ripple_product_5, vec2(0.96242577, -0.2715449)) * 6.2831855;
+    float ripple_product_17 = dot(ripple_product_5, vec2(0.96242577, -0.2715449)) * uv_tools_two_pi;
     float ripple_cosine_2 = cos(ripple_product_4);
     float ripple_product_18 = ripple_product_17 * ripple_cosine_2 * ripple_product_7;
     float ripple_sum_3 = ripple_product_16 * ripple_cosine * ripple_fade + ripple_product_18;
-    float ripple_product_19 = dot(ripple_product_9, vec2(0.84690297, -0.53174746)) * 6.2831855;
+    float ripple_product_19 = dot(ripple_product_9, vec2(0.84690297, -0.53174746)) *
+            uv_tools_two_pi;
     float ripple_cosine_3 = cos(ripple_product_8);
     float ripple_sum_4 = ripple_sum_3 + ripple_product_19 * ripple_cosine_3 * ripple_product_11;
-    float ripple_product_20 = dot(ripple_product_13, vec2(0.6053601, 0.7959517)) * 6.2831855;
+    float ripple_product_20 = dot(ripple_product_13, vec2(0.6053601, 0.7959517)) * uv_tools_two_pi;
     float ripple_cosine_4 = cos(ripple_product_12);
     float ripple_sum_5 = ripple_sum_4 + ripple_product_20 * ripple_cosine_4 * ripple_product_15;
     float ripple_slope_dx = ripple_sum_5 / 2.952;
-    float ripple_product_21 = dot(ripple_product_3, vec2(0.79703534, -0.6039327)) * 6.2831855;
-    float ripple_product_22 = dot(ripple_product_6, vec2(0.96242577, -0.2715449)) * 6.2831855;
+    float ripple_product_21 = dot(ripple_product_3, vec2(0.79703534, -0.6039327)) * uv_tools_two_pi;
+    float ripple_product_22 = dot(ripple_product_6, vec2(0.96242577, -0.2715449)) * uv_tools_two_pi;
     float ripple_product_23 = ripple_product_22 * ripple_cosine_2 * ripple_product_7;
     float ripple_sum_6 = ripple_product_21 * ripple_cosine * ripple_fade + ripple_product_23;
-    float ripple_product_24 = dot(ripple_product_10, vec2(0.84690297, -0.53174746)) * 6.2831855;
+    float ripple_product_24 = dot(ripple_product_10, vec2(0.84690297, -0.53174746)) *
+            uv_tools_two_pi;
     float ripple_sum_7 = ripple_sum_6 + ripple_product_24 * ripple_cosine_3 * ripple_product_11;
-    float ripple_product_25 = dot(ripple_product_14, vec2(0.6053601, 0.7959517)) * 6.2831855;
+    float ripple_product_25 = dot(ripple_product_14, vec2(0.6053601, 0.7959517)) * uv_tools_two_pi;
     float ripple_sum_8 = ripple_sum_7 + ripple_product_25 * ripple_cosine_4 * ripple_product_15;
     float ripple_slope_dy = ripple_sum_8 / 2.952;
     vec2 two_vector = vec2(ripple_value, 0.5);  // two: Combine vec2

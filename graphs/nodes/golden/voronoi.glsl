@@ -10,23 +10,26 @@ struct WrinkleMaterial_voronoi {
     vec3 color;   // base color, linear
     float edge;
 };
+const float voronoi_two_24 = 16777216.0;  // the upper 24 bits to [0, 1)
+const float voronoi_min_area = 1e-36;     // smaller areas and squared lengths are zero
+const float voronoi_mean = 0.5592048;     // height of the pattern, seen from far away
 
-uint wrinkle_voronoi_hash(uint x) {
+uint wrinkle_voronoi_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
     uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
     return (word >> 22u) ^ word;
 }
 
 uint wrinkle_voronoi_hash3(vec3 cell) {
-    uint z = wrinkle_voronoi_hash(uint(int(cell.z)));
-    uint yz = wrinkle_voronoi_hash(uint(int(cell.y)) + z);
-    return wrinkle_voronoi_hash(uint(int(cell.x)) + yz);
+    uint z = wrinkle_voronoi_pcg_hash(uint(int(cell.z)));
+    uint yz = wrinkle_voronoi_pcg_hash(uint(int(cell.y)) + z);
+    return wrinkle_voronoi_pcg_hash(uint(int(cell.x)) + yz);
 }
 
 vec3 wrinkle_voronoi_random3(uint bits) {
-    uint second = wrinkle_voronoi_hash(bits);
-    uint third = wrinkle_voronoi_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / 16777216.0;
+    uint second = wrinkle_voronoi_pcg_hash(bits);
+    uint third = wrinkle_voronoi_pcg_hash(second);
+    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / voronoi_two_24;
 }
 
 vec2 wrinkle_voronoi_feature2(vec2 cell, float jitter, int seed) {
@@ -78,10 +81,10 @@ vec2 wrinkle_voronoi_voronoi(vec2 p, float jitter, int seed, out vec2 result_2, 
 
 uint wrinkle_voronoi_random_bits(vec2 cell, float id, int seed) {
     vec2 at = floor(cell + 0.5);
-    uint of_id = wrinkle_voronoi_hash(uint(int(floor(id + 0.5))) +
-            wrinkle_voronoi_hash(uint(seed)));
-    uint of_y = wrinkle_voronoi_hash(uint(int(at.y)) + of_id);
-    return wrinkle_voronoi_hash(uint(int(at.x)) + of_y);
+    uint of_id = wrinkle_voronoi_pcg_hash(uint(int(floor(id + 0.5))) +
+            wrinkle_voronoi_pcg_hash(uint(seed)));
+    uint of_y = wrinkle_voronoi_pcg_hash(uint(int(at.y)) + of_id);
+    return wrinkle_voronoi_pcg_hash(uint(int(at.x)) + of_y);
 }
 
 float wrinkle_voronoi_linear_segment(float x, float width, float start, float gap) {
@@ -117,9 +120,9 @@ WrinkleMaterial_voronoi wrinkle_voronoi(WrinkleSurface_voronoi s) {
     float cells_detail = 1.0 - smoothstep(0.25, 0.75, cells_width);
     vec3 cells_random = wrinkle_voronoi_random3(wrinkle_voronoi_random_bits(cells_cell, 0.0, 0));
     float cells_difference = 1.0 - clamp(cells_covered, 0.0, cells_deepest);
-    float cells_value = mix(0.5592048, cells_difference, cells_detail);
+    float cells_value = mix(voronoi_mean, cells_difference, cells_detail);
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    float normal_product = sign(screen_area) / max(abs(screen_area), voronoi_min_area) * 0.02;
     vec2 normal_per_area = -cells_choice_3 * cells_detail * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     float mud_least = min(max(cells_detail, 0.0), 1.0);  // mud: Colour ramp

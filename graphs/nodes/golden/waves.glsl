@@ -9,6 +9,8 @@ struct WrinkleMaterial_waves {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
+const float waves_two_pi = 6.2831855;  // a turn, in radians
+const float waves_min_area = 1e-36;    // smaller areas and squared lengths are zero
 
 WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {
     vec3 normal = normalize(s.normal);  // the surface point
@@ -21,18 +23,18 @@ WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {
     float relief_dot_product = dot(relief_product, vec2(0.68911254, -0.7246543));
     vec2 relief_product_2 = duv0_dy * 3.0;
     float relief_dot_product_2 = dot(relief_product_2, vec2(0.68911254, -0.7246543));
-    vec2 relief_product_3 = vec2(relief_dot_product, relief_dot_product_2) * 6.2831855;
+    vec2 relief_product_3 = vec2(relief_dot_product, relief_dot_product_2) * waves_two_pi;
     float relief_fraction = fract(dot(s.uv0 * 3.0, vec2(0.68911254, -0.7246543)) + 0.91080195);
-    float relief_product_4 = relief_fraction * 6.2831855;
+    float relief_product_4 = relief_fraction * waves_two_pi;
     float relief_width = max(length(relief_product), length(relief_product_2));
     float relief_fade = 1.0 - smoothstep(0.25, 0.75, relief_width);
     vec2 relief_product_5 = duv0_dx * 3.9;
     float relief_dot_product_3 = dot(relief_product_5, vec2(0.94149834, -0.3370176));
     vec2 relief_product_6 = duv0_dy * 3.9;
     float relief_dot_product_4 = dot(relief_product_6, vec2(0.94149834, -0.3370176));
-    vec2 relief_product_7 = vec2(relief_dot_product_3, relief_dot_product_4) * 6.2831855;
+    vec2 relief_product_7 = vec2(relief_dot_product_3, relief_dot_product_4) * waves_two_pi;
     float relief_fraction_2 = fract(dot(s.uv0 * 3.9, vec2(0.94149834, -0.3370176)) + 0.6936357);
-    float relief_product_8 = relief_fraction_2 * 6.2831855;
+    float relief_product_8 = relief_fraction_2 * waves_two_pi;
     float relief_width_2 = max(length(relief_product_5), length(relief_product_6));
     float relief_product_9 = 0.8 * (1.0 - smoothstep(0.25, 0.75, relief_width_2));
     vec2 relief_product_10 = relief_product_7 * cos(relief_product_8) * relief_product_9;
@@ -41,9 +43,9 @@ WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {
     float relief_dot_product_5 = dot(relief_product_11, vec2(0.76430833, -0.64485097));
     vec2 relief_product_12 = duv0_dy * 5.07;
     float relief_dot_product_6 = dot(relief_product_12, vec2(0.76430833, -0.64485097));
-    vec2 relief_product_13 = vec2(relief_dot_product_5, relief_dot_product_6) * 6.2831855;
+    vec2 relief_product_13 = vec2(relief_dot_product_5, relief_dot_product_6) * waves_two_pi;
     float relief_fraction_3 = fract(dot(s.uv0 * 5.07, vec2(0.76430833, -0.64485097)) + 0.87379307);
-    float relief_product_14 = relief_fraction_3 * 6.2831855;
+    float relief_product_14 = relief_fraction_3 * waves_two_pi;
     float relief_width_3 = max(length(relief_product_11), length(relief_product_12));
     float relief_product_15 = 0.64 * (1.0 - smoothstep(0.25, 0.75, relief_width_3));
     vec2 relief_sum_2 = relief_sum + relief_product_13 * cos(relief_product_14) * relief_product_15;
@@ -51,9 +53,9 @@ WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {
     float relief_dot_product_7 = dot(relief_product_16, vec2(0.40782776, 0.9130589));
     vec2 relief_product_17 = duv0_dy * 6.591;
     float relief_dot_product_8 = dot(relief_product_17, vec2(0.40782776, 0.9130589));
-    vec2 relief_product_18 = vec2(relief_dot_product_7, relief_dot_product_8) * 6.2831855;
+    vec2 relief_product_18 = vec2(relief_dot_product_7, relief_dot_product_8) * waves_two_pi;
     float relief_fraction_4 = fract(dot(s.uv0 * 6.591, vec2(0.40782776, 0.9130589)) + 0.51955295);
-    float relief_product_19 = relief_fraction_4 * 6.2831855;
+    float relief_product_19 = relief_fraction_4 * waves_two_pi;
     float relief_width_4 = max(length(relief_product_16), length(relief_product_17));
     float relief_product_20 = 0.512 * (1.0 - smoothstep(0.25, 0.75, relief_width_4));
     vec2 relief_sum_3 = relief_sum_2 +
@@ -62,9 +64,9 @@ WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {
     float relief_dot_product_9 = dot(relief_product_21, vec2(0.44290406, -0.896569));
     vec2 relief_product_22 = duv0_dy * 8.5683;
     float relief_dot_product_10 = dot(relief_product_22, vec2(0.44290406, -0.896569));
-    vec2 relief_product_23 = vec2(relief_dot_product_9, relief_dot_product_10) * 6.2831855;
+    vec2 relief_product_23 = vec2(relief_dot_product_9, relief_dot_product_10) * waves_two_pi;
     float relief_fraction_5 = fract(dot(s.uv0 * 8.5683, vec2(0.44290406, -0.896569)) + 0.82153374);
-    float relief_product_24 = relief_fraction_5 * 6.2831855;
+    float relief_product_24 = relief_fraction_5 * waves_two_pi;
     float relief_width_5 = max(length(relief_product_21), length(relief_product_22));
     float relief_product_25 = 0.4096 * (1.0 - smoothstep(0.25, 0.75, relief_width_5));
     vec2 relief_sum_4 = relief_sum_3 +
@@ -73,10 +75,10 @@ WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {
     float relief_dot_product_11 = dot(relief_product_26, vec2(0.5233983, 0.85208815));
     vec2 relief_product_27 = duv0_dy * 11.13879;
     float relief_dot_product_12 = dot(relief_product_27, vec2(0.5233983, 0.85208815));
-    vec2 relief_product_28 = vec2(relief_dot_product_11, relief_dot_product_12) * 6.2831855;
+    vec2 relief_product_28 = vec2(relief_dot_product_11, relief_dot_product_12) * waves_two_pi;
     float relief_fraction_6 = fract(dot(s.uv0 * 11.13879, vec2(0.5233983, 0.85208815)) +
             0.11226624);
-    float relief_product_29 = relief_fraction_6 * 6.2831855;
+    float relief_product_29 = relief_fraction_6 * waves_two_pi;
     float relief_width_6 = max(length(relief_product_26), length(relief_product_27));
     float relief_product_30 = 0.32768 * (1.0 - smoothstep(0.25, 0.75, relief_width_6));
     vec2 relief_sum_5 = relief_sum_4 +
@@ -88,7 +90,7 @@ WrinkleMaterial_waves wrinkle_waves(WrinkleSurface_waves s) {
     float relief_sum_9 = relief_sum_8 + sin(relief_product_24) * relief_product_25;
     float relief_value = (relief_sum_9 + sin(relief_product_29) * relief_product_30) / 3.68928;
     // normal: Resolve
-    float normal_product = sign(screen_area) / max(abs(screen_area), 1e-36) * 0.02;
+    float normal_product = sign(screen_area) / max(abs(screen_area), waves_min_area) * 0.02;
     vec2 normal_per_area = relief_sum_5 / 3.68928 * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_waves m;

@@ -109,20 +109,20 @@ WrinkleMaterial_height_blend wrinkle_height_blend(WrinkleSurface_height_blend s)
     float stones_slope_width = max(0.25, stones_width);
     vec2 stones_p = s.uv0 * 7.0;
     vec2 stones_quotient = stones_p / vec2(1.0, height_blend_sqrt_3);
-    vec2 stones_floored = floor(stones_quotient + 0.5);
-    vec2 stones_even = stones_p - vec2(stones_floored.x, height_blend_sqrt_3 * stones_floored.y);
+    vec2 stones_corner = floor(stones_quotient + 0.5);
+    vec2 stones_even = stones_p - vec2(stones_corner.x, height_blend_sqrt_3 * stones_corner.y);
     vec2 stones_sum = floor(stones_quotient) + 0.5;
     vec2 stones_odd = stones_p - vec2(stones_sum.x, height_blend_sqrt_3 * stones_sum.y);
     bool stones_test = dot(stones_even, stones_even) < dot(stones_odd, stones_odd);
     vec2 stones_way = stones_test ? stones_even : stones_odd;
     vec2 stones_side = abs(stones_way);
     float stones_edge = dot(stones_side, vec2(0.5, height_blend_sin_60));
-    float stones_inside = 0.5 - max(stones_side.x, stones_edge);
-    float stones_covered = (0.5 * (stones_slope_width + 0.31) - stones_inside) / stones_slope_width;
+    float stones_edge_2 = 0.5 - max(stones_side.x, stones_edge);
+    float stones_covered = (0.5 * (stones_slope_width + 0.31) - stones_edge_2) / stones_slope_width;
     float stones_deepest = min(1.0, 0.31 / stones_slope_width);
-    float stones_fade = 1.0 - smoothstep(0.25, 0.75, stones_width);
-    float stones_value = mix(height_blend_mean, 1.0 - clamp(stones_covered, 0.0, stones_deepest),
-            stones_fade);
+    float stones_difference = 1.0 - clamp(stones_covered, 0.0, stones_deepest);
+    float stones_detail = 1.0 - smoothstep(0.25, 0.75, stones_width);
+    float stones_value = mix(height_blend_mean, stones_difference, stones_detail);
     float stones_height = stones_value * 0.05;
     vec2 stones_sign = sign(stones_way);
     vec2 stones_side_dx = stones_p_dx * stones_sign;
@@ -136,7 +136,7 @@ WrinkleMaterial_height_blend wrinkle_height_blend(WrinkleSurface_height_blend s)
     // both: Height blend
     float both_weight = clamp(0.5 + (sand_height + 0.025 - stones_height) / 0.008, 0.0, 1.0);
     vec3 both_gradient = (dunes.xyz * 0.03 + grain.xyz * 0.0015) * both_weight;
-    vec2 both_product = -stones_choice_3 * stones_fade * 0.05 * (1.0 - both_weight);
+    vec2 both_product = -stones_choice_3 * stones_detail * 0.05 * (1.0 - both_weight);
     vec3 normal_product = normal * (s.facing + dot(normal, both_gradient));  // normal: Resolve
     vec2 normal_per_area = both_product *
             (sign(screen_area) / max(abs(screen_area), height_blend_min_area));
