@@ -121,16 +121,16 @@ static constinit Node material_list[] = {
         .in<Float>("amount", 0.5, "0 is the base, 1 is the top", slider(0, 1), limits(0, 1))
         .in<Height>("range", 0.02,
                     "Difference of heights that an amount of 1 outweighs, in length units",
-                    slider(0, 0.1), limits(1e-6, 1e6))
+                    slider(0.001, 0.1), limits(0.0001, 1e6))
         .in<Float>("contrast", 0.2, "Width of the transition: 0 hard, 1 soft", slider(0.01, 1),
                    limits(1e-4, 1))
         .out<Material>("material", "The layered material")
         .out<Float>("mask", "0 is the base, 1 is the top")
         .body([](Material base, Material top, Float amount, Float range, Float contrast) {
-            const Float low = base.channel<Height>("height") / range + (1 - amount);
-            const Float high = top.channel<Height>("height") / range + amount;
-            const Float least = max(low, high) - contrast;
-            const Float of_base = max(low - least, 0), of_top = max(high - least, 0);
+            const Float heights = top.channel<Height>("height") - base.channel<Height>("height");
+            const Float lead = named("lead", heights / range + (2 * amount - 1));
+            const Float of_base = named("of_base", max(contrast - max(lead, 0), 0));
+            const Float of_top = named("of_top", max(contrast + min(lead, 0), 0));
             const Float mask = named("mask", of_top / (of_base + of_top));
             return std::tuple(mix(base, top, mask), mask);
         }),

@@ -143,7 +143,8 @@ private:
         }
         for (size_t i = 0; i < inputs.size(); ++i) {
             const auto type = port_type_named(document(f).inputs[i].type);
-            if (inputs[i] && (!type || type == PortType::derivative_ || type == PortType::material_))
+            if (inputs[i] &&
+                (!type || type == PortType::derivative_ || type == PortType::material_))
                 return false;
         }
         return true;

@@ -125,6 +125,7 @@ private:
              port.choice_count);
         if (const char* domain = text(object, "domain")) port.default_surface = surface(domain);
         default_value(object.find("default"), port);
+        if (object.has("absent")) port.default_kind = WR_DEFAULT_ABSENT;
         return &port;
     }
 

@@ -65,6 +65,8 @@ std::string details_text(const Port& port) {
         append(text, "default " + surface_link(port));
     else if (port.default_kind == Port::Default::constant)
         append(text, "default " + default_json(port));
+    else if (port.default_kind == Port::Default::absent)
+        append(text, "absent");
     else if (port.is_required())
         append(text, "required");
     if (port.has_hard_range()) append(text, range_text(port.hard_min, port.hard_max));
@@ -81,6 +83,7 @@ std::string port_json(const Port& port) {
     if (!port.unit.empty()) text += ", \"unit\": " + json_quoted(port.unit);
     const std::string value = default_json(port);
     if (!value.empty()) text += ", \"default\": " + value;
+    if (port.default_kind == Port::Default::absent) text += ", \"absent\": true";
     if (port.is_required()) text += ", \"required\": true";
     if (port.has_soft_range()) text += ", \"slider\": " + range_json(port.soft_min, port.soft_max);
     if (port.has_hard_range()) text += ", \"range\": " + range_json(port.hard_min, port.hard_max);

@@ -11,6 +11,7 @@ struct WrinkleMaterial_layered_materials {
     float roughness;  // perceptual, 0 to 1
     float metalness;  // 0 dielectric, 1 metal
     float height;     // outwards, in length units
+    float opacity;    // 0 absent, 1 present
 };
 const float layered_materials_two_24 = 16777216.0;  // the upper 24 bits to [0, 1)
 const vec3 layered_materials_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
@@ -152,28 +153,34 @@ WrinkleMaterial_layered_materials wrinkle_layered_materials(WrinkleSurface_layer
     // peel: Gradient noise
     vec3 peel_slope = wrinkle_layered_materials_fbm_slope(s.position, position_width, 24.0, 1, 2.0,
             0.5);
-    float painted_sum = chips_height / 0.04 + 0.65;  // painted: Layer materials
-    float painted_sum_2 = hammered_height / 0.04 + 0.35;
-    float painted_difference = max(painted_sum_2, painted_sum) - 0.1;
-    float painted_greatest = max(painted_sum - painted_difference, 0.0);
-    float painted_sum_3 = max(painted_sum_2 - painted_difference, 0.0) + painted_greatest;
-    float painted_mask = painted_greatest / painted_sum_3;
+    float painted_lead = (chips_height - hammered_height) / 0.04 + 0.3;  // painted: Layer materials
+    float painted_of_top = max(0.1 + min(painted_lead, 0.0), 0.0);
+    float painted_mask = painted_of_top / (max(0.1 - max(painted_lead, 0.0), 0.0) + painted_of_top);
     vec3 painted_product = hammered.xyz * 0.012 * (1.0 - painted_mask);
-    vec3 painted_sum_4 = painted_product + peel_slope * 0.001 * painted_mask;
+    vec3 painted_sum = painted_product + peel_slope * 0.001 * painted_mask;
     vec3 painted_color = mix(vec3(0.53, 0.51, 0.49), vec3(0.45, 0.02, 0.02), painted_mask);
     float settled_result = smoothstep(0.55, 0.95, s.position.y);  // settled: Smooth step
     // sand: Gradient noise
     vec3 sand_slope = wrinkle_layered_materials_fbm_slope(s.position, position_width, 60.0, 2, 2.0,
             0.5);
-    vec3 dusty_gradient = sand_slope * 0.0015 * settled_result;  // dusty: Mix materials
-    vec3 dusty_gradient_2 = painted_sum_4 * (1.0 - settled_result) + dusty_gradient;
+    float dusty_clamped = clamp(settled_result, 0.0, 1.0);  // dusty: Material over
+    float layers_opacity = dusty_clamped + (1.0 - dusty_clamped);  // layers: Split material
+    // dusty: Material over (continued)
+    float dusty_choice = layers_opacity != 0.0 ? dusty_clamped / layers_opacity : 0.0;
+    vec3 dusty_gradient = sand_slope * 0.0015 * dusty_choice;
+    vec3 dusty_gradient_2 = painted_sum * (1.0 - dusty_choice) + dusty_gradient;
+    // layers: Split material (continued)
+    float layers_roughness = mix(mix(0.35, 0.3, painted_mask), 0.95, dusty_choice);
     vec3 difference = normal * (s.facing + dot(normal, dusty_gradient_2)) - dusty_gradient_2;
+    float soft_result = mix(layers_roughness, 1.0, 0.2);  // soft: Mix
     WrinkleMaterial_layered_materials m;
     m.normal = normalize(difference);
-    // dusty: Mix materials (continued)
-    m.color = mix(painted_color, vec3(0.4, 0.36, 0.3), settled_result);
-    m.roughness = mix(mix(0.35, 0.3, painted_mask), 0.95, settled_result);
-    m.metalness = mix(mix(1.0, 0.0, painted_mask), 0.0, settled_result);
-    m.height = mix(mix(hammered_height, chips_height, painted_mask), 0.0, settled_result);
+    // layers: Split material (continued)
+    m.color = mix(painted_color, vec3(0.4, 0.36, 0.3), dusty_choice);
+    m.roughness = mix(layers_roughness, soft_result, settled_result);  // matte: Mix materials
+    // layers: Split material (continued)
+    m.metalness = mix(mix(1.0, 0.0, painted_mask), 0.0, dusty_choice);
+    m.height = mix(mix(hammered_height, chips_height, painted_mask), 0.0, dusty_choice);
+    m.opacity = layers_opacity;
     return m;
 }

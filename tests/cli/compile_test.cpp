@@ -67,7 +67,7 @@ TEST_F(CompileTest, OneFunctionComputesTheSelectedOutputs) {
     EXPECT_EQ(normal.find("WrinkleMaterial"), normal.npos);
     const Ran wrong = run({"compile", "g.json", "--outputs", "normal,colour", "-o", "g.glsl"});
     EXPECT_EQ(wrong.code, 1);
-    EXPECT_TRUE(says(wrong.err, "no output 'colour' (displacement, normal)"));
+    EXPECT_TRUE(says(wrong.err, "no output 'colour' (it has displacement, normal)"));
     EXPECT_FALSE(exists("g.glsl"));
 }
 

@@ -19,7 +19,9 @@ const Port* port_of_type(const NodeType& type, PortType wanted) {
     return nullptr;
 }
 
+// Not for a material: nodes with one have more ports, which a wire would snap to.
 const NodeType* type_with(PortType wanted) {
+    if (wanted == PortType::material_) return nullptr;
     for (const NodeType& type : built_in_registry().list())
         if (port_of_type(type, wanted)) return &type;
     return nullptr;
@@ -90,7 +92,7 @@ TEST_F(TypePairs, EachConnectsOffersOrExplains) {
     std::printf("pairs: %d connect, %d offer a node, %d explain\n", tally.connected, tally.offered,
                 tally.explained);
     EXPECT_GT(tally.offered, 20);
-    EXPECT_EQ(tally.connected + tally.offered + tally.explained, 100);
+    EXPECT_EQ(tally.connected + tally.offered + tally.explained, 121);
 }
 
 TEST_F(Headless, AnOfferIsTakenWithOneClickOrLeft) {

@@ -130,12 +130,18 @@ std::string problems(const std::string& nodes, const std::string& output) {
 }
 
 std::string one(const std::string& type, const std::string& in) {
-    std::string members = in;
-    for (const Port& port : registry().find(type)->ports)
-        if (port.kind == Port::Kind::input && port.type == PortType::image_)
-            members +=
-                (members.empty() ? "\"" : ", \"") + port.name + R"(": "textures/weave_normal.png")";
-    return R"("n": {"type": ")" + type + R"(", "in": {)" + members + "}}";
+    std::string members = in, more;
+    const auto set = [&](const Port& port, const std::string& value) {
+        members += (members.empty() ? "\"" : ", \"") + port.name + "\": " + value;
+    };
+    for (const Port& port : registry().find(type)->ports) {
+        if (port.kind != Port::Kind::input) continue;
+        if (port.type == PortType::image_) set(port, R"("textures/weave_normal.png")");
+        if (port.type != PortType::material_) continue;
+        set(port, R"({"from": "glossy.material"})");
+        more = R"(, "glossy": {"type": "material", "in": {"roughness": 0.1}})";
+    }
+    return R"("n": {"type": ")" + type + R"(", "in": {)" + members + "}}" + more;
 }
 
 Image painted(uint32_t size, std::array<double, 3> (*formula)(double u, double v)) {

@@ -41,7 +41,8 @@ PointSet plane_points(const Scene& scene, const std::vector<std::array<double, 2
 // The diagnostics of compiling; "" on success.
 std::string problems(const std::string& nodes, const std::string& output);
 
-// One node "n" with these members of "in"; {"image": ...} is added if the type needs one.
+// One node "n" with these members of "in"; an image and a material are added if the type takes
+// one.
 std::string one(const std::string& type, const std::string& in = "");
 
 // A float texture from a formula of texel centres (u, v) to r, g, b.

@@ -64,6 +64,16 @@ public:
         face.name = [](B b, wr_value value, const char* name) {
             log(b, "name", {value}).say(name);
         };
+        face.channel = [](B b, wr_value material, const char* name, uint32_t type) {
+            return log(b, "channel", {material, type}).say(name).next();
+        };
+        face.with_channel = [](B b, wr_value material, const char* name, uint32_t type,
+                               wr_value value) {
+            return log(b, "with_channel", {material, type, value}).say(name).next();
+        };
+        face.mix_materials = [](B b, wr_value one, wr_value other, wr_value t) {
+            return log(b, "mix_materials", {one, other, t}).next();
+        };
         face.get_extension = [](B, const char*) -> const void* { return nullptr; };
     }
 
@@ -121,6 +131,9 @@ void make_every_call(const wr_builder* b) {
     b->name(b, results[2], "third");
     b->error(b, nullptr);
     b->error(b, b->option(b, 4) == 7 ? "seven" : "another");
+    const wr_value glossy = b->with_channel(b, WR_POISON, "roughness", WR_PORT_float, x);
+    const wr_value mixed = b->mix_materials(b, glossy, x, params[0]);
+    b->output(b, 5, b->channel(b, mixed, "roughness", WR_PORT_float));
     b->output(b, 5, results[1]);
 }
 

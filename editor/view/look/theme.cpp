@@ -13,16 +13,16 @@ struct TypeColor {
 };
 constexpr TypeColor type_colors[] = {
     {PortType::float_, rgb(0xF2F5F3), rgb(0x3B382E)},
-    {PortType::vec2_, rgb(0x4A8E86), rgb(0x34949A)},
-    {PortType::vec3_, rgb(0x1BA3FE), rgb(0x237CFA)},
-    {PortType::vec4_, rgb(0x767AAC), rgb(0x1E0DB1)},
-    {PortType::color_, rgb(0xF8A7AD), rgb(0x6C0C4E)},
-    {PortType::height_, rgb(0xF6CC18), rgb(0x9F7002)},
-    {PortType::derivative_, rgb(0xD58105), rgb(0x802E02)},
-    {PortType::gradient_, rgb(0xCDFEAE), rgb(0x416D4C)},
-    {PortType::normal_, rgb(0xDDC9FF), rgb(0x645C89)},
-    {PortType::image_, rgb(0xDF435D), rgb(0xF5346E)},
-    {PortType::material_, rgb(0x17B26A), rgb(0x0B8A3E)},
+    {PortType::vec2_, rgb(0x388F7E), rgb(0x34949A)},
+    {PortType::vec3_, rgb(0x1FA4FF), rgb(0x237CFA)},
+    {PortType::vec4_, rgb(0x7A80A7), rgb(0x1E0DB1)},
+    {PortType::color_, rgb(0xF69EB3), rgb(0x6C0C4E)},
+    {PortType::height_, rgb(0xFFD424), rgb(0x9F7002)},
+    {PortType::derivative_, rgb(0xC27700), rgb(0x802E02)},
+    {PortType::gradient_, rgb(0xADFFB3), rgb(0x416D4C)},
+    {PortType::normal_, rgb(0xD9CAFF), rgb(0x645C89)},
+    {PortType::image_, rgb(0xE33E76), rgb(0xF5346E)},
+    {PortType::material_, rgb(0xAAB46E), rgb(0x140014)},
 };
 
 void style_colors() {

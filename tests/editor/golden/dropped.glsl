@@ -10,20 +10,23 @@ struct WrinkleMaterial_graph {
 };
 uniform sampler2D graph_rivets_normal_image;  // textures/rivets_normal.png (normal_gl, repeat)
 uniform sampler2D graph_weave_normal_image;   // textures/weave_normal.png (normal_gl, repeat)
+const float graph_min_ratio = 0.0078125;  // of z to x and y: slopes are at most 128
+const float graph_min_z = 5e-07;          // of a normal map: the zero vector is flat
+const float graph_min_normal = 1e-18;     // of a tangent along the normal
 
 WrinkleMaterial_graph wrinkle_graph(WrinkleSurface_graph s) {
     // rivets_normal: Tangent normal map
     vec3 rivets_normal_texel = texture(graph_rivets_normal_image, s.uv0).xyz - 0.5;
     float rivets_normal_greatest = max(abs(rivets_normal_texel.x), abs(rivets_normal_texel.y));
     float rivets_normal_greatest_2 =
-            max(abs(rivets_normal_texel.z), rivets_normal_greatest * 0.0078125);
-    float rivets_normal_depth = max(rivets_normal_greatest_2, 5e-07);
+            max(abs(rivets_normal_texel.z), rivets_normal_greatest * graph_min_ratio);
+    float rivets_normal_depth = max(rivets_normal_greatest_2, graph_min_z);
     // weave_normal: Tangent normal map
     vec3 weave_normal_texel = texture(graph_weave_normal_image, s.uv0).xyz - 0.5;
     float weave_normal_greatest = max(abs(weave_normal_texel.x), abs(weave_normal_texel.y));
     float weave_normal_greatest_2 = max(abs(weave_normal_texel.z),
-            weave_normal_greatest * 0.0078125);
-    float weave_normal_depth = max(weave_normal_greatest_2, 5e-07);
+            weave_normal_greatest * graph_min_ratio);
+    float weave_normal_depth = max(weave_normal_greatest_2, graph_min_z);
     // resolve: Resolve
     vec3 resolve_raised = s.normal * (rivets_normal_depth * weave_normal_depth * s.facing);
     vec2 resolve_slope = weave_normal_texel.xy * AMOUNT * rivets_normal_depth;
@@ -32,6 +35,6 @@ WrinkleMaterial_graph wrinkle_graph(WrinkleSurface_graph s) {
     vec3 resolve_along_v = cross(s.normal, s.tangent.xyz) * resolve_slope_v;
     vec3 resolve_bumped = resolve_raised + (s.tangent.xyz * resolve_slope_2.x + resolve_along_v);
     WrinkleMaterial_graph m;
-    m.normal = normalize(vec3(resolve_bumped.xy, resolve_bumped.z + 1e-18));
+    m.normal = normalize(vec3(resolve_bumped.xy, resolve_bumped.z + graph_min_normal));
     return m;
 }
