@@ -20,6 +20,7 @@ constexpr std::array table = {
     Row{vec3_, color_, Conversion::rename},
     Row{color_, vec3_, Conversion::rename},
     Row{float_, color_, Conversion::gray},
+    Row{height_, color_, Conversion::gray},
     Row{height_, gradient_, Conversion::differentiate},
     Row{float_, gradient_, Conversion::differentiate},
     Row{derivative_, gradient_, Conversion::apply_frame},

@@ -2,7 +2,7 @@
 // editor's badges, the reference page and the compiler all use it.
 //
 //   float <-> height, vec3 <-> color   the same numbers, another meaning
-//   float -> color                     a gray
+//   float, height -> color             a gray
 //   height -> gradient                 differentiates along the surface, scale `surface`
 //   derivative -> gradient             applies its frame
 //   normal -> gradient                 extracts the perturbation, against the base of that input
@@ -25,7 +25,7 @@ enum class Conversion : uint8_t {
     illegal,
     same,           // equal types
     rename,         // float <-> height, vec3 <-> color
-    gray,           // float -> color
+    gray,           // float or height -> color
     differentiate,  // height or float -> gradient
     apply_frame,    // derivative -> gradient
     take_normal,    // normal -> gradient

@@ -17,7 +17,7 @@ TEST(Conversion, AllPairs) {
         //             f234chDgnim
         {"float", /**/ ".---gr-dD--"},  {"vec2", /*     */ "-.---------"},
         {"vec3", /* */ "--.-r------"},  {"vec4", /*     */ "---.-------"},
-        {"color", /**/ "--r-.------"},  {"height", /*   */ "r----.-dD--"},
+        {"color", /**/ "--r-.------"},  {"height", /*   */ "r---g.-dD--"},
         {"derivative", "------.aA--"},  {"gradient", /* */ "-------.n--"},
         {"normal", /**/ "-------t.--"}, {"image", /*    */ "---------.-"},
         {"material", "----------."},
@@ -55,7 +55,7 @@ TEST(Conversion, NamesWhatIsAccepted) {
 TEST(Conversion, NamesTheNearestAlternative) {
     EXPECT_EQ(alternative(PortType::vec2_, PortType::float_, {}), "it takes float or height");
     EXPECT_EQ(alternative(PortType::image_, PortType::color_, test::registry()),
-              "it takes color, float or vec3; node 'texture' makes color from image");
+              "it takes color, float, vec3 or height; node 'texture' makes color from image");
 }
 
 }  // namespace

@@ -237,7 +237,7 @@ Document delete_and_reconnect(const Model& model, const Document& document,
         if (!ids.contains(wire.from.node) || ids.contains(wire.node)) return;
         const auto from = staying(model, document, ids, wire.from);
         const auto given = from ? model.type_of(*from) : std::nullopt;
-        if (given && converts(*given, wanted_at(model, wire.node, wire.port)))
+        if (given && wire_is_legal(model, document, *given, wire.node, wire.port))
             result = with_wire(result, *from, wire.node, wire.port);
     });
     return without_invalid_links(model, document, remove_nodes(result, ids));
