@@ -21,7 +21,8 @@ std::string port_text(const std::string& inputs, const std::string& nodes) {
     const Project project =
         test::project(graph(nodes, "", "\"inputs\": {" + inputs + "}, "), problems);
     EXPECT_EQ(to_text(problems), "");
-    const Port& port = Types(project, test::registry()).graph_input(0, 0);
+    const Types types(project, test::registry());
+    const Port& port = types.graph_input(0, 0);
     const auto range = [](bool has, double least, double most) {
         return has ? std::to_string(int(least)) + ".." + std::to_string(int(most)) : "";
     };
@@ -62,7 +63,8 @@ TEST(GraphInputPorts, OfSubgraphsInheritThroughEveryLevel) {
     Diagnostics problems;
     const Project project = load_project(files.folder / "main.json", {}, problems);
     EXPECT_EQ(to_text(problems), "");
-    const Port& port = Types(project, test::registry()).graph_input(0, 0);
+    const Types types(project, test::registry());
+    const Port& port = types.graph_input(0, 0);
     EXPECT_EQ(port.doc, "One");
     EXPECT_EQ(port.unit, "m");
     EXPECT_EQ(port.soft_min, 3);
