@@ -3,6 +3,7 @@
 #include <span>
 
 #include "nodes/color_space.h"
+#include "nodes/smooth.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
@@ -177,13 +178,6 @@ enum class FloatMode {
     smooth_maximum
 };
 
-// The lesser number, rounded by a parabola where they differ by less than `band`: never above
-// either, a quarter of the band below where they are equal.
-static Float smooth_minimum(Float a, Float b, Float band) {
-    const Float near = named("near", max(band - abs(a - b), 0));
-    return min(a, b) - divide(near * near, 4 * band);
-}
-
 static Float blended(FloatMode mode, Float base, Float top, Float band) {
     switch (mode) {
         case FloatMode::normal:
@@ -203,9 +197,9 @@ static Float blended(FloatMode mode, Float base, Float top, Float band) {
         case FloatMode::overlay:
             return hard_light(top, base);
         case FloatMode::smooth_minimum:
-            return smooth_minimum(base, top, band);
+            return smooth_minimum(base, top, band).value;
         default:
-            return -smooth_minimum(-base, -top, band);
+            return -smooth_minimum(-base, -top, band).value;
     }
 }
 

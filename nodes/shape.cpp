@@ -7,6 +7,7 @@
 #include "nodes/footprint.h"
 #include "nodes/random.h"
 #include "nodes/rotated.h"
+#include "nodes/smooth.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
@@ -79,19 +80,13 @@ static Float ellipse_distance(vec2 p, vec2 half) {
 
 enum class Combination { union_, intersection, subtraction, exclusion };
 
-// The lesser of two distances, rounded where they differ by less than `band`, and the share of b.
-static std::tuple<Float, Float> smooth_union(Float a, Float b, Float band) {
-    const Float near = named("near", divide(max(band - abs(a - b), 0), band));
-    const Float half = named("half", 0.5 * near);
-    return {min(a, b) - 0.5 * half * near * band, select(a < b, half, 1 - half)};
-}
-static std::tuple<Float, Float> combined(Combination how, Float a, Float b, Float band) {
-    if (how == Combination::union_) return smooth_union(a, b, band);
+static SmoothMinimum combined(Combination how, Float a, Float b, Float band) {
+    if (how == Combination::union_) return smooth_minimum(a, b, band);
     if (how == Combination::exclusion) {
-        const auto [joined, share] = smooth_union(a, b, band);
+        const auto [joined, share] = smooth_minimum(a, b, band);
         return {max(joined, -max(a, b)), share};
     }
-    const auto [d, share] = smooth_union(-a, how == Combination::subtraction ? b : -b, band);
+    const auto [d, share] = smooth_minimum(-a, how == Combination::subtraction ? b : -b, band);
     return {-d, share};
 }
 
@@ -225,7 +220,9 @@ static constinit Node shape_list[] = {
         .out<Float>("distance", "To the edge, negative inside; inside it is a bound")
         .out<Float>("share", "0 to 1: how much of the result is b, to mix two colours alike")
         .body([](Float a, Float b, Choice mode, Float smoothness) {
-            return combined(static_cast<Combination>(int(mode)), a, b, smoothness);
+            const auto [distance, share] =
+                combined(static_cast<Combination>(int(mode)), a, b, smoothness);
+            return std::tuple{distance, share};
         }),
 
     shape_family("shape_onion", "Onion", "Makes a shape larger, or a line along its edge.")

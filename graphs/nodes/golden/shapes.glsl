@@ -229,17 +229,14 @@ WrinkleMaterial_shapes wrinkle_shapes(WrinkleSurface_shapes s) {
     float small_distance = small_extent - 0.2;
     vec2 small_quotient = vec2(dot(small_p, grid_uv_dx), dot(small_p, grid_uv_dy)) / small_extent;
     vec2 small_slope = small_extent > 0.0 ? small_quotient : vec2(0.0);
-    float union_least = min(box_distance.z, small_distance);  // union: Combine shapes
-    float union_difference = box_distance.z - small_distance;
+    float union_difference = box_distance.z - small_distance;  // union: Combine shapes
     float union_difference_2 = 0.08 - abs(union_difference);
-    float union_near = max(union_difference_2, 0.0) / 0.08;
-    float union_product = 0.5 * (0.5 * union_near);
-    float union_distance = union_least - union_product * union_near * 0.08;
+    float union_near = max(union_difference_2, 0.0);
+    float union_distance = min(box_distance.z, small_distance) - union_near * union_near / 0.32;
     vec2 union_negated = -((box_slope - small_slope) * sign(union_difference));
-    vec2 union_near_slope = (union_difference_2 < 0.0 ? vec2(0.0) : union_negated) / 0.08;
-    vec2 union_product_2 = union_near_slope * 0.5 * 0.5 * union_near;
+    vec2 union_product = (union_difference_2 < 0.0 ? vec2(0.0) : union_negated) * union_near;
     vec2 union_slope = (small_distance < box_distance.z ? small_slope : box_slope) -
-            (union_product_2 + union_near_slope * union_product) * 0.08;
+            union_product * 2.0 / 0.32;
     // union_fill: Fill
     float union_fill_difference = 0.5 - union_distance / max(max(0.0, length(union_slope)), 1e-06);
     float union_fill_value = clamp(union_fill_difference, 0.0, 1.0);
@@ -250,24 +247,20 @@ WrinkleMaterial_shapes wrinkle_shapes(WrinkleSurface_shapes s) {
     float subtraction_negated = -box_distance.z;  // subtraction: Combine shapes
     float subtraction_difference = subtraction_negated - small_distance;
     float subtraction_difference_2 = 0.08 - abs(subtraction_difference);
-    float subtraction_near = max(subtraction_difference_2, 0.0) / 0.08;
-    float subtraction_product = 0.5 * (0.5 * subtraction_near);
-    float subtraction_product_2 = subtraction_product * subtraction_near * 0.08;
-    float subtraction_distance = subtraction_product_2 - min(subtraction_negated, small_distance);
+    float subtraction_near = max(subtraction_difference_2, 0.0);
+    float subtraction_quotient = subtraction_near * subtraction_near / 0.32;
+    float subtraction_distance = subtraction_quotient - min(subtraction_negated, small_distance);
     vec2 subtraction_negated_2 = -box_slope;
     vec2 subtraction_negated_3 = -((subtraction_negated_2 - small_slope) *
             sign(subtraction_difference));
-    vec2 subtraction_choice = subtraction_difference_2 < 0.0 ? vec2(0.0) : subtraction_negated_3;
-    vec2 subtraction_near_slope = subtraction_choice / 0.08;
-    vec2 subtraction_product_3 = subtraction_near_slope * 0.5 * 0.5 * subtraction_near;
-    vec2 subtraction_sum = subtraction_product_3 + subtraction_near_slope * subtraction_product;
-    vec2 subtraction_slope = subtraction_sum * 0.08 -
+    vec2 subtraction_near_slope = subtraction_difference_2 < 0.0 ? vec2(0.0) :
+            subtraction_negated_3;
+    vec2 subtraction_slope = subtraction_near_slope * subtraction_near * 2.0 / 0.32 -
             (small_distance < subtraction_negated ? small_slope : subtraction_negated_2);
     // subtraction_fill: Fill
-    float subtraction_fill_greatest = max(0.0, length(subtraction_slope));
-    float subtraction_fill_difference = 0.5 -
-            subtraction_distance / max(subtraction_fill_greatest, 1e-06);
-    float subtraction_fill_value = clamp(subtraction_fill_difference, 0.0, 1.0);
+    float subtraction_fill_quotient =
+            subtraction_distance / max(max(0.0, length(subtraction_slope)), 1e-06);
+    float subtraction_fill_value = clamp(0.5 - subtraction_fill_quotient, 0.0, 1.0);
     // is_subtraction_fill: Compare
     float is_subtraction_fill_result = abs(index_result - 9.0) <= 1e-06 ? 1.0 : 0.0;
     // chart_9: Mix
