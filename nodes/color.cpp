@@ -139,7 +139,7 @@ static constinit Node color_list[] = {
                  .in<Float>("hue", 0, "Added, in turns", slider(-0.5, 0.5)))
         .body([](vec3 color, Float lightness, Float chroma, Float hue) {
             const vec3 lab = named("lab", to_oklab(color));
-            const Float angle = named("angle", hue * 6.283185307179586);
+            const Float angle = named("angle", hue * two_pi());
             const Float c = cos(angle) * chroma, s = sin(angle) * chroma;
             return from_oklab(
                 {lab.x() * lightness, c * lab.y() - s * lab.z(), s * lab.y() + c * lab.z()});

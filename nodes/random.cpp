@@ -126,7 +126,7 @@ static constinit Node random_list[] = {
         .body([](vec2 cell, Float id, int seed) {
             const vec3 random = named("random", random3(random_bits(cell, id, seed)));
             const Float z = named("z", 1 - 2 * random.x()), r = named("r", sqrt(1 - z * z));
-            const Float angle = named("angle", random.y() * 6.283185307179586);
+            const Float angle = named("angle", random.y() * two_pi());
             return vec3(r * cos(angle), r * sin(angle), z);
         }),
 

@@ -1,5 +1,6 @@
 // Texture coordinates bent, repeated and warped. A map or a pattern read there has the bump of the
 // bent image by the chain rule.
+#include <numbers>
 #include <span>
 
 #include "nodes/random.h"
@@ -7,8 +8,6 @@
 
 namespace wrinkle::nodes {
 using namespace sdk;
-
-constexpr double full_turn = 6.283185307179586;
 
 static constexpr auto uv_tool(const char* id, const char* title, const char* doc) {
     return node(id, title, doc).family("uv").in<vec2>("uv", surface::uv0, "The uv to change");
@@ -99,7 +98,7 @@ static constinit Node uv_tools_list[] = {
                    "u: the distance; v: turns anticlockwise from u, -0.5 to 0.5 with a seam behind")
         .body([](vec2 uv, vec2 center, Float scale, Float repeat) {
             const vec2 way = named("way", uv - center);
-            return vec2(length(way) * scale, atan(way.y(), way.x()) * (repeat / full_turn));
+            return vec2(length(way) * scale, atan(way.y(), way.x()) * (repeat / two_pi()));
         }),
 
     about_center("uv_kaleidoscope", "Kaleidoscope", "One sector, mirrored all around a point.")
@@ -108,7 +107,7 @@ static constinit Node uv_tools_list[] = {
         .out<vec2>("uv", "In the sector, mirrored")
         .body([](vec2 uv, vec2 center, int segments, Float angle) {
             const vec2 way = named("way", uv - center);
-            const double sector = full_turn / segments;
+            const double sector = 2 * std::numbers::pi / segments;
             const Float from = named("from", atan(way.y(), way.x()) - radians(angle));
             const Float folded = named("folded", abs(mod(from + sector / 2, sector) - sector / 2));
             const Float to = named("to", folded + radians(angle));

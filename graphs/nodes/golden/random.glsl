@@ -6,6 +6,7 @@ struct WrinkleMaterial_random {
     vec3 color;  // base color, linear
 };
 const float random_two_24 = 16777216.0;  // the upper 24 bits to [0, 1)
+const float random_two_pi = 6.2831855;   // a turn, in radians
 
 uint wrinkle_random_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
@@ -45,7 +46,7 @@ WrinkleMaterial_random wrinkle_random(WrinkleSurface_random s) {
     vec3 chart_2_vector = mix(numbers_color, range_vector, row_2_result);  // chart_2: Mix vec3
     vec3 direction_random = wrinkle_random_random3(numbers_bits);  // direction: Random direction
     float direction_z = 1.0 - 2.0 * direction_random.x;
-    float direction_angle = direction_random.y * 6.2831855;
+    float direction_angle = direction_random.y * random_two_pi;
     vec2 direction_vector = vec2(cos(direction_angle), sin(direction_angle));
     vec2 direction_product = sqrt(max(1.0 - direction_z * direction_z, 0.0)) * direction_vector;
     vec3 direction_vector_2 = vec3(direction_product, direction_z);
