@@ -7,16 +7,17 @@
 namespace wrinkle::nodes {
 using namespace sdk;
 
-// A bump is on the wire as a gradient: it is resolved once, at the output of the graph.
-static constexpr uint32_t channel_type(const StandardOutput& output) {
-    if (output.type == "normal") return WR_PORT_gradient;
-    if (output.type == "color") return WR_PORT_color;
-    if (output.type == "height") return WR_PORT_height;
-    return output.type == "vec3" ? WR_PORT_vec3 : WR_PORT_float;
+static constexpr uint32_t port_type(const StandardOutput& output) {
+    const std::string_view type = channel_type(output);
+#define X(name, number, value) \
+    if (type == #name) return number;
+    WR_PORT_TYPES(X)
+#undef X
+    return 0;
 }
 
 static constexpr wr_port channel_port(const StandardOutput& output, uint32_t kind) {
-    wr_port port = make_port(kind, channel_type(output), output.name.data(), output.doc.data());
+    wr_port port = make_port(kind, port_type(output), output.name.data(), output.doc.data());
     port.unit = output.unit.data();
     if (kind == WR_KIND_OUTPUT) return port;
     port.default_kind = WR_DEFAULT_ABSENT;
@@ -65,8 +66,8 @@ static void collect(const wr_builder* b) {
     const UseBuilder use(b);
     Material material(Raw{b->input(b, 0)});
     for (const StandardOutput& output : standard_output_table)
-        material = material.with(output.name.data(), channel_type(output),
-                                 Raw{b->input(b, port_of(output))});
+        material =
+            material.with(output.name.data(), port_type(output), Raw{b->input(b, port_of(output))});
     b->output(b, collected.node.port_count - 1, material.id);
 }
 
@@ -79,8 +80,7 @@ static void split(const wr_builder* b) {
     const UseBuilder use(b);
     const Material material(Raw{b->input(b, 0)});
     for (const StandardOutput& output : standard_output_table)
-        b->output(b, port_of(output),
-                  material.channel(output.name.data(), channel_type(output)).id);
+        b->output(b, port_of(output), material.channel(output.name.data(), port_type(output)).id);
 }
 
 static constexpr auto material_family(const char* id, const char* title, const char* doc) {

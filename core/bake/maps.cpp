@@ -191,6 +191,7 @@ std::vector<std::string> map_names(std::vector<std::string> outputs) {
 }
 
 bool fits_integers(std::string_view map) {
+    // Integers end at 1, which usual values of some outputs exceed.
     const StandardOutput* output = find_standard_output(map);
     return map != slopes_name && (!output || output->slider_high <= 1);
 }

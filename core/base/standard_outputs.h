@@ -113,6 +113,11 @@ inline constexpr auto standard_output_table = [] {
 // preview's radiance.
 inline constexpr double nits_of_unit_emission = 100;
 
+// Returns the port type of the output as a channel of a material, where a bump is a gradient.
+constexpr std::string_view channel_type(const StandardOutput& output) {
+    return output.type == "normal" ? "gradient" : output.type;
+}
+
 // Returns the row of a name or a synonym; nullptr for other names.
 constexpr const StandardOutput* find_standard_output(std::string_view name) {
     for (const StandardOutput& output : standard_output_table)

@@ -230,8 +230,8 @@ std::string emission_of(const Shader& material) {
     if (!color && !luminance) return "vec3(0.0)";
     std::string value = color ? value_of(material, *color) : "vec3(1.0)";
     if (luminance)
-        value += " * (" + value_of(material, *luminance) + " / " + shortest(nits_of_unit_emission) +
-                 ".0)";
+        value += " * (" + value_of(material, *luminance) + " * " +
+                 shortest(1 / nits_of_unit_emission) + ")";
     return "max(" + value + ", 0.0)";
 }
 

@@ -35,8 +35,8 @@ Id default_of(Module& module, const StandardOutput& output, PortType type) {
 }  // namespace
 
 std::optional<PortType> channel_type(std::string_view name) {
-    const auto type = standard_output(name);
-    return type == PortType::normal_ ? PortType::gradient_ : type;
+    const StandardOutput* output = find_standard_output(name);
+    return output ? port_type_named(channel_type(*output)) : std::nullopt;
 }
 
 Id Records::add(Record record) {
@@ -50,14 +50,16 @@ const Record& Records::of(Id material) const {
 }
 
 std::string Records::problem(Id material, std::string_view name, PortType type) const {
-    const std::string subject = "channel '" + std::string(name) + "' ";
-    if (!is_name(name)) return subject + "has no lower_snake_case name";
+    const auto fault = [&](const std::string& what) {
+        return "channel '" + std::string(name) + "' " + what;
+    };
+    if (!is_name(name)) return fault("has no lower_snake_case name");
     if (lanes_of(type) == 0 && type != PortType::gradient_)
-        return subject + "cannot be a " + std::string(name_of(type));
+        return fault("cannot be a " + std::string(name_of(type)));
     const Channel* own = find(of(material), output_name(name));
-    const auto wanted = own ? own->type : channel_type(name).value_or(type);
+    const PortType wanted = own ? own->type : channel_type(name).value_or(type);
     if (wanted == type) return "";
-    return subject + "is " + std::string(name_of(wanted)) + ", not " + std::string(name_of(type));
+    return fault("is " + std::string(name_of(wanted)) + ", not " + std::string(name_of(type)));
 }
 
 Id Records::channel(Id material, std::string_view name, PortType type) const {

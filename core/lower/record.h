@@ -38,10 +38,11 @@ public:
     }
     const Record& of(Id material) const;  // poison has no channels
 
-    // Returns the reason why there is no channel of this name and type; "" if there can be one.
+    // Returns an error message if a channel cannot have this name and type, else "".
     std::string problem(Id material, std::string_view name, PortType type) const;
-    // Without the channel: the default of the output of that name, else zero. An emission without a
-    // luminance has that of one unit. Precondition: there is no problem(), as below.
+    // Returns the value of a channel; if the material does not have it, the default of the output
+    // of that name, else zero. The default of emission_luminance is `nits_of_unit_emission` where
+    // the material has an emission. Precondition of channel() and with(): problem() returns "".
     Id channel(Id material, std::string_view name, PortType type) const;
     Id with(Id material, Channel channel);
     // All channels of both: (1 - t) one + t other; tangents are normalised.
