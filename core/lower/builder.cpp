@@ -25,9 +25,7 @@ public:
     Builder(Lowering& lowering, uint32_t node)
         : CallChecks(lowering.module(), *lowering.graph().nodes[node].type),
           lowering_(lowering),
-          module_(lowering.module()),
-          node_(node),
-          type_(*lowering.graph().nodes[node].type) {
+          node_(node) {
         static const wr_builder calls = calls_of_host();
         face_ = calls;
         face_.host = this;
@@ -355,9 +353,7 @@ private:
     void error(const char* text) { refuse(text ? plugin_text(text) : "reports an error", ""); }
 
     Lowering& lowering_;
-    Module& module_;
     const uint32_t node_;
-    const NodeType& type_;
     wr_builder face_;
     std::vector<Named> unread_;  // outputs that no wire reads
     std::vector<RegionUse> regions_;

@@ -78,7 +78,7 @@ public:
     }
     static std::string quoted(Op o) { return "'" + std::string(info(o).name) + "'"; }
 
-private:
+protected:
     Module& module_;
     const NodeType& type_;
 };

@@ -337,8 +337,8 @@ private:
 
 }  // namespace
 
-std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOptions& options,
-                                     Diagnostics& diagnostics) {
+std::vector<uint32_t> requested_outputs(const Document& document, const LowerOptions& options,
+                                        Diagnostics& diagnostics) {
     std::vector<uint32_t> chosen;
     if (options.outputs.empty())
         for (uint32_t i = 0; i < document.outputs.size(); ++i)

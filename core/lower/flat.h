@@ -87,8 +87,8 @@ inline constexpr std::string_view material_output = "material";
 
 // Returns the requested outputs of the top graph. A name in options.outputs that is unknown may be
 // of a channel of the output `material`, which is then requested; else it is an error.
-std::vector<uint32_t> chosen_outputs(const Document& document, const LowerOptions& options,
-                                     Diagnostics& diagnostics);
+std::vector<uint32_t> requested_outputs(const Document& document, const LowerOptions& options,
+                                        Diagnostics& diagnostics);
 
 Diagnostic unknown_output(const Document& document, const std::string& name,
                           const std::vector<std::string>& names);

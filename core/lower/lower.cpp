@@ -59,7 +59,7 @@ void write_outputs(Lowering& lowering, const Document& document) {
 }
 
 // Selects the outputs of these names in their order; reports an error for an unknown name.
-void choose_outputs(Module& module, const std::vector<std::string>& names, const Document& document,
+void select_outputs(Module& module, const std::vector<std::string>& names, const Document& document,
                     Diagnostics& diagnostics) {
     std::vector<ModuleOutput> chosen;
     for (const std::string& name : names) {
@@ -105,7 +105,7 @@ public:
 private:
     Lowered run_all() {
         FlatRoot top;
-        top.outputs = chosen_outputs(project_.top(), options_, diagnostics_);
+        top.outputs = requested_outputs(project_.top(), options_, diagnostics_);
         functions_ = plan_functions(project_, types_, options_, top.outputs);
         if (diagnostics_.has_errors() || !open(top, nullptr)) return std::move(result_);
         while (!frames_.empty())
@@ -115,7 +115,7 @@ private:
         Module& m = result_.module;
         report_problems(m.problems, m, project_, result_.places, diagnostics_);
         if (!options_.outputs.empty() && !diagnostics_.has_errors())
-            choose_outputs(m, options_.outputs, project_.top(), diagnostics_);
+            select_outputs(m, options_.outputs, project_.top(), diagnostics_);
         return std::move(result_);
     }
 

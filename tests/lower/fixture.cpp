@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "ir/inspect.h"
+#include "lower/check.h"
+
 const wr_plugin* test_plugin();  // nodes.cpp
 
 namespace wrinkle::test {
@@ -36,6 +39,23 @@ Project project(const std::string& text, Diagnostics& diagnostics) {
     Document top = read_document(text, "g.json", diagnostics);
     return load_project(std::move(top), std::filesystem::path(WRINKLE_SOURCE_DIR) / "tests/lower",
                         {}, diagnostics);
+}
+
+Lowered lowered(const Project& project, const LowerOptions& options) {
+    Diagnostics diagnostics;
+    check(project, registry(), Types(project, registry()), diagnostics);
+    EXPECT_FALSE(diagnostics.has_errors()) << to_text(diagnostics);
+    if (diagnostics.has_errors()) return {};
+    Diagnostics own;
+    Lowered result = lower(project, Types(project, registry()), options, own);
+    EXPECT_EQ(to_text(own), "");
+    EXPECT_EQ(verify(result.module), "");
+    EXPECT_EQ(result.module.nodes.size(), result.places.size());
+    return result;
+}
+
+const Inst& value(const Module& module, size_t output) {
+    return module[module.outputs.at(output).value];
 }
 
 }  // namespace wrinkle::test

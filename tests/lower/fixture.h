@@ -39,4 +39,8 @@ std::string graph(const std::string& nodes, const std::string& outputs,
 // A project of one text, in the source tree's folder of tests.
 Project project(const std::string& text, Diagnostics& diagnostics);
 
+// The project lowered; a diagnostic is a test failure.
+Lowered lowered(const Project& project, const LowerOptions& options = {});
+const Inst& value(const Module& module, size_t output = 0);
+
 }  // namespace wrinkle::test

@@ -14,19 +14,8 @@ namespace wrinkle {
 namespace {
 
 using test::graph;
-
-Lowered lowered(const Project& project, const LowerOptions& options = {}) {
-    Diagnostics diagnostics;
-    check(project, test::registry(), Types(project, test::registry()), diagnostics);
-    EXPECT_FALSE(diagnostics.has_errors()) << to_text(diagnostics);
-    if (diagnostics.has_errors()) return {};
-    Diagnostics own;
-    Lowered result = lower(project, Types(project, test::registry()), options, own);
-    EXPECT_EQ(to_text(own), "");
-    EXPECT_EQ(verify(result.module), "");
-    EXPECT_EQ(result.module.nodes.size(), result.places.size());
-    return result;
-}
+using test::lowered;
+using test::value;
 
 Lowered lowered(const std::string& text) {
     Diagnostics diagnostics;
@@ -41,10 +30,6 @@ Lowered lowered(const std::map<std::string, std::string>& files) {
     const Project project = load_project(written.folder / "main.json", {}, diagnostics);
     EXPECT_EQ(to_text(diagnostics), "");
     return lowered(project);
-}
-
-const Inst& value(const Module& module, size_t output = 0) {
-    return module[module.outputs.at(output).value];
 }
 
 // "bump.amount=1, strap/weave.scale=(1, 8)"
@@ -123,41 +108,6 @@ TEST(Lower, StandardOutputsConvert) {
     EXPECT_EQ(value(m, 1).op, Op::gradient_vector_);
     EXPECT_EQ(value(m, 2).op, Op::input_);
     EXPECT_EQ(m.outputs[2].port_type, uint32_t{WR_PORT_height});
-}
-
-TEST(Lower, OutputsCanBeChosen) {
-    Diagnostics diagnostics;
-    const Project project =
-        test::project(graph(R"("n": {"type": "number"}, "o": {"type": "options"})",
-                            R"("a": {"from": "n.value"}, "bee": {"from": "o.value"})"),
-                      diagnostics);
-    LowerOptions options;
-    options.outputs = {"bee"};
-    const Module m = lowered(project, options).module;
-    ASSERT_EQ(m.outputs.size(), 1u);
-    EXPECT_EQ(m.outputs[0].name, "bee");
-    EXPECT_EQ(m.nodes.size(), 2u);
-    options.outputs = {"be"};
-    lower(project, Types(project, test::registry()), options, diagnostics);
-    EXPECT_EQ(to_text(diagnostics),
-              "g.json: error: the graph has no output 'be' (did you mean 'bee'?)\n");
-}
-
-TEST(Lower, StandardOutputsHaveTwoNames) {
-    Diagnostics diagnostics;
-    const Project project = test::project(
-        graph(R"("n": {"type": "number"})",
-              R"("base_color": {"from": "n.value"}, "fuzz_weight": {"from": "n.value"})"),
-        diagnostics);
-    LowerOptions options;
-    options.outputs = {"color"};
-    const Module m = lowered(project, options).module;
-    ASSERT_EQ(m.outputs.size(), 1u);
-    EXPECT_EQ(m.outputs[0].name, "color");
-    EXPECT_EQ(m.outputs[0].port_type, uint32_t{WR_PORT_color});
-    EXPECT_EQ(value(m, 0).op, Op::construct_);
-    options.outputs = {"base_color", "fuzz_weight"};
-    EXPECT_EQ(lowered(project, options).module.outputs.size(), 2u);
 }
 
 TEST(Lower, SubgraphsAreInstancesWithPorts) {
