@@ -161,13 +161,15 @@ void write_doc(const MemberInfo& member, const Reflection& reflection, std::stri
         line.append(doc);
 }
 
-// Returns the comment of an output; "" for one without a standard name.
+// Returns the comment of an output; "" for one without a standard name. Only normals are in the
+// reflection's space.
 std::string output_doc(const OutputInfo& output, const Reflection& reflection) {
     const StandardOutput* standard = find_standard_output(output.output);
     if (!standard) return {};
     std::string doc(standard->doc);
     constexpr std::string_view object = "object space";
-    if (const size_t at = doc.find(object); at != doc.npos)
+    const size_t at = doc.find(object);
+    if (at != doc.npos && standard->type == "normal")
         doc.replace(at, object.size(), std::string(name_of(reflection.normal_space)) + " space");
     return doc;
 }

@@ -96,6 +96,17 @@ TEST(Emit, shader_form_of_every_standard_output) {
     EXPECT_EQ(shader.vertex.find("tangent"), std::string::npos);
 }
 
+TEST(Emit, the_space_of_normals_is_not_that_of_tangents) {
+    Module m;
+    output(m, "normal", m.input(SurfaceInput::view_), WR_PORT_normal);
+    output(m, "tangent", m.input(SurfaceInput::position_), WR_PORT_vec3);
+    EmitOptions world = options();
+    world.normal_space = NormalSpace::world;
+    const std::string source = emit(m, world).source;
+    EXPECT_NE(source.find("unit normal, world space"), std::string::npos);
+    EXPECT_NE(source.find("direction of anisotropy, object space"), std::string::npos);
+}
+
 TEST(Emit, nothing_is_declared_that_is_not_read) {
     const Module module = expand(base_and_detail(), {});
     const Shader shader = emit(module, options());
