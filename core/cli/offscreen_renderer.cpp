@@ -1,7 +1,10 @@
 #include "cli/offscreen_renderer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <span>
 
 #include "bake/displace.h"
 #include "base/diagnostics.h"
@@ -51,6 +54,15 @@ bool parse_phong(const std::string& text, gpu::Phong& phong) {
     return true;
 }
 
+std::optional<EyePosition> parse_camera(const std::string& text) {
+    float values[3] = {0, 0, 1};
+    const bool far = std::count(text.begin(), text.end(), ',') == 2;
+    if (!parse_numbers<float>(text, ',', std::span(values).first(far ? 3 : 2))) return {};
+    const bool finite = std::isfinite(values[0]) && std::isfinite(values[1]);
+    if (!finite || !(values[2] > 0) || !std::isfinite(values[2])) return {};
+    return EyePosition{values[0], values[1], values[2]};
+}
+
 std::optional<Image> load_environment(const std::string& file, Diagnostics& diagnostics) {
     auto image = load_image(file, diagnostics);
     if (!image || image->source == PixelType::half || image->source == PixelType::float32)
@@ -60,6 +72,27 @@ std::optional<Image> load_environment(const std::string& file, Diagnostics& diag
                      "holds " + std::string(name_of(image->source)) + " values, no radiance",
                      "an equirectangular .hdr or .exr"));
     return {};
+}
+
+// A mood is lit from behind the default camera, wherever `--camera` looks from.
+static gpu::Scene scene_of(const RenderOptions& options, const gpu::OrbitCamera& camera) {
+    gpu::Scene scene;
+    scene.camera = camera;
+    if (const auto& eye = options.eye) {
+        scene.camera.yaw = glm::radians(eye->yaw);
+        scene.camera.pitch = glm::radians(eye->pitch);
+        scene.camera.distance *= eye->distance;
+    }
+    const float behind_camera = options.environment.empty() ? camera.yaw : 0;
+    scene.environment_turn = behind_camera + glm::radians(options.turn);
+    scene.lighting = options.lighting;
+    scene.phong = options.phong;
+    scene.to_light = gpu::light_direction(scene.environment_turn);
+    scene.light = options.environment.empty() ? gpu::directional_light_of(options.mood) : 0;
+    scene.exposure = std::exp2(options.exposure);
+    scene.tone = options.tone;
+    scene.behind = options.behind;
+    return scene;
 }
 
 std::optional<OffscreenRenderer> OffscreenRenderer::make(const RenderOptions& options,
@@ -74,7 +107,6 @@ std::optional<OffscreenRenderer> OffscreenRenderer::make(const RenderOptions& op
     gpu::TargetOptions wanted;
     wanted.width = options.width;
     wanted.height = options.height;
-    wanted.samples = options.view == gpu::View::shaded ? 4 : 1;  // do not average values
     auto target = gpu::Target::make(wanted, diagnostics);
     if (!target) return {};
     return OffscreenRenderer(std::move(*context), std::move(*target), options, mesh);
@@ -84,12 +116,12 @@ OffscreenRenderer::OffscreenRenderer(gpu::Context context, gpu::Target target,
                                      const RenderOptions& options, const Mesh& mesh)
     : context_(std::move(context)), target_(std::move(target)), options_(options) {
     renderer_.set_mesh(mesh);
-    renderer_.set_lighting(options.lighting);
-    if (!options.environment.empty()) renderer_.set_environment(options.environment);
-    scene_.surroundings = options.backdrop;
-    scene_.phong = options.phong;
+    if (!options.environment.empty())
+        renderer_.set_environment(options.environment);
+    else if (options.mood != gpu::Mood::studio || options.behind == gpu::Behind::environment)
+        renderer_.set_mood(options.mood);
     options_.environment = {};  // the renderer holds it
-    scene_.camera = gpu::default_camera(mesh, options.mesh);
+    scene_ = scene_of(options, gpu::default_camera(mesh, options.mesh));
 }
 
 // Returns false and reports an error if the reference output of the difference view is not a
@@ -129,6 +161,7 @@ std::optional<RenderedImage> OffscreenRenderer::draw(const Shader& shader,
     if (!set_material(shader, textures, diagnostics)) return {};
     gpu::ViewOptions view;
     view.view = options_.view;
+    view.output = options_.output;
     view.against = options_.against;
     if (!renderer_.draw(scene_, view, target_, diagnostics)) return {};
     RenderedImage rendered{target_.read_image(), {}};

@@ -13,17 +13,29 @@
 
 namespace wrinkle::cli {
 
+// Position of the eye around the mesh.
+struct EyePosition {
+    float yaw = 0, pitch = 0;  // degrees; 0, 0 looks along -z
+    float distance = 1;        // as multiple of the distance that shows the entire mesh
+};
+
 struct RenderOptions {
     std::string mesh = "sphere";  // shape name or path (cli/meshes.h); determines the camera
     int width = 512;
     int height = 512;
     gpu::View view = gpu::View::shaded;
+    std::string output;   // shown by View::output
     std::string against;  // reference output of the difference view
     gpu::Lighting lighting = gpu::Lighting::ggx;
     gpu::Phong phong;
-    Image environment;      // empty: sky and ground
-    bool backdrop = true;   // draws the environment map behind the mesh
-    bool displace = false;  // displaces the mesh by the output `displacement`
+    gpu::Mood mood = gpu::Mood::studio;
+    Image environment;  // replaces the mood's, unless empty
+    gpu::Behind behind = gpu::Behind::studio;
+    gpu::Tone tone = gpu::Tone::neutral;
+    float exposure = 0;              // EV: radiance is multiplied by 2^EV
+    float turn = 0;                  // rotation of the environment around +y, degrees
+    std::optional<EyePosition> eye;  // default: gpu::default_camera()
+    bool displace = false;           // displaces the mesh by the output `displacement`
 };
 
 // Parses "640x480". Returns false if a side is not an integer from 1 to 16384.
@@ -32,6 +44,9 @@ bool parse_size(const std::string& text, int& width, int& height);
 // Parses Ka, Kd, Ks and shininess, such as "0.1,0.7,0.4,32". Returns false if a value is negative
 // or not finite.
 bool parse_phong(const std::string& text, gpu::Phong& phong);
+
+// Parses yaw, pitch and optionally a distance above 0, such as "30,15,0.5".
+std::optional<EyePosition> parse_camera(const std::string& text);
 
 // Loads an environment map. Returns std::nullopt and reports an error if the image cannot be read
 // or does not hold radiance (half or float values).

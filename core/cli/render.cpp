@@ -1,6 +1,7 @@
 // wrinkle render FILE -o OUT: renders a graph on a mesh.
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -8,6 +9,7 @@
 
 #include "base/file.h"
 #include "base/printable.h"
+#include "base/standard_outputs.h"
 #include "cli/arguments.h"
 #include "cli/meshes.h"
 #include "cli/offscreen_renderer.h"
@@ -23,7 +25,8 @@ struct RenderCommand {
     std::string file, output;
     RenderOptions render;
     std::string size = "512x512", view = "shaded";
-    std::string lighting = "ggx", phong, environment, background = "environment";
+    std::string lighting = "ggx", phong, environment, camera;
+    std::string mood, background, tone = "neutral";
 
     int run() const {
         gpu::Context::prefer_quick_programs();
@@ -87,8 +90,11 @@ struct RenderCommand {
 
     // Returns one sentence on wrong usage, otherwise "".
     std::string read_options(RenderOptions& options) const {
-        options.view = *gpu::view_named(view);
-        options.backdrop = background == "environment";
+        options.view = gpu::view_named(view).value_or(gpu::View::output);
+        if (options.view == gpu::View::output) options.output = output_name(view);
+        options.tone = *gpu::tone_named(tone);
+        options.behind = behind();
+        options.mood = gpu::mood_named(mood).value_or(gpu::Mood::studio);
         options.lighting = lighting == "phong" ? gpu::Lighting::phong : gpu::Lighting::ggx;
         const std::string type = fs::path(output).extension().string();
         if (!parse_size(size, options.width, options.height))
@@ -97,6 +103,12 @@ struct RenderCommand {
             return "--against goes with --view difference";
         if (options.view != gpu::View::shaded && !(environment.empty() && phong.empty()))
             return "--environment and --phong go with --view shaded";
+        if (!environment.empty() && !mood.empty())
+            return "--environment and --light exclude each other";
+        if (!camera.empty() && !(options.eye = parse_camera(camera)))
+            return "--camera " + camera + ": expected YAW,PITCH[,DISTANCE] such as 30,15,0.8";
+        if (!(std::abs(options.exposure) <= 32) || !(std::abs(options.turn) <= 3600))
+            return "--exposure takes -32 to 32 EV, --turn -3600 to 3600 degrees";
         if (!phong.empty() && options.lighting != gpu::Lighting::phong)
             return "--phong goes with --lighting phong";
         if (!phong.empty() && !parse_phong(phong, options.phong))
@@ -107,6 +119,13 @@ struct RenderCommand {
             type != ".tif" && type != ".tiff")
             return output + ": a picture is written as .png, .jpg or .tif";
         return "";
+    }
+
+    gpu::Behind behind() const {
+        if (background == "plain") return gpu::Behind::plain;
+        if (background == "studio") return gpu::Behind::studio;
+        return background.empty() && environment.empty() ? gpu::Behind::studio
+                                                         : gpu::Behind::environment;
     }
 
     // Renders and saves the image of each run; returns the exit code. `still` determines the
@@ -171,7 +190,14 @@ void declare_render(CLI::App& app, Run& run) {
         ->required();
     declare_mesh(sub, c.render.mesh, "What it is drawn on: ");
     sub.add_option("--size", c.size, "Of the picture")->type_name("WxH")->capture_default_str();
-    add_choice(sub, "--view", c.view, gpu::view_names(), "What it shows");
+    sub.add_option("--view", c.view,
+                   "Shown: " + joined(gpu::view_names(), ", ") + ", or an output by its name")
+        ->type_name("VIEW")
+        ->capture_default_str();
+    sub.add_option("--camera", c.camera,
+                   "Where it is seen from: degrees around the mesh and above it, and a factor of "
+                   "the distance that shows all of it")
+        ->type_name("YAW,PITCH[,DISTANCE]");
     sub.add_flag("--displace", c.render.displace,
                  "Moves the mesh, in fine triangles, by the output 'displacement'");
     sub.add_option("--against", c.render.against,
@@ -181,12 +207,18 @@ void declare_render(CLI::App& app, Run& run) {
     add_choice(sub, "--lighting", c.lighting, gpu::lighting_names(), "Of the shaded view");
     sub.add_option("--phong", c.phong, "Of that lighting; default: 0.1,0.7,0.4,32")
         ->type_name("KA,KD,KS,SHININESS");
+    add_choice(sub, "--light", c.mood, gpu::mood_names(), "Reflected by GGX; default: studio");
     sub.add_option("--environment", c.environment,
-                   "What GGX reflects: an equirectangular .hdr or .exr, its middle behind the "
-                   "object; default: a sky over a ground")
+                   "Likewise, an equirectangular .hdr or .exr, its middle behind the object")
         ->type_name("FILE");
-    add_choice(sub, "--background", c.background, {"environment", "plain"},
-               "Behind the object: that picture, where there is one, or a plain grey");
+    sub.add_option("--turn", c.render.turn, "Of the light around the object, in degrees")
+        ->type_name("DEGREES");
+    sub.add_option("--exposure", c.render.exposure, "Radiance is multiplied by 2^EV")
+        ->type_name("EV");
+    add_choice(sub, "--tone", c.tone, gpu::tone_names(), "The curve from radiance to display");
+    add_choice(sub, "--background", c.background, {"studio", "environment", "plain"},
+               "Behind the object: paper with its shadow, the light, or a plain gray; default: "
+               "environment with --environment, else studio");
     declare_common(sub, c.common);
 }
 

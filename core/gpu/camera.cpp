@@ -58,6 +58,15 @@ glm::mat4 projection_matrix(const OrbitCamera& camera, float aspect, float radiu
     return glm::perspective(vertical, aspect, near, far);
 }
 
+Rays rays_of(const OrbitCamera& camera, float aspect) {
+    // Rows of the view matrix: the camera's axes in the world.
+    const glm::dmat4 view = view_matrix(camera);
+    const auto axis = [&](int row) { return glm::vec3(view[0][row], view[1][row], view[2][row]); };
+    const float half = std::tan(camera.field_of_view / 2);
+    return {-axis(2), axis(0) * half * std::max(aspect, 1.0F),
+            axis(1) * half / std::min(aspect, 1.0F)};
+}
+
 OrbitCamera default_camera(const Mesh& mesh, std::string_view shape) {
     const Framing framing = framing_of(mesh, shape);
     OrbitCamera camera;

@@ -25,6 +25,13 @@ glm::dmat4 view_matrix(const OrbitCamera& camera);
 // range.
 glm::mat4 projection_matrix(const OrbitCamera& camera, float aspect, float radius);
 
+// The ray through the point (x, y) of the image, each from -1 to 1, has the direction
+// forward + x right + y up, in world space.
+struct Rays {
+    glm::vec3 forward, right, up;
+};
+Rays rays_of(const OrbitCamera& camera, float aspect);
+
 // Returns a camera that frames the complete mesh, slightly from above; a plane is viewed head-on.
 // `shape` is a name of mesh/shapes.h; any other mesh is framed by its bounds.
 OrbitCamera default_camera(const Mesh& mesh, std::string_view shape = {});

@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <tbb/parallel_for.h>
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -58,7 +59,7 @@ struct Lobe {
     double solid_angle;
 };
 
-// Light directions reflected at sampled GGX half vectors, weighted by the cosine.
+// Light directions reflected at sampled GGX half vectors, weighted by Smith's masking.
 std::vector<Lobe> ggx_lobe(double roughness, int samples) {
     const double a2 = std::pow(roughness, 4);
     std::vector<Lobe> lobe;
@@ -71,7 +72,8 @@ std::vector<Lobe> ggx_lobe(double roughness, int samples) {
         if (light.z <= 0) continue;
         const double facet = cosine * cosine * (a2 - 1) + 1;
         const double density = a2 / (pi * facet * facet) / 4;
-        lobe.push_back({light, light.z, 1 / (samples * density)});
+        const double slope2 = 1 / (light.z * light.z) - 1;
+        lobe.push_back({light, 2 / (1 + std::sqrt(1 + a2 * slope2)), 1 / (samples * density)});
     }
     return lobe;
 }
@@ -102,6 +104,34 @@ dvec3 gather(const MipChain& chain, dvec3 normal, const std::vector<Lobe>& lobe)
     return sum / weights;
 }
 
+CubeFaces gather_faces(const MipChain& chain, int side, const std::vector<Lobe>& lobe) {
+    CubeFaces faces;
+    for (auto& texels : faces)
+        texels.resize(static_cast<size_t>(side) * static_cast<size_t>(side));
+    tbb::parallel_for(0, 6 * side, [&](int row) {
+        const int face = row / side, y = row % side;
+        for (int x = 0; x < side; ++x) {
+            const dvec2 st = (dvec2(x, y) + 0.5) / static_cast<double>(side);
+            faces[static_cast<size_t>(face)][static_cast<size_t>(y * side + x)] =
+                gather(chain, cube_direction(face, st), lobe);
+        }
+    });
+    return faces;
+}
+
+// Uploads to the cube map that is bound.
+void upload(const CubeFaces& faces, int level, int side) {
+    for (size_t face = 0; face < faces.size(); ++face)
+        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), level, GL_RGB32F,
+                     side, side, 0, GL_RGB, GL_FLOAT, faces[face].data());
+}
+
+void set_filter(int last_level) {
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, last_level);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+}
+
 }  // namespace
 
 dvec3 cube_direction(int face, dvec2 st) {
@@ -128,45 +158,42 @@ MipChain radiance_of(const Image& image) {
     return build_mips(std::move(clean));
 }
 
+double roughness_of_level(int level) {
+    return std::pow(level / (environment_levels - 1.0), 1.5);
+}
+
 EnvironmentCube prefilter(const Image& image) {
-    EnvironmentCube cube;
+    constexpr std::array<int, environment_levels> samples{1, 16, 32, 64, 128, 256, 256, 256};
     const MipChain chain = radiance_of(image);
+    EnvironmentCube cube;
     for (int level = 0; level < environment_levels; ++level) {
         const int side = environment_side >> level;
-        const bool mirror = level == 0, diffuse = level == environment_levels - 1;
-        const auto lobe = diffuse ? cosine_lobe(256)
-                          : mirror
-                              ? std::vector<Lobe>{{{0, 0, 1}, 1, 4 * pi / (6.0 * side * side)}}
-                              : ggx_lobe(level / (environment_levels - 2.0), level == 1 ? 64 : 256);
-        for (int face = 0; face < 6; ++face) {
-            auto& texels = cube.faces[static_cast<size_t>(level)][static_cast<size_t>(face)];
-            for (int i = 0; i < side * side; ++i) {
-                const dvec2 st = (dvec2(i % side, i / side) + 0.5) / static_cast<double>(side);
-                texels.emplace_back(gather(chain, cube_direction(face, st), lobe));
-            }
-        }
+        const double texel = 4 * pi / (6.0 * side * side);
+        const auto lobe =
+            level == 0 ? std::vector<Lobe>{{{0, 0, 1}, 1, texel}}
+                       : ggx_lobe(roughness_of_level(level), samples[static_cast<size_t>(level)]);
+        cube.reflections[static_cast<size_t>(level)] = gather_faces(chain, side, lobe);
     }
+    cube.irradiance = gather_faces(chain, irradiance_side, cosine_lobe(256));
     return cube;
 }
 
 EnvironmentTexture::EnvironmentTexture(const EnvironmentCube& cube) {
-    bind(0);
-    for (size_t level = 0; level < cube.faces.size(); ++level)
-        for (size_t face = 0; face < 6; ++face) {
-            const GLsizei side = environment_side >> level;
-            glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face),
-                         static_cast<GLint>(level), GL_RGB32F, side, side, 0, GL_RGB, GL_FLOAT,
-                         cube.faces[level][face].data());
-        }
-    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAX_LEVEL, environment_levels - 1);
-    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    bind(0, 0);
+    upload(cube.irradiance, 0, irradiance_side);
+    set_filter(0);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, reflections_.id());
+    for (int level = 0; level < environment_levels; ++level)
+        upload(cube.reflections[static_cast<size_t>(level)], level, environment_side >> level);
+    set_filter(environment_levels - 1);
     glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
 }
 
-void EnvironmentTexture::bind(int unit) const {
-    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_CUBE_MAP, handle_.id());
+void EnvironmentTexture::bind(int reflections_unit, int irradiance_unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(reflections_unit));
+    glBindTexture(GL_TEXTURE_CUBE_MAP, reflections_.id());
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(irradiance_unit));
+    glBindTexture(GL_TEXTURE_CUBE_MAP, irradiance_.id());
 }
 
 }  // namespace wrinkle::gpu

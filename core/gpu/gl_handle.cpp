@@ -14,8 +14,9 @@ struct Functions {
 };
 
 // By GlKind; programs have functions of another signature.
-constexpr std::array<Functions, 6> functions{{{&glGenBuffers, &glDeleteBuffers},
+constexpr std::array<Functions, 7> functions{{{&glGenBuffers, &glDeleteBuffers},
                                               {&glGenFramebuffers, &glDeleteFramebuffers},
+                                              {&glGenQueries, &glDeleteQueries},
                                               {&glGenRenderbuffers, &glDeleteRenderbuffers},
                                               {&glGenSamplers, &glDeleteSamplers},
                                               {&glGenTextures, &glDeleteTextures},

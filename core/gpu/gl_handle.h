@@ -7,7 +7,16 @@
 
 namespace wrinkle::gpu {
 
-enum class GlKind { buffer, framebuffer, renderbuffer, sampler, texture, vertex_array, program };
+enum class GlKind {
+    buffer,
+    framebuffer,
+    query,
+    renderbuffer,
+    sampler,
+    texture,
+    vertex_array,
+    program
+};
 
 uint32_t create_gl_object(GlKind kind);
 void delete_gl_object(GlKind kind, uint32_t id);
@@ -39,6 +48,7 @@ private:
 using BufferHandle = GlHandle<GlKind::buffer>;
 using FramebufferHandle = GlHandle<GlKind::framebuffer>;
 using ProgramHandle = GlHandle<GlKind::program>;
+using QueryHandle = GlHandle<GlKind::query>;
 using RenderbufferHandle = GlHandle<GlKind::renderbuffer>;
 using SamplerHandle = GlHandle<GlKind::sampler>;
 using TextureHandle = GlHandle<GlKind::texture>;

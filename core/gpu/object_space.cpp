@@ -1,7 +1,9 @@
 #include "gpu/object_space.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -19,15 +21,15 @@ glm::mat3 normal_matrix(const glm::dmat3& m) {
     return glm::mat3(result * ((glm::determinant(m) < 0 ? -1 : 1) / largest));
 }
 
-float reach_of(const Bounds& bounds, const glm::mat4& object, glm::vec3 target) {
-    float reach = 0;
-    for (int i = 0; i < 8; ++i) {
+std::array<glm::vec3, 8> corners_of(const Bounds& bounds, const glm::mat4& object) {
+    std::array<glm::vec3, 8> corners;
+    for (size_t i = 0; i < corners.size(); ++i) {
         const glm::vec3 corner(i & 1 ? bounds.low.x : bounds.high.x,
                                i & 2 ? bounds.low.y : bounds.high.y,
                                i & 4 ? bounds.low.z : bounds.high.z);
-        reach = std::max(reach, glm::distance(glm::vec3(object * glm::vec4(corner, 1)), target));
+        corners[i] = glm::vec3(object * glm::vec4(corner, 1));
     }
-    return reach;
+    return corners;
 }
 
 }  // namespace
@@ -37,8 +39,15 @@ std::optional<ObjectSpace> object_space(const glm::mat4& object, const OrbitCame
     const glm::dmat4 precise(object);
     const double determinant = glm::determinant(glm::dmat3(precise));
     if (determinant == 0 || !std::isfinite(determinant)) return std::nullopt;
-    const float reach = reach_of(bounds, object, camera.target);
     ObjectSpace space;
+    const std::array<glm::vec3, 8> corners = corners_of(bounds, object);
+    space.in_world = {corners[0], corners[0]};
+    float reach = 0;
+    for (const glm::vec3 corner : corners) {
+        reach = std::max(reach, glm::distance(corner, camera.target));
+        space.in_world = {glm::min(space.in_world.low, corner),
+                          glm::max(space.in_world.high, corner)};
+    }
     // In double, so that large translations cancel before the conversion to float.
     space.to_clip =
         projection_matrix(camera, aspect, reach) * glm::mat4(view_matrix(camera) * precise);

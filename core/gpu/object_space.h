@@ -16,6 +16,7 @@ struct ObjectSpace {
     glm::mat3 normal_to_world;  // cof(M) times the sign of det(M), so that outside remains
                                 // outside; up to a positive factor
     glm::vec3 eye;              // in object space
+    Bounds in_world;            // box around the transformed bounds
     bool mirrored;              // det(M) < 0: the winding of triangles is reversed
 };
 

@@ -3,8 +3,6 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <array>
-#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -15,7 +13,7 @@
 #include "emit/attributes.h"
 #include "emit/emit.h"
 #include "emit/log.h"
-#include "gpu/backdrop.h"
+#include "gpu/bands.h"
 #include "gpu/draw_state.h"
 #include "gpu/environment.h"
 #include "gpu/mesh_buffers.h"
@@ -50,12 +48,11 @@ Diagnostic refusal(const Reflection& reflection, const std::string& log) {
     return problem;
 }
 
-std::optional<Program> compile(const Shader& material, View view, const OutputInfo* against,
-                               const Shading& shading, Diagnostics& diagnostics) {
-    const ShaderText text = wrap_material(material, view, against, shading);
-    const std::array<std::string, 1> outputs{"WrView_color"};
+std::optional<Program> compile(const Shader& material, const ViewRequest& view,
+                               Diagnostics& diagnostics) {
+    const ShaderText text = wrap_material(material, view);
     std::string log;
-    std::optional<Program> program = Program::link(text.vertex, text.fragment, outputs, log);
+    std::optional<Program> program = Program::link(text.vertex, text.fragment, text.outputs, log);
     if (!program) diagnostics.add(refusal(material.reflection, log));
     return program;
 }
@@ -70,8 +67,10 @@ bool check_members(const Shader& material, Diagnostics& diagnostics) {
     return true;
 }
 
-bool wants_seen_range(const ViewOptions& options) {
-    return options.view == View::height && !options.raw &&
+bool wants_seen_range(const Shader& material, const ViewOptions& options) {
+    const OutputInfo* output =
+        options.view == View::output ? find_output(material, options.output) : nullptr;
+    return (options.view == View::height || (output && is_height(*output))) && !options.raw &&
            options.height_range.x == options.height_range.y;
 }
 
@@ -101,7 +100,7 @@ bool Renderer::upload_stale_images(const std::vector<SamplerInfo>& needed,
                                    Diagnostics& diagnostics) {
     GLint units = 0;
     glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
-    if (wanted_.environment) --units;
+    --units;  // for the depth of transparent layers
     if (needed.size() > static_cast<size_t>(units)) {
         diagnostics.error("the material reads " + std::to_string(needed.size()) +
                               " textures, more than this driver binds at once",
@@ -124,24 +123,31 @@ bool Renderer::upload_stale_images(const std::vector<SamplerInfo>& needed,
     return ok;
 }
 
-const Program* Renderer::program_for(const ViewOptions& options, Diagnostics& diagnostics) {
-    const std::string against = options.view == View::difference ? options.against : "";
-    const ProgramKey key{options.view, options.normal, against};
-    if (const auto found = programs_.find(key); found != programs_.end()) return &found->second;
-    const OutputInfo* other = find_output(*material_, against);
-    const OutputInfo* normal = find_output(*material_, options.normal);
-    for (const std::string& name : {against, options.normal})
+bool Renderer::has_outputs(const ViewOptions& options, Diagnostics& diagnostics) const {
+    for (const std::string& name : {options.against, options.normal})
         if (!name.empty() && name != "normal" && !find_output(*material_, name)) {
             diagnostics.error("the graph has no output " + in_quotes(name) + " to compare with");
-            return nullptr;
+            return false;
         }
-    if (options.view == View::height && !find_output(*material_, "height")) {
-        diagnostics.error("the graph has no output 'height' to show", "an output named 'height'");
-        return nullptr;
-    }
+    const std::string& shown = options.view == View::height ? "height" : options.output;
+    if (shown.empty() || find_output(*material_, shown)) return true;
+    diagnostics.error("the graph has no output " + in_quotes(shown) + " to show",
+                      "an output named " + in_quotes(shown));
+    return false;
+}
+
+const Program* Renderer::program_for(const ViewOptions& options, Diagnostics& diagnostics) {
+    const std::string against = options.view == View::difference ? options.against : "";
+    const std::string output = options.view == View::output ? options.output : "";
+    const ProgramKey key{options.view, options.normal, against, output};
+    if (const auto found = programs_.find(key); found != programs_.end()) return &found->second;
+    if (!has_outputs(options, diagnostics)) return nullptr;
+    const OutputInfo* normal = find_output(*material_, options.normal);
     const bool usual = !normal || options.normal == "normal";
-    std::optional<Program> program = compile(usual ? *material_ : with_normal(*material_, *normal),
-                                             options.view, other, shading_, diagnostics);
+    std::optional<Program> program =
+        compile(usual ? *material_ : with_normal(*material_, *normal),
+                {options.view, find_output(*material_, against), find_output(*material_, output)},
+                diagnostics);
     if (!program) return nullptr;
     ++linked_;
     return &programs_.emplace(key, std::move(*program)).first->second;
@@ -173,60 +179,27 @@ void Renderer::draw_mesh(const Program& program) const {
     }
     for (const UniformInfo& uniform : material_->reflection.uniforms)
         program.set(uniform);
-    if (shading_.environment) {
-        const auto unit = static_cast<int>(samplers_.size());
-        environment_->bind(unit);
-        program.set("WrView_surroundings", unit);
-    }
     mesh_->draw();
     for (size_t i = 0; i < samplers_.size(); ++i)
         glBindSampler(static_cast<GLuint>(i), 0);  // so that other drawing is not affected
 }
 
-// Draws strips from the bottom. The first height is a guess; each duration sets the next height.
-void Renderer::draw_strips(const Program& program, const Target& target,
-                           const ViewOptions& options) {
-    const double milliseconds = options.strip_milliseconds;
-    if (milliseconds <= 0) return draw_mesh(program);
-    const int height = target.height();
-    glEnable(GL_SCISSOR_TEST);
-    strips_took_ = 0;
-    for (int low = 0, rows = std::max(height / 8, 1); low < height;) {
-        if (options.before_strip) options.before_strip();
-        glScissor(0, low, target.width(), rows);
-        draw_mesh(program);
-        const auto start = std::chrono::steady_clock::now();
-        glFinish();
-        const std::chrono::duration<double, std::milli> took =
-            std::chrono::steady_clock::now() - start;
-        strips_took_ += took.count();
-        low += rows;
-        const double fit = milliseconds / std::max(took.count(), milliseconds / 4);
-        rows = std::max(static_cast<int>(rows * fit), 1);
-    }
-    glDisable(GL_SCISSOR_TEST);
-}
-
 void Renderer::set_environment(const Image& image) {
-    environment_.emplace(prefilter(image));
-    backdrop_.emplace(radiance_of(image));
-    wanted_.environment = true;
+    shaded_.set_environment(EnvironmentTexture(prefilter(image)));
+    background_.set_environment(radiance_of(image));
 }
 
-void Renderer::forget_environment() {
-    wanted_.environment = false;
-    backdrop_.reset();
+void Renderer::set_mood(Mood mood) {
+    set_environment(environment_of(mood));
 }
 
 bool Renderer::set_material(const Shader& material, Diagnostics& diagnostics) {
     if (!check_members(material, diagnostics)) return false;
     if (!upload_stale_images(material.reflection.samplers, diagnostics)) return false;
-    if (!material_ || wanted_ != shading_ || material_->source != material.source) {
-        std::optional<Program> shaded =
-            compile(material, View::shaded, nullptr, wanted_, diagnostics);
+    if (!material_ || material_->source != material.source) {
+        std::optional<Program> shaded = compile(material, {View::shaded}, diagnostics);
         if (!shaded) return false;
         ++linked_;
-        shading_ = wanted_;
         programs_.clear();
         programs_.emplace(ProgramKey{}, std::move(*shaded));
     }
@@ -257,10 +230,9 @@ void Renderer::forget_images() {
         image.stale = image.is_file;
 }
 
-// Returns the smallest and largest visible height, from an additional drawing of raw values.
-glm::vec2 Renderer::seen_range(const Scene& scene, const Target& target, Diagnostics& diagnostics) {
-    ViewOptions options;
-    options.view = View::height;
+// Returns the smallest and largest visible value, from an additional drawing of raw values.
+glm::vec2 Renderer::seen_range(const Scene& scene, ViewOptions options, const Target& target,
+                               Diagnostics& diagnostics) {
     options.raw = true;
     const auto numbers =
         Target::make({target.width(), target.height(), PixelFormat::rgba32f}, diagnostics);
@@ -276,6 +248,51 @@ glm::vec2 Renderer::seen_range(const Scene& scene, const Target& target, Diagnos
     return range.x < range.y ? range : range + glm::vec2(-0.5F, 0.5F);  // one height: mid gray
 }
 
+bool Renderer::draw_shaded(const Program& program, const Scene& scene, const ViewOptions& options,
+                           const Target& target, const ObjectSpace& space,
+                           Diagnostics& diagnostics) {
+    target.bind_resolved();
+    clear(scene, options.raw);
+    const float aspect = static_cast<float>(target.width()) / static_cast<float>(target.height());
+    if (!options.raw && !background_.draw(scene, aspect, space.in_world, diagnostics)) return false;
+    const auto draw = [&] {
+        set_view_uniforms(program, options, space);
+        draw_mesh(program);
+    };
+    const MaterialPass material{program,
+                                surface_model(*material_),
+                                find_output(*material_, "opacity") != nullptr,
+                                space.mirrored,
+                                static_cast<int>(samplers_.size()),
+                                draw};
+    const bool drawn = shaded_.draw(material, scene, options, target, diagnostics);
+    strips_took_ = shaded_.strips_took();
+    return drawn;
+}
+
+void Renderer::draw_values(const Program& program, const ViewOptions& options, const Target& target,
+                           const ObjectSpace& space) {
+    program.use();
+    set_view_uniforms(program, options, space);
+    set_raster_state(space.mirrored);
+    program.set("WrView_edges", 0.0F);
+    Bands bands(
+        {target.height(), target.height() + 1, options.strip_milliseconds, options.before_strip});
+    while (const auto band = bands.next()) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(0, band->low, target.width(), band->rows);
+        draw_mesh(program);
+    }
+    glDisable(GL_SCISSOR_TEST);
+    strips_took_ = bands.milliseconds();
+    if (options.view == View::wireframe) {
+        program.set("WrView_edges", 1.0F);
+        set_edges(true);
+        draw_mesh(program);
+        set_edges(false);
+    }
+}
+
 bool Renderer::draw(const Scene& scene, const ViewOptions& options, const Target& target,
                     Diagnostics& diagnostics) {
     if (!can_draw(diagnostics)) return false;
@@ -287,22 +304,14 @@ bool Renderer::draw(const Scene& scene, const ViewOptions& options, const Target
     }
     const Program* program = program_for(options, diagnostics);
     if (!program) return false;
+    if (options.view == View::shaded)
+        return draw_shaded(*program, scene, options, target, *space, diagnostics);
     ViewOptions shown = options;
-    if (wants_seen_range(options)) shown.height_range = seen_range(scene, target, diagnostics);
-    clear(target, scene, options.raw);
-    if (scene.surroundings && backdrop_ && options.view == View::shaded && !options.raw)
-        backdrop_->draw(scene, aspect);
-    program->use();
-    set_view_uniforms(*program, scene, shown, *space);
-    set_raster_state(space->mirrored);
-    program->set("WrView_edges", 0.0F);
-    draw_strips(*program, target, options);
-    if (options.view == View::wireframe) {
-        program->set("WrView_edges", 1.0F);
-        set_edges(true);
-        draw_mesh(*program);
-        set_edges(false);
-    }
+    if (wants_seen_range(*material_, options))
+        shown.height_range = seen_range(scene, options, target, diagnostics);
+    target.bind();
+    clear(scene, options.raw);
+    draw_values(*program, shown, target, *space);
     target.resolve();
     return true;
 }

@@ -16,11 +16,14 @@
 
 #include "base/diagnostics.h"
 #include "emit/emit.h"
-#include "gpu/backdrop.h"
+#include "gpu/background.h"
 #include "gpu/camera.h"
-#include "gpu/environment.h"
+#include "gpu/display.h"
 #include "gpu/mesh_buffers.h"
+#include "gpu/object_space.h"
 #include "gpu/program.h"
+#include "gpu/shaded_view.h"
+#include "gpu/studio.h"
 #include "gpu/target.h"
 #include "gpu/texture.h"
 #include "image/image.h"
@@ -31,10 +34,9 @@ namespace wrinkle::gpu {
 
 // Each view has a value per pixel (`raw`) and a display color:
 //
-//   shaded      Linear radiance under one directional light: GGX with an environment (sky and
-//               ground, or an environment map: gpu/environment.h), or Phong without one. Displayed
-//               times exposure, through the sRGB curve; before the curve, a channel that exceeds
-//               0.8 by x becomes 0.8 + 0.2 x / (x + 0.2).
+//   shaded      Linear radiance under an environment and one directional light: OpenPBR
+//               (gpu/lighting_text.h) or Phong. Displayed with exposure and tone curve
+//               (gpu/display.h), over the background.
 //   normal      The resolved normal n, object space, unit. Displayed as 0.5 + 0.5 n.
 //   gradient    g = n - n' / (n . n'), with normal n' and surface normal n. Displayed as
 //               0.5 + 0.5 g.
@@ -45,24 +47,20 @@ namespace wrinkle::gpu {
 //               equal steps from dark blue at 0 to yellow at heat_degrees and above.
 //   wireframe   0 on triangles, 1 on their edges. Displayed as gray lit from the eye, with light
 //               edges.
+//   output      Any output, by ViewOptions::output. Displayed as itself: a color through the sRGB
+//               curve, a number in gray from 0 to 1, a height as above, a vector v as 0.5 + 0.5 v.
 //
-// Alpha of raw values is 1 on the mesh and 0 elsewhere; colors are opaque, with the background.
-enum class View : uint8_t { shaded, normal, gradient, height, uv, difference, wireframe };
+// Alpha of raw values is 1 on the mesh and 0 elsewhere, in the shaded view the opacity; colors are
+// opaque, with the background.
+enum class View : uint8_t { shaded, normal, gradient, height, uv, difference, wireframe, output };
 
-std::span<const std::string_view> view_names();  // in the order of the enumerators
+std::span<const std::string_view> view_names();  // in the order of the enumerators, less `output`
 std::optional<View> view_named(std::string_view name);
 
 // Lighting model of the shaded view.
 enum class Lighting : uint8_t { ggx, phong };
 
 std::span<const std::string_view> lighting_names();  // in the order of the enumerators
-
-struct Shading {
-    Lighting lighting = Lighting::ggx;
-    bool environment = false;  // an environment map, else sky and ground
-
-    friend bool operator==(const Shading&, const Shading&) = default;
-};
 
 // Phong lighting (Phong 1975), per pixel:
 //     color * (ambient + diffuse * n.l) + specular * (r.v)^shininess
@@ -76,26 +74,34 @@ struct Phong {
     float shininess = 32;
 };
 
+// Background of the shaded view: the color `background`, a paper backdrop with the
+// mesh's shadow on a floor, or the environment.
+enum class Behind : uint8_t { plain, studio, environment };
+
 struct Scene {
     glm::mat4 object{1};  // object to world
     OrbitCamera camera;
-    glm::vec3 to_light{-0.5F, 0.7F, 0.6F};  // world space, any length
-    float light = 0.85F;                    // irradiance of a surface facing the light, over pi
+    Lighting lighting = Lighting::ggx;
+    glm::vec3 to_light{-0.5F, 0.7F, 0.6F};  // directional light: world space, any length
+    float light = 0;                        // its irradiance of a surface facing it, over pi
     float environment = 1;                  // factor on the environment's radiance
-    float environment_turn = 0;             // rotation of a map around +y, radians; +z towards +x
-    float exposure = 1;
+    float environment_turn = 0;  // rotation of the environment around +y, radians; +z towards +x
+    float exposure = 1;          // factor on the radiance
+    Tone tone = Tone::neutral;
     Phong phong;
-    bool surroundings = false;  // draws the environment map behind the shaded view
+    Behind behind = Behind::plain;
     glm::vec4 background{0.16F, 0.16F, 0.17F, 1};  // display color
 };
 
 struct ViewOptions {
     View view = View::shaded;
+    std::string output;             // shown by View::output
     std::string normal = "normal";  // output used as the normal
     std::string against;  // difference view: an output with a normal; "": the un-bumped surface
     float heat_degrees = 45;
     glm::vec2 height_range{0, 0};  // black to white; if equal, the visible range
     bool raw = false;              // writes the value; requires an rgba32f target, one sample
+    int samples = 4;               // per pixel of the shaded view: 1 or 4
     // If above 0, draws in strips of about this duration, each finished before the next begins, so
     // that other contexts of the driver run in between. The pixels are the same.
     double strip_milliseconds = 0;
@@ -108,9 +114,10 @@ struct AngleStatistics {
     uint64_t pixels = 0;
 };
 
-// Missing outputs: normal = the surface normal (flipped towards the eye on back faces), color 0.6,
-// roughness 0.5, metalness 0, occlusion 1. The object matrix M acts outside the material: normals
-// are multiplied by cof(M) times the sign of det(M); that sign also selects the front faces.
+// Missing outputs have the values of base/standard_outputs.h; a missing normal is the surface
+// normal, flipped towards the eye on back faces. The object matrix M acts outside the material:
+// normals are multiplied by cof(M) times the sign of det(M); that sign also selects the front
+// faces.
 //
 // Errors: the driver's log for a shader that it rejects (lines of the material's source have their
 // own numbers, the renderer's begin at 100001), a missing output, an attribute that the material
@@ -119,10 +126,9 @@ class Renderer {
 public:
     void set_mesh(const Mesh& mesh) { mesh_.emplace(mesh); }
 
-    // Lighting of the shaded view; takes effect at the next set_material(). Compiles nothing.
-    void set_lighting(Lighting lighting) { wanted_.lighting = lighting; }
+    // Replaces the studio as the environment of the shaded view.
     void set_environment(const Image& image);
-    void forget_environment();  // back to sky and ground
+    void set_mood(Mood mood);
 
     // Compiles the shaded view and uploads the images; on failure returns false and retains the
     // previous material. A material that differs only in samplers and uniforms compiles nothing.
@@ -154,7 +160,7 @@ public:
 private:
     struct ProgramKey {
         View view = View::shaded;
-        std::string normal = "normal", against = {};
+        std::string normal = "normal", against = {}, output = {};
         friend auto operator<=>(const ProgramKey&, const ProgramKey&) = default;
     };
     struct CachedTexture {
@@ -169,18 +175,22 @@ private:
                 Diagnostics& diagnostics);
     const Program* program_for(const ViewOptions& options, Diagnostics& diagnostics);
     bool can_draw(Diagnostics& diagnostics) const;
+    bool has_outputs(const ViewOptions& options, Diagnostics& diagnostics) const;
     void draw_mesh(const Program& program) const;
-    void draw_strips(const Program& program, const Target& target, const ViewOptions& options);
-    glm::vec2 seen_range(const Scene& scene, const Target& target, Diagnostics& diagnostics);
+    bool draw_shaded(const Program& program, const Scene& scene, const ViewOptions& options,
+                     const Target& target, const ObjectSpace& space, Diagnostics& diagnostics);
+    void draw_values(const Program& program, const ViewOptions& options, const Target& target,
+                     const ObjectSpace& space);
+    glm::vec2 seen_range(const Scene& scene, ViewOptions options, const Target& target,
+                         Diagnostics& diagnostics);
 
     std::optional<MeshBuffers> mesh_;
     std::optional<Shader> material_;
     std::vector<Sampler> samplers_;  // one per sampler of the material
     std::map<ProgramKey, Program> programs_;
     std::map<TexelSource, CachedTexture> images_;
-    std::optional<EnvironmentTexture> environment_;
-    std::optional<Backdrop> backdrop_;
-    Shading wanted_, shading_;  // for the next material; of the current one
+    ShadedView shaded_;
+    Background background_;
     uint64_t linked_ = 0;
     double strips_took_ = 0;
 };

@@ -111,6 +111,11 @@ void Target::bind() const {
     glViewport(0, 0, options_.width, options_.height);
 }
 
+void Target::bind_resolved() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+    glViewport(0, 0, options_.width, options_.height);
+}
+
 void Target::resolve() const {
     if (!sample_framebuffer_.id()) return;
     glBindFramebuffer(GL_READ_FRAMEBUFFER, sample_framebuffer_.id());

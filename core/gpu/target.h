@@ -30,8 +30,9 @@ public:
     // an incomplete framebuffer.
     static std::optional<Target> make(const TargetOptions& options, Diagnostics& diagnostics);
 
-    void bind() const;     // as the draw framebuffer, with a viewport over all of it
-    void resolve() const;  // call after drawing, before textures are sampled or read
+    void bind() const;           // as the draw framebuffer, with a viewport over all of it
+    void bind_resolved() const;  // likewise, the destination of resolve()
+    void resolve() const;        // call after drawing, before textures are sampled or read
 
     int width() const { return options_.width; }
     int height() const { return options_.height; }

@@ -3,11 +3,12 @@
 // and the wrapper's lines after them begin at 100001.
 //
 // Vertex attributes are those of emit/attributes.h, followed by the drawn position of the vertex.
-// The only fragment output is WrView_color.
+// The fragment output is WrView_color; in the shaded view, the texels of gpu/surface_values.h.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "emit/attributes.h"
 #include "emit/emit.h"
@@ -16,20 +17,22 @@
 namespace wrinkle::gpu {
 
 struct ShaderText {
-    std::string vertex;
-    std::string fragment;
+    std::string vertex, fragment;
+    std::vector<std::string> outputs;  // fragment outputs by attachment
 };
 
-// `against` may be null: the un-bumped surface. Precondition of the height view: the material has
-// the output `height`.
-ShaderText wrap_material(const Shader& material, View view, const OutputInfo* against,
-                         const Shading& shading = {});
+struct ViewRequest {
+    View view = View::shaded;
+    const OutputInfo* against = nullptr;  // nullptr: the un-bumped surface
+    const OutputInfo* output = nullptr;   // shown by View::output
+};
+
+// Precondition of the height view: the material has the output `height`.
+ShaderText wrap_material(const Shader& material, const ViewRequest& request);
 
 const OutputInfo* find_output(const Shader& material, const std::string& output);
 
-// Returns the GLSL of `vec3 WrView_display(vec3 radiance)`, the display curve of the shaded view,
-// with its uniform WrView_exposure.
-std::string_view display_text();
+bool is_height(const OutputInfo& output);  // displayed over ViewOptions::height_range
 
 // Location of the drawn position; it differs from the position attribute on displaced meshes.
 inline constexpr int drawn_location = attribute_count;

@@ -317,13 +317,14 @@ bool Window::run(State& state, Script* script, const std::string& shot, std::str
                                 [&h] { h.lost = true; }};
     const bool playing = script || !shot.empty();
     for (int frames = 1; !state.quit; ++frames) {
-        // Also with a script, the loop sleeps while a build or a rendering is pending.
-        if (!listen(state, playing && (!script || is_settled(state)))) continue;
+        // Also while playing, the loop sleeps while a build or a rendering is pending.
+        if (!listen(state, playing && is_settled(state))) continue;
         const FrameGate::Frame frame = state.preview->frame();
         if (state.timings) state.timings->frame_begins();
         draw_frame(state);
-        const auto progress =
-            script ? script->step(state, h.queue, screen) : Script::Progress::done;
+        const auto progress = script              ? script->step(state, h.queue, screen)
+                              : is_settled(state) ? Script::Progress::done
+                                                  : Script::Progress::running;
         if (progress == Script::Progress::failed) {
             why = script->why();
             return false;

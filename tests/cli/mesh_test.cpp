@@ -149,6 +149,14 @@ TEST_F(LightingOptionsTest, ChangeThePicture) {
         {},
         {"--lighting", "phong"},
         {"--lighting", "phong", "--phong", "0.3,0.2,0,1"},
+        {"--light", "overcast"},
+        {"--light", "sun", "--background", "environment"},
+        {"--turn", "90"},
+        {"--exposure", "1"},
+        {"--tone", "agx"},
+        {"--camera", "60,40"},
+        {"--camera", "60,40,0.5"},
+        {"--background", "plain"},
         {"--environment", "env.hdr"},
         {"--environment", "env.hdr", "--background", "plain"}};
     std::vector<std::string> pictures;
@@ -176,6 +184,7 @@ TEST_F(LightingOptionsTest, RefuseWrongUsageAndBadPictures) {
     EXPECT_EQ(code({"--lighting", "phong", "--phong", "1,1,1,nan"}), 2);
     EXPECT_EQ(code({"--lighting", "phong", "--environment", "env.hdr"}), 2);
     EXPECT_EQ(code({"--view", "normal", "--environment", "env.hdr"}), 2);
+    EXPECT_EQ(code({"--light", "sun", "--environment", "env.hdr"}), 2);
     EXPECT_EQ(code({"--environment", "env.hdr"}), 1);
     EXPECT_EQ(code({"--environment", "none.exr"}), 1);
     ASSERT_EQ(run({"render", "g.json", "-o", "eight.png", "--size", "8x4"}).code, 0);

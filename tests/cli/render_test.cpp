@@ -133,6 +133,10 @@ TEST_F(RenderTest, RefusesAViewThatTheGraphDoesNotHave) {
                              "difference", "--against", "other"});
     EXPECT_EQ(against.code, 1);
     EXPECT_TRUE(says(against.err, "'other'"));
+    const Ran view =
+        run({"render", "g.json", "-o", "g.png", "--size", "8x8", "--view", "sideways"});
+    EXPECT_EQ(view.code, 1);
+    EXPECT_TRUE(says(view.err, "no output 'sideways'"));
     EXPECT_FALSE(exists("g.png"));
 }
 
@@ -166,7 +170,11 @@ TEST_F(RenderTest, RefusesWrongUsage) {
         {"render", "g.json", "-o", "g.png", "--size", "5"},
         {"render", "g.json", "-o", "g.png", "--size", "99999x5"},
         {"render", "g.json", "-o", "g.png", "--mesh", "kettle"},
-        {"render", "g.json", "-o", "g.png", "--view", "sideways"},
+        {"render", "g.json", "-o", "g.png", "--camera", "30"},
+        {"render", "g.json", "-o", "g.png", "--camera", "30,15,0"},
+        {"render", "g.json", "-o", "g.png", "--exposure", "99"},
+        {"render", "g.json", "-o", "g.png", "--tone", "filmic"},
+        {"render", "g.json", "-o", "g.png", "--light", "moon"},
         {"render", "g.json", "-o", "g.png", "--against", "normal"},
         {"render", "g.json", "-o", "-", "--set", "tilt.volume=0:1:3"},
     };

@@ -42,7 +42,7 @@ TEST_F(RendererTest, DrawsEveryShapeLitFromAbove) {
         for (const Pixel& pixel : pixels)
             if (pixel.covered) {
                 ASSERT_GT(pixel.value.g, 0.02F) << shape.name;
-                ASSERT_LT(pixel.value.g, 2) << shape.name;
+                ASSERT_LT(pixel.value.g, 8) << shape.name << " reflects no more than a rim light";
             }
         if (shape.name == "sphere") {
             EXPECT_GT(mean_value(pixels, 32, 64, 64), 1.1 * mean_value(pixels, 0, 32, 64));
@@ -216,41 +216,49 @@ TEST_F(RendererTest, DrawsTheSameBytesInStrips) {
     }
 }
 
-// Eye, light and normal coincide: GGX is then 1 / (pi a^4), its visibility 1/4, Fresnel f0.
+// Eye, light and normal coincide: GGX times pi is then 1 / a^2 with a = roughness^2, its visibility
+// 1/4, Fresnel's term f0. With the albedo E of the white lobe, the loss to masking comes back
+// as the factor 1 + f0 (1 / E - 1). The diffuse lobe gets the light that the specular one does not
+// reflect, figures of an integrator.
 TEST_F(RendererTest, ReflectsStraightBackAsTheFormulaSays) {
     show("plane");
     scene.to_light = vec3(0, 0, 3);
     scene.light = 0.5F;
     scene.environment = 0;
     struct Case {
-        float roughness, metalness, expected;
+        float roughness, metalness, albedo, reflected;
     };
-    for (const Case& c :
-         {Case{1, 0, 0.5F * (0.6F + 0.04F / 4)}, Case{0.5F, 0, 0.5F * (0.6F + 0.04F * 16 / 4)},
-          Case{0.5F, 1, 0.5F * 0.6F * 16 / 4}, Case{0.8F, 1, 0.5F * 0.6F / 1.6384F}}) {
+    for (const Case& c : {Case{1, 0, 0.3069F, 0.0127F}, Case{0.5F, 0, 0.9158F, 0.0370F},
+                          Case{0.5F, 1, 0.9158F, 1}, Case{0.75F, 1, 0.6269F, 1}}) {
+        const float color = 0.8F, f0 = c.metalness > 0 ? color : 0.04F;
+        const float gain = 1 + f0 * (1 / c.albedo - 1);
+        const float lobe = f0 * gain / (4 * std::pow(c.roughness, 4.0F));
+        const float diffuse = c.metalness > 0 ? 0 : color * (1 - c.reflected * gain);
+        const float expected = scene.light * (diffuse + lobe);
         Shader material = material_of({{"roughness", "rough_metal.x", Type::float_},
                                        {"metalness", "rough_metal.y", Type::float_}},
                                       {}, "uniform vec2 rough_metal;\n");
         material.reflection.uniforms = {
             uniform_info("rough_metal", Type::vec2_, {c.roughness, c.metalness})};
         const auto pixels = draw(material, View::shaded);
-        EXPECT_NEAR(pixels[32 * 64 + 32].value.g, c.expected, 0.01 * c.expected);
+        EXPECT_NEAR(pixels[32 * 64 + 32].value.g, expected, 0.01 * expected) << c.roughness;
     }
 }
 
-TEST_F(RendererTest, HasASkyAboveAGroundThatOcclusionDarkens) {
-    scene.light = 0;
-    const auto open = draw(Shader{}, View::shaded);
+TEST_F(RendererTest, OcclusionDarkensDiffuseLight) {
+    const Expression diffuse{"specular_weight", "0.0", Type::float_};
+    const Expression occlusion{"occlusion", "0.5", Type::float_};
+    const auto open = draw(material_of({diffuse}, {}), View::shaded);
     EXPECT_GT(mean_value(open, 40, 64, 64), 1.5 * mean_value(open, 0, 24, 64));
-    const auto dark = draw(material_of({{"occlusion", "0.5", Type::float_}}, {}), View::shaded);
+    const auto dark = draw(material_of({diffuse, occlusion}, {}), View::shaded);
     for (size_t i = 0; i < open.size(); ++i)
-        ASSERT_NEAR(dark[i].value.g, open[i].value.g / 2, 1e-5);
+        ASSERT_NEAR(dark[i].value.g, open[i].value.g / 2, 1e-4);
 }
 
 TEST_F(RendererTest, EmissionIsAddedToWhatIsLit) {
     const Expression color{"color", "vec3(0.2, 0.4, 0.8)"};
     for (const Lighting lighting : {Lighting::ggx, Lighting::phong}) {
-        renderer->set_lighting(lighting);
+        scene.lighting = lighting;
         const auto dark = draw(material_of({color}, {}), View::shaded);
         const Expression nits{"emission_luminance", "250.0", Type::float_};
         const std::tuple<std::vector<Expression>, vec3> cases[] = {
@@ -273,7 +281,6 @@ TEST_F(RendererTest, SmoothsEdgesWithSamples) {
     options.samples = 4;
     const auto smooth = Target::make(options, diagnostics);
     ASSERT_TRUE(smooth) << errors();
-    if (smooth->options().samples < 2) GTEST_SKIP() << "this driver has no multisampling";
     ASSERT_TRUE(renderer->set_material(Shader{}, diagnostics));
     scene.background = vec4(0, 1, 0, 1);
     scene.light = 0;

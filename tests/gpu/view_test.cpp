@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -98,30 +99,83 @@ TEST_F(ViewTest, StretchesHeightsOverTheGraysUnlessToldARange) {
     EXPECT_NEAR(grays({0, 0})[4 * (32 * 64 + 32)], 0.5F, 0.6 / 255);
 }
 
-// The tone curve that the header documents.
-float displayed(float radiance) {
-    const float beyond = std::max(radiance - 0.8F, 0.0F);
-    const float c = std::min(radiance, 0.8F) + 0.2F * beyond / (beyond + 0.2F);
-    return c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F;
-}
-
-TEST_F(ViewTest, MakesColorsAsTheHeaderSays) {
-    scene.light = 3;
-    const auto values = draw(Shader{}, View::shaded);
+// Bytes of linear values, from the reference implementations: the Khronos PBR Neutral
+// specification and AgX of three.js.
+TEST_F(ViewTest, ToneCurvesGoThroughTheirAnchors) {
     const auto shown = Target::make({size, size}, diagnostics);
     ASSERT_TRUE(shown) << errors();
-    ASSERT_TRUE(renderer->draw(scene, {}, *shown, diagnostics)) << errors();
-    const std::vector<float> pixels = shown->read();
-    bool bright = false;
-    for (size_t i = 0; i < values.size(); ++i) {
-        const vec3 color(pixels[4 * i], pixels[4 * i + 1], pixels[4 * i + 2]);
-        const float expected =
-            values[i].covered ? displayed(values[i].value.g) : scene.background.g;
-        ASSERT_NEAR(color.g, expected, 0.6 / 255);
-        ASSERT_EQ(pixels[4 * i + 3], 1);
-        bright = bright || values[i].value.g > 1.2F;
+    scene.environment = 0;
+    struct Anchor {
+        Tone tone;
+        const char* radiance;
+        std::array<float, 3> bytes;
+    };
+    const Anchor anchors[] = {{Tone::neutral, "vec3(0.18)", {105, 105, 105}},
+                              {Tone::neutral, "vec3(0.8)", {226, 226, 226}},
+                              {Tone::neutral, "vec3(1.0)", {240, 240, 240}},
+                              {Tone::neutral, "vec3(4.0)", {253, 253, 253}},
+                              {Tone::neutral, "vec3(4.0, 0.8, 0.4)", {253, 176, 163}},
+                              {Tone::agx, "vec3(0.18)", {128, 128, 128}},
+                              {Tone::agx, "vec3(0.8)", {194, 194, 194}},
+                              {Tone::agx, "vec3(1.0)", {202, 202, 202}},
+                              {Tone::agx, "vec3(4.0)", {239, 239, 239}},
+                              {Tone::agx, "vec3(4.0, 0.8, 0.4)", {249, 203, 183}},
+                              {Tone::linear, "vec3(0.214, 1.0, 4.0)", {127.5, 255, 255}}};
+    for (const Anchor& anchor : anchors) {
+        scene.tone = anchor.tone;
+        const Shader lamp = material_of({{"color", "vec3(0.0)"},
+                                         {"specular_weight", "0.0", Type::float_},
+                                         {"emission", anchor.radiance}},
+                                        {});
+        ASSERT_TRUE(renderer->set_material(lamp, diagnostics)) << errors();
+        ASSERT_TRUE(renderer->draw(scene, {}, *shown, diagnostics)) << errors();
+        const std::vector<float> pixels = shown->read();
+        const size_t middle = 4 * (32 * 64 + 32);
+        for (size_t k = 0; k < 3; ++k)
+            EXPECT_NEAR(pixels[middle + k] * 255, anchor.bytes[k], 1.01)
+                << tone_names()[static_cast<size_t>(anchor.tone)] << " " << anchor.radiance;
+        EXPECT_EQ(pixels[middle + 3], 1);
+        EXPECT_NEAR(pixels[0], scene.background.r, 0.5 / 255) << "no tone curve there";
     }
-    EXPECT_TRUE(bright) << "the shoulder was not reached";
+}
+
+TEST_F(ViewTest, ExposureMultipliesRadiance) {
+    const auto shown = Target::make({size, size}, diagnostics);
+    const auto drawn = [&](float exposure, float environment) {
+        scene.exposure = exposure;
+        scene.environment = environment;
+        EXPECT_TRUE(renderer->set_material(Shader{}, diagnostics)) << errors();
+        EXPECT_TRUE(renderer->draw(scene, {}, *shown, diagnostics)) << errors();
+        return shown->read();
+    };
+    const auto brighter = drawn(2, 0.5F), same = drawn(1, 1);
+    for (size_t i = 0; i < same.size(); ++i)
+        ASSERT_NEAR(brighter[i], same[i], 1.01 / 255);
+}
+
+TEST_F(ViewTest, ShowsAnyOutput) {
+    Shader material = material_of({{"color", "vec3(0.214, 1.0, 0.0)"},
+                                   {"coat_roughness", "0.25", Type::float_},
+                                   {"mask", "0.5", Type::float_}},
+                                  {});
+    material.reflection.outputs[0].port_type = WR_PORT_color;
+    ASSERT_TRUE(renderer->set_material(material, diagnostics)) << errors();
+    const auto shown = Target::make({size, size}, diagnostics);
+    ViewOptions options;
+    options.view = View::output;
+    const std::pair<const char*, vec3> cases[] = {
+        {"color", {0.5F, 1, 0}}, {"coat_roughness", vec3(0.25F)}, {"mask", vec3(0.5F)}};
+    for (const auto& [output, expected] : cases) {
+        options.output = output;
+        ASSERT_TRUE(renderer->draw(scene, options, *shown, diagnostics)) << errors();
+        const std::vector<float> pixels = shown->read();
+        for (int k = 0; k < 3; ++k)
+            EXPECT_NEAR(pixels[4 * (32 * 64 + 32) + static_cast<size_t>(k)], expected[k],
+                        1.0 / 255);
+    }
+    options.output = "coat";
+    EXPECT_FALSE(renderer->draw(scene, options, *shown, diagnostics));
+    EXPECT_TRUE(mentions(errors(), "no output 'coat'")) << errors();
 }
 
 TEST_F(ViewTest, HeatMapRunsFromDarkBlueToYellow) {

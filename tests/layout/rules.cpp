@@ -27,7 +27,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/image", {"base", "oiio", "openexr", "libdeflate", "tbb"}},
     {"core/maps", {"base", "image", "tbb", "kissfft"}},
     {"core/mesh", {"base", "glm", "mesh files"}},
-    {"core/gpu", {"base", "emit", "ir", "image", "mesh", "glm", "gl"}},
+    {"core/gpu", {"base", "emit", "ir", "image", "mesh", "contract", "glm", "gl", "tbb"}},
     {"core/bake", {"base", "ir", "cpu", "image", "mesh", "glm", "tbb"}},
     {"core/certify",
      {"base", "ir", "graph", "registry", "lower", "emit", "cpu", "image", "gpu", "contract"}},

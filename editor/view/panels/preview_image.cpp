@@ -17,12 +17,12 @@ namespace {
 constexpr float pi = 3.14159265F;
 
 void turn_light(PreviewView& view, ImVec2 delta) {
-    view.light_yaw += delta.x * 0.01F;
+    view.turn += delta.x * 0.01F;
     view.light_pitch = std::clamp(view.light_pitch - delta.y * 0.01F, -pi / 2, pi / 2);
 }
 
 // Left drag: orbit; with Shift: pan; with L: turn the light. Middle drag: pan. Right drag: turn the
-// light; with Shift: turn the environment. Wheel: camera distance.
+// light. Wheel: camera distance.
 void handle(CanvasState& canvas, const Rect& area) {
     PreviewView& view = canvas.view.preview_view;
     const ImGuiIO& io = ImGui::GetIO();
@@ -33,8 +33,6 @@ void handle(CanvasState& canvas, const Rect& area) {
             const float scale = 0.5F * view.distance / std::min(area.size.x, area.size.y);
             view.pan_x -= d.x * scale;
             view.pan_y += d.y * scale;
-        } else if (right && io.KeyShift) {
-            view.turn += d.x * 0.01F;
         } else if (right || (left && io.KeysDown[key_named("L")])) {
             turn_light(view, d);
         } else if (left) {

@@ -19,17 +19,54 @@ namespace {
 
 constexpr float preview_head = 34, strip_height = 32;
 
-std::vector<Item> lights(const PreviewView& view) {
-    std::vector<Item> items{{"Studio", "light:studio"}, {"Phong", "light:phong"}};
-    if (!view.environment.empty())
-        items.push_back(
-            {std::filesystem::path(view.environment).filename().string(), "light:file"});
-    return items;
+// Lights that can be chosen: the moods, a file if there is one, and Phong's.
+constexpr gpu::Mood shown_moods[] = {gpu::Mood::studio, gpu::Mood::overcast, gpu::Mood::contrast,
+                                     gpu::Mood::sun};
+
+struct Light {
+    Item item;
+    gpu::Lighting lighting = gpu::Lighting::ggx;
+    gpu::Mood mood = gpu::Mood::studio;
+    std::string file = {};
+
+    bool shown_in(const PreviewView& view) const {
+        if (lighting != view.lighting || lighting == gpu::Lighting::phong)
+            return lighting == view.lighting;
+        return file == view.environment && (!file.empty() || mood == view.mood);
+    }
+};
+
+std::vector<Light> lights(const PreviewView& view) {
+    std::vector<Light> all;
+    for (const gpu::Mood mood : shown_moods) {
+        const std::string name(gpu::mood_names()[static_cast<size_t>(mood)]);
+        all.push_back({{capitalised(name), "light:" + name}, gpu::Lighting::ggx, mood});
+    }
+    all.push_back({{"Phong", "light:phong"}, gpu::Lighting::phong});
+    if (const std::string& file = view.environment; !file.empty())
+        all.push_back({{std::filesystem::path(file).filename().string(), "light:file"},
+                       gpu::Lighting::ggx,
+                       view.mood,
+                       file});
+    return all;
 }
 
-void choose_light(PreviewView& view, int picked) {
-    view.lighting = picked == 1 ? gpu::Lighting::phong : gpu::Lighting::ggx;
-    if (picked == 0) view.environment.clear();
+void choose_light(State& state, float width) {
+    PreviewView& view = state.view.preview_view;
+    const std::vector<Light> all = lights(view);
+    std::vector<Item> items;
+    std::string shown;
+    for (const Light& light : all) {
+        items.push_back(light.item);
+        if (light.shown_in(view)) shown = light.item.label;
+    }
+    const int picked = choose(state, "preview:light", shown, items, width);
+    if (picked < 0) return;
+    const Light& light = all[static_cast<size_t>(picked)];
+    view.lighting = light.lighting;
+    if (light.lighting == gpu::Lighting::phong) return;
+    view.mood = light.mood;
+    view.environment = light.file;
 }
 
 void edit_path(Interface& interface, const char* label, const char* hint, const char* target,
@@ -57,7 +94,7 @@ void draw_more(State& state) {
         ImGui::Checkbox("Displaced", &view.displaced);
         name_item(state, "preview:displaced");
         edit_path(state, "Mesh file", "teapot.glb", "preview:mesh-file", view.mesh, "sphere");
-        edit_path(state, "Surroundings", "sky.hdr", "preview:environment-file", view.environment,
+        edit_path(state, "Environment", "sky.hdr", "preview:environment-file", view.environment,
                   "");
         ImGui::EndPopup();
     }
@@ -109,11 +146,7 @@ void draw_preview_head(State& state) {
     const int mesh = choose(state, "preview:mesh", mesh_label(view.mesh), mesh_items(), room);
     if (mesh >= 0) view.mesh = std::string(shapes()[static_cast<size_t>(mesh)].name);
     ImGui::SameLine(0, 6);
-    const std::vector<Item> items = lights(view);
-    const bool phong = view.lighting == gpu::Lighting::phong;
-    const Item& shown = phong ? items[1] : view.environment.empty() ? items[0] : items[2];
-    const int light = choose(state, "preview:light", shown.label, items, room);
-    if (light >= 0) choose_light(view, light);
+    choose_light(state, room);
     ImGui::SameLine(0, 8);
     draw_head_icons(state);
 }

@@ -19,8 +19,13 @@ namespace wrinkle::editor {
 namespace {
 
 // Frames of the interface may wait in the same driver: a rendering that takes longer than this is
-// drawn in strips, with frames between them.
+// drawn in strips, with frames between them, and with one sample per pixel until it is still.
 constexpr double slow_milliseconds = 20, strip_milliseconds = 8;
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
+        .count();
+}
 
 std::optional<Mesh> open_mesh(const std::string& name, bool& double_sided, Diagnostics& problems) {
     if (auto shape = make_shape(name)) return shape;
@@ -143,20 +148,16 @@ bool PreviewPainter::use_mesh(const PreviewJob& job, Diagnostics& problems) {
 void PreviewPainter::use_light(const PreviewJob& job) {
     const PreviewView& view = job.view;
     const bool reread = std::exchange(light_read_, job.lights) != job.lights;
-    if (view.environment != environment_ || (reread && !environment_.empty())) {
-        environment_ = view.environment;
-        relit_ = true;
-        renderer_.forget_environment();
-        dark_ = Diagnostics();
-        if (!environment_.empty())
-            if (const auto image = load_image(environment_, dark_))
-                renderer_.set_environment(*image);
-    }
-    if (view.lighting != lighting_) {
-        lighting_ = view.lighting;
-        relit_ = true;
-        renderer_.set_lighting(lighting_);
-    }
+    const bool same = view.environment == environment_ && view.mood == mood_;
+    if (same && !(reread && !environment_.empty())) return;
+    environment_ = view.environment;
+    mood_ = view.mood;
+    dark_ = Diagnostics();
+    const auto image = environment_.empty() ? std::nullopt : load_image(environment_, dark_);
+    if (image)
+        renderer_.set_environment(*image);
+    else
+        renderer_.set_mood(mood_);
 }
 
 void PreviewPainter::begin_graph(uint64_t graph) {
@@ -169,14 +170,13 @@ void PreviewPainter::begin_graph(uint64_t graph) {
     refusal_ = Diagnostics();
 }
 
-// A rejected material is not tried again until it, the images or the light change.
+// A rejected material is not tried again until it or the images change.
 bool PreviewPainter::use_material(const PreviewJob& job) {
     const bool reread = std::exchange(images_, job.images) != job.images;
     if (reread) renderer_.forget_images();
-    if (job.material && (job.material != tried_ || reread || relit_)) {
+    if (job.material && (job.material != tried_ || reread)) {
         tried_ = job.material;
-        slow_ = true;  // its duration is not known yet
-        relit_ = false;
+        sample_took_.reset();
         refusal_ = Diagnostics();
         if (renderer_.set_material(*job.material, refusal_)) has_material_ = true;
     }
@@ -195,19 +195,23 @@ gpu::Scene PreviewPainter::scene_of(const PreviewView& view) const {
     scene.camera.distance = framing_.distance * view.distance;
     const glm::mat3 to_world(glm::transpose(glm::mat3(gpu::view_matrix(scene.camera))));
     scene.camera.target += to_world * glm::vec3(view.pan_x, view.pan_y, 0) * framing_.distance;
-    const float flat = std::cos(view.light_pitch);
-    scene.to_light = {flat * std::sin(view.light_yaw), std::sin(view.light_pitch),
-                      flat * std::cos(view.light_yaw)};
-    scene.environment_turn = view.turn;
-    scene.surroundings = !view.environment.empty();
+    const bool from_file = !view.environment.empty();
+    scene.lighting = view.lighting;
+    scene.environment_turn = view.turn + (from_file ? 0 : framing_.yaw);
+    scene.to_light = gpu::light_direction(framing_.yaw + view.turn, view.light_pitch);
+    scene.light = from_file ? 0 : gpu::directional_light_of(view.mood);
+    scene.behind = from_file ? gpu::Behind::environment : gpu::Behind::studio;
     scene.background = {0.157F, 0.165F, 0.176F, 0};
     return scene;
 }
 
-// View options with strips if the rendering is slow.
-gpu::ViewOptions PreviewPainter::patient() const {
+gpu::ViewOptions PreviewPainter::options_of(const PreviewJob& job) const {
     gpu::ViewOptions options;
-    options.strip_milliseconds = slow_ ? strip_milliseconds : 0;
+    options.view = job.view.view;
+    const bool quick = sample_took_ && *sample_took_ * options.samples <= slow_milliseconds;
+    if (!quick && !job.smooth) options.samples = 1;
+    const bool slow = !sample_took_ || *sample_took_ * options.samples > slow_milliseconds;
+    options.strip_milliseconds = slow ? strip_milliseconds : 0;
     options.before_strip = before_strip_;
     return options;
 }
@@ -216,7 +220,7 @@ bool PreviewPainter::measure(const PreviewJob& job, const gpu::Scene& scene, Pre
     const gpu::TargetOptions options{
         .width = job.width, .height = job.height, .format = gpu::PixelFormat::rgba32f};
     if (!fit(numbers_, options, image.problems)) return false;
-    gpu::ViewOptions raw = patient();
+    gpu::ViewOptions raw = options_of(job);
     raw.view = gpu::View::difference;
     raw.against = job.against;
     raw.raw = true;
@@ -225,14 +229,17 @@ bool PreviewPainter::measure(const PreviewJob& job, const gpu::Scene& scene, Pre
     return true;
 }
 
-bool PreviewPainter::draw_sides(const PreviewJob& job, PreviewImage& image) {
+bool PreviewPainter::draw_sides(const PreviewJob& job, gpu::ViewOptions view, PreviewImage& image) {
+    const auto start = std::chrono::steady_clock::now();
     Slot& slot = slots_[static_cast<size_t>(image.slot)];
     const gpu::TargetOptions options{.width = job.width, .height = job.height, .samples = 4};
     if (!fit(slot.a, options, image.problems)) return false;
     const gpu::Scene scene = scene_of(job.view);
-    gpu::ViewOptions view = patient();
-    view.view = job.view.view;
+    image.smooth = view.samples > 1 || view.view != gpu::View::shaded;
     if (!renderer_.draw(scene, view, *slot.a, image.problems)) return false;
+    gpu::Context::finish();
+    const bool in_strips = view.strip_milliseconds > 0;  // the rest is compiling and waiting
+    sample_took_ = (in_strips ? renderer_.strips_took() : milliseconds_since(start)) / view.samples;
     image.texture = slot.a->texture();
     image.other = 0;
     image.angles = {};
@@ -261,7 +268,7 @@ PreviewImage PreviewPainter::draw(const PreviewJob& job, int held) {
             ++next.slot;
         next.width = job.width;
         next.height = job.height;
-        if (draw_sides(job, next))
+        if (draw_sides(job, options_of(job), next))
             image = std::move(next);
         else
             image.problems = std::move(next.problems);
@@ -278,9 +285,7 @@ PreviewImage PreviewPainter::draw(const PreviewJob& job, int held) {
     image.programs = renderer_.programs_linked();
     image.first =
         before != std::tuple(renderer_.programs_linked(), images_, mesh_.mesh, mesh_.scale);
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
-    image.milliseconds = time.count();
-    slow_ = (slow_ ? renderer_.strips_took() : time.count()) > slow_milliseconds;
+    image.milliseconds = milliseconds_since(start);
     last_ = image;
     if (job.image_request && !job.image_request->answered()) draw_image_request(job);
     return image;

@@ -23,16 +23,17 @@ namespace wrinkle::editor {
 // View settings of the preview: plain values, never saved in the graph.
 struct PreviewView {
     std::string mesh = "sphere";  // a shape's name, or the path of an OBJ or glTF file
-    std::string environment;      // path of an .hdr or .exr; "" is a sky over a ground
+    gpu::Mood mood = gpu::Mood::studio;
+    std::string environment;  // path of an .hdr or .exr, which replaces the mood's; may be ""
     gpu::View view = gpu::View::shaded;
     gpu::Lighting lighting = gpu::Lighting::ggx;
     float yaw = 0.5F, pitch = 0.25F;  // eye direction, radians
     float distance = 1;               // as multiple of the distance that shows the entire mesh
     float pan_x = 0, pan_y = 0;       // shift of the target, in units of that distance
-    float light_yaw = -0.695F, light_pitch = 0.731F;  // towards the light, radians
-    float turn = 0;                                   // rotation of the environment, radians
-    float scale = 1;         // scale of the mesh's coordinates: heights keep their length
-    bool displaced = false;  // by the output `displacement`
+    float turn = 0;                   // rotation of the light around +y, radians
+    float light_pitch = 0.66F;        // elevation of the directional light, radians
+    float scale = 1;                  // scale of the mesh's coordinates: heights keep their length
+    bool displaced = false;           // by the output `displacement`
     bool operator==(const PreviewView&) const = default;
 };
 
@@ -66,6 +67,7 @@ struct PreviewJob : PreviewFrame {
     // If one of them changes, its files are read again.
     uint64_t images = 0, meshes = 0, lights = 0;
     std::shared_ptr<ImageRequest> image_request;  // answered once, after the preview
+    bool smooth = false;                          // 4 samples per pixel, however long they take
 };
 
 // Angles between the two normals, over the pixels of the mesh.
@@ -81,6 +83,7 @@ struct PreviewImage {
     uint32_t texture = 0, other = 0;  // sides A and B, bottom row first; 0: absent
     int slot = -1;                    // index of the textures
     int width = 0, height = 0;
+    bool smooth = false;       // drawn with 4 samples per pixel
     bool refused = false;      // the driver rejected the material; an earlier one is shown
     bool lost = false;         // the driver lost the context: recreate all GL objects
     std::string double_sided;  // the mesh if one of its materials is double-sided
@@ -116,11 +119,11 @@ private:
     bool use_material(const PreviewJob& job);
     bool use_mesh(const PreviewJob& job, Diagnostics& problems);
     void use_light(const PreviewJob& job);
-    bool draw_sides(const PreviewJob& job, PreviewImage& image);
+    bool draw_sides(const PreviewJob& job, gpu::ViewOptions view, PreviewImage& image);
     void draw_image_request(const PreviewJob& job);
     bool measure(const PreviewJob& job, const gpu::Scene& scene, PreviewImage& image);
     gpu::Scene scene_of(const PreviewView& view) const;
-    gpu::ViewOptions patient() const;
+    gpu::ViewOptions options_of(const PreviewJob& job) const;
 
     std::function<void()> before_strip_;
     gpu::Renderer renderer_;
@@ -131,16 +134,16 @@ private:
     std::shared_ptr<const Shader> tried_;
     Diagnostics refusal_;  // errors of `tried_`
     Diagnostics dark_;     // problems of the environment
-    bool has_material_ = false, relit_ = false;
-    bool slow_ = true;  // the next rendering may take long
+    bool has_material_ = false;
+    std::optional<double> sample_took_;  // milliseconds per sample of a pixel, of the last drawing
     uint64_t images_ = 0, graph_ = 0;
     // State of the renderer, as read from jobs.
     uint64_t light_read_ = 0;
     MeshKey mesh_;
     std::string environment_;
+    gpu::Mood mood_ = gpu::Mood::studio;
     bool double_sided_ = false;  // one of the materials of mesh_ is double-sided
     TextureStore textures_;      // textures of the displacement
-    gpu::Lighting lighting_ = gpu::Lighting::ggx;
 };
 
 }  // namespace wrinkle::editor

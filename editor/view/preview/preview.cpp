@@ -80,8 +80,10 @@ void Preview::show(const PreviewView& view, const std::string& against, const Co
     const bool difference = !against.empty() && compare.difference;
     const float degrees = difference ? compare.degrees : 0;
     const PreviewFrame frame{view, against, difference, degrees, width, height};
-    if (!changed_ && frame == job_) return;
+    const bool same = !changed_ && frame == job_;
+    if (same && !can_smooth()) return;
     static_cast<PreviewFrame&>(job_) = frame;
+    job_.smooth = same;
     changed_ = false;
     submit();
 }
@@ -102,8 +104,13 @@ const PreviewImage& Preview::newest() {
     return image_;
 }
 
+// The last job is on screen with one sample per pixel.
+bool Preview::can_smooth() const {
+    return image_.version == job_.version && image_.texture && !image_.smooth && !job_.smooth;
+}
+
 bool Preview::idle() const {
-    return !worker_ || worker_->idle();
+    return (!worker_ || worker_->idle()) && !can_smooth();
 }
 
 void Preview::wait_idle() {

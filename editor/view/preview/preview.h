@@ -49,7 +49,8 @@ public:
     const PreviewImage& newest();
     const PreviewImage& shown() const { return image_; }  // the last result, without polling
     uint64_t asked() const { return job_.version; }
-    bool idle() const;  // no job is pending; none is posted while no preview is visible
+    // No job is pending, nor is a smoother drawing of the last one.
+    bool idle() const;
     void wait_idle();
     bool has_thread() const { return worker_ != nullptr; }
     ~Preview();
@@ -57,6 +58,7 @@ public:
 private:
     void begin();
     void submit();
+    bool can_smooth() const;
 
     PreviewJob job_;
     std::function<void()> wake_;

@@ -1,0 +1,292 @@
+// Energy of the shaded view: albedos, the white furnace, environments against directional lights,
+// reciprocity. Oracles integrate the lobes as their papers give them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+#include <numbers>
+
+#include "fixture.h"
+#include "gpu/albedo.h"
+#include "gpu/environment.h"
+
+namespace wrinkle::gpu {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+using glm::vec3;
+
+constexpr double pi = std::numbers::pi;
+
+// Smith's Lambda of GGX (Walter et al. 2007), of the tangent of the angle to the normal.
+double smith(double cosine, double alpha) {
+    const double tangent2 = 1 / (cosine * cosine) - 1;
+    return (std::sqrt(1 + alpha * alpha * tangent2) - 1) / 2;
+}
+
+// Torrance-Sparrow with GGX and height-correlated masking (Heitz 2014), without Fresnel's term.
+double ggx(dvec3 v, dvec3 l, double alpha) {
+    const dvec3 h = glm::normalize(v + l);
+    const double tangent2 = 1 / (h.z * h.z) - 1;
+    const double facets =
+        1 / (pi * alpha * alpha * std::pow(h.z, 4) * std::pow(1 + tangent2 / (alpha * alpha), 2));
+    return facets / ((1 + smith(v.z, alpha) + smith(l.z, alpha)) * 4 * v.z * l.z);
+}
+
+// Integral of a lobe that is symmetric in y, times the cosine, over the hemisphere around z.
+template <typename F>
+double integral(F lobe) {
+    constexpr int rings = 1200, sectors = 600;
+    double sum = 0;
+    for (int i = 0; i < rings; ++i)
+        for (int k = 0; k < sectors; ++k) {
+            const double angle = (i + 0.5) / rings * pi / 2, turn = (k + 0.5) / sectors * pi;
+            const dvec3 l(std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn),
+                          std::cos(angle));
+            sum += lobe(l) * l.z * std::sin(angle);
+        }
+    return sum * (pi / 2 / rings) * (2 * pi / sectors);
+}
+
+TEST(Albedo, IsTheIntegralOfTheLobe) {
+    for (const double roughness : {0.3, 0.5, 0.75, 1.0})
+        for (const double cosine : {0.1, 0.4, 0.8, 1.0}) {
+            const double alpha = roughness * roughness;
+            const dvec3 v(std::sqrt(1 - cosine * cosine), 0, cosine);
+            const auto with = [&](auto factor) {
+                return integral([&](dvec3 l) {
+                    return ggx(v, l, alpha) * factor(glm::dot(v, glm::normalize(v + l)));
+                });
+            };
+            const glm::vec4 found = albedo(cosine, roughness);
+            EXPECT_NEAR(found.x, with([](double m) { return 1 - std::pow(1 - m, 5); }), 2e-3);
+            EXPECT_NEAR(found.y, with([](double m) { return std::pow(1 - m, 5); }), 2e-3);
+            EXPECT_NEAR(found.z, with([](double m) { return m * std::pow(1 - m, 6); }), 2e-3);
+        }
+}
+
+// Figures of two integrators for GGX, by the cosine of the view direction.
+TEST(Albedo, OfAWhiteLobeIsThePublishedFigure) {
+    const double cosines[] = {0.05, 0.1, 0.2, 0.4, 0.6, 0.8, 1};
+    const std::pair<double, std::array<double, 7>> rows[] = {
+        {0.25, {0.8941, 0.8968, 0.9463, 0.9829, 0.9915, 0.9945, 0.9960}},
+        {0.5, {0.9331, 0.8916, 0.8482, 0.8443, 0.8717, 0.8973, 0.9158}},
+        {0.75, {0.9049, 0.8484, 0.7720, 0.6871, 0.6469, 0.6303, 0.6269}},
+        {1, {0.8478, 0.7602, 0.6416, 0.4989, 0.4115, 0.3513, 0.3069}}};
+    for (const auto& [roughness, albedos] : rows)
+        for (size_t i = 0; i < albedos.size(); ++i) {
+            const glm::vec4 found = albedo(cosines[i], roughness);
+            EXPECT_NEAR(found.x + found.y, albedos[i], 2e-3) << roughness << " " << cosines[i];
+        }
+}
+
+// Mean of 65,536 samples of GGX for the eye on the normal, weighted by the masking.
+double reflected(const Image& image, dvec3 normal, double roughness) {
+    const double alpha = roughness * roughness;
+    const dvec3 side = glm::normalize(glm::cross(normal, dvec3(0.3, 0.9, -0.2)));
+    const dvec3 other = glm::cross(normal, side);
+    constexpr int count = 256;
+    double sum = 0, weights = 0;
+    for (int i = 0; i < count * count; ++i) {
+        const double u = (i / count + 0.5) / count, turn = (i % count + 0.5) / count * 2 * pi;
+        const double cosine = std::sqrt((1 - u) / (1 + (alpha * alpha - 1) * u));
+        const double sine = std::sqrt(1 - cosine * cosine);
+        const dvec3 h =
+            sine * std::cos(turn) * side + sine * std::sin(turn) * other + cosine * normal;
+        const dvec3 light = 2 * cosine * h - normal;
+        const double across = glm::dot(light, normal);
+        if (across <= 0) continue;
+        const dvec2 at = equirect_uv(light) * dvec2(image.width, image.height);
+        const auto x = std::min(static_cast<uint32_t>(at.x), image.width - 1);
+        const auto y = std::min(static_cast<uint32_t>(at.y), image.height - 1);
+        const double weight = 1 / (1 + smith(across, alpha));
+        sum += weight * static_cast<double>(image.texel(x, y)[1]);
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+// Draws materials of constants in a world of one radiance.
+class FurnaceTest : public WithRenderer {
+protected:
+    using Values = std::vector<std::pair<std::string, double>>;
+
+    void SetUp() override {
+        WithRenderer::SetUp();
+        renderer->set_mood(Mood::furnace);
+        show("sphere");
+    }
+
+    // A color is gray: one number.
+    static Shader material(const Values& values) {
+        std::vector<Expression> outputs;
+        for (const auto& [name, value] : values) {
+            const bool color = name.ends_with("color");
+            const std::string text = std::to_string(value);
+            outputs.push_back(
+                {name, color ? "vec3(" + text + ")" : text, color ? Type::vec3_ : Type::float_});
+        }
+        return material_of(outputs, {});
+    }
+
+    // Returns the lowest and highest radiance of the sphere.
+    std::pair<float, float> extremes(const Values& values) {
+        float low = 1e9F, high = 0;
+        for (const Pixel& pixel : draw(material(values), View::shaded)) {
+            if (!pixel.covered) continue;
+            for (int k = 0; k < 3; ++k) {
+                low = std::min(low, pixel.value[k]);
+                high = std::max(high, pixel.value[k]);
+            }
+        }
+        return {low, high};
+    }
+};
+
+TEST_F(FurnaceTest, AWhiteMaterialVanishes) {
+    const Values white{{"color", 1}, {"coat_color", 1}, {"fuzz_color", 1}, {"subsurface_color", 1}};
+    const std::vector<std::pair<std::string, std::vector<double>>> sweeps = {
+        {"base_diffuse_roughness", {0, 0.5, 1}},
+        {"metalness", {0, 0.5, 1}},
+        {"roughness", {0, 0.1, 0.3, 0.6, 1}},
+        {"specular_weight", {0, 0.5, 1}},
+        {"specular_ior", {1.1, 1.5, 2.5}},
+        {"specular_roughness_anisotropy", {0.5, 1}},
+        {"coat_weight", {0.5, 1}},
+        {"fuzz_weight", {0.5, 1}},
+        {"subsurface_weight", {0.5, 1}}};
+    for (const auto& [name, values] : sweeps)
+        for (const double value : values)
+            for (const double roughness : {0.2, 0.7}) {
+                Values all = white;
+                if (name != "roughness") all.emplace_back("roughness", roughness);
+                all.emplace_back(name, value);
+                const auto [low, high] = extremes(all);
+                EXPECT_GT(low, 0.99) << name << " " << value << ", roughness " << roughness;
+                EXPECT_LT(high, 1.01) << name << " " << value << ", roughness " << roughness;
+            }
+}
+
+TEST_F(FurnaceTest, NoMaterialGivesMoreThanItGets) {
+    uint64_t state = 1;
+    const auto random = [&] {
+        state = state * 6364136223846793005U + 1442695040888963407U;
+        return static_cast<double>(state >> 40) / (1 << 24);
+    };
+    for (int i = 0; i < 60; ++i) {
+        Values values;
+        for (const char* name :
+             {"color", "metalness", "roughness", "base_weight", "base_diffuse_roughness",
+              "specular_weight", "specular_color", "specular_roughness_anisotropy", "coat_weight",
+              "coat_color", "coat_roughness", "coat_darkening", "fuzz_weight", "fuzz_color",
+              "fuzz_roughness", "subsurface_weight", "subsurface_color", "occlusion"})
+            values.emplace_back(name, random());
+        values.emplace_back("specular_ior", 1 + 1.5 * random());
+        values.emplace_back("coat_ior", 1 + random());
+        const auto [low, high] = extremes(values);
+        EXPECT_LT(high, 1.01) << testing::PrintToString(values);
+        EXPECT_GE(low, 0) << testing::PrintToString(values);
+    }
+}
+
+// Draws a plane that faces the eye, under one directional light or an environment.
+class LobeTest : public FurnaceTest {
+protected:
+    // Light and eye in the plane's frame, z its normal.
+    double lit(dvec3 light, dvec3 eye) {
+        scene.light = 1;
+        scene.environment = 0;
+        scene.to_light = light;
+        scene.camera.yaw = static_cast<float>(std::atan2(eye.x, eye.z));
+        scene.camera.pitch = static_cast<float>(std::asin(eye.y));
+        return static_cast<double>(draw(View::shaded)[32 * 64 + 32].value.g);
+    }
+    double in_environment(dvec3 eye) {
+        scene.light = 0;
+        scene.environment = 1;
+        scene.camera.yaw = static_cast<float>(std::atan2(eye.x, eye.z));
+        scene.camera.pitch = static_cast<float>(std::asin(eye.y));
+        return static_cast<double>(draw(View::shaded)[32 * 64 + 32].value.g);
+    }
+    void use(const Values& values) {
+        show("plane");
+        scene.camera.distance *= 40;  // rays of the middle pixels are parallel
+        scene.camera.field_of_view /= 40;
+        ASSERT_TRUE(renderer->set_material(material(values), diagnostics)) << errors();
+    }
+};
+
+// The mean over directional lights, weighted by the cosine, is the light of an environment of 1.
+TEST_F(LobeTest, DirectionalLightsAddUpToTheEnvironment) {
+    const std::vector<Values> materials = {
+        {{"color", 0.5}, {"roughness", 0.5}},
+        {{"color", 0.7}, {"roughness", 0.6}, {"base_diffuse_roughness", 1}},
+        {{"color", 0.6}, {"roughness", 0.7}, {"metalness", 1}},
+        {{"color", 0.6}, {"roughness", 0.7}, {"metalness", 1}, {"specular_color", 0.3}},
+        {{"color", 0.4}, {"roughness", 0.6}, {"coat_weight", 1}, {"coat_roughness", 0.6}}};
+    for (const Values& values : materials) {
+        use(values);
+        for (const double slant : {0.0, 0.9}) {
+            const dvec3 eye(std::sin(slant), 0, std::cos(slant));
+            constexpr int rings = 40, sectors = 24;
+            double sum = 0;
+            for (int i = 0; i < rings; ++i)
+                for (int k = 0; k < sectors; ++k) {
+                    const double sine = std::sqrt((i + 0.5) / rings);
+                    const double turn = (k + 0.5) / sectors * pi;  // the other half mirrors it
+                    const dvec3 light(sine * std::cos(turn), sine * std::sin(turn),
+                                      std::sqrt(1 - sine * sine));
+                    sum += lit(light, eye) / light.z;
+                }
+            const double mean = sum / (rings * sectors), expected = in_environment(eye);
+            EXPECT_NEAR(mean, expected, 0.015 * expected)
+                << testing::PrintToString(values) << " at " << slant;
+        }
+    }
+}
+
+TEST_F(LobeTest, LightAndEyeCanBeExchanged) {
+    const dvec3 a = glm::normalize(dvec3(0.5, 0.2, 0.8)), b = glm::normalize(dvec3(-0.6, 0.5, 0.5));
+    const std::vector<std::pair<Values, double>> materials = {
+        {{{"color", 0.5}, {"specular_weight", 0}, {"base_diffuse_roughness", 0.8}}, 1e-3},
+        // The gain for multiple scattering depends on the eye only: at most E(a)/E(b) of it.
+        {{{"color", 0.9}, {"roughness", 0.3}, {"metalness", 1}}, 0.02},
+        {{{"color", 0.9},
+          {"roughness", 0.3},
+          {"metalness", 1},
+          {"specular_roughness_anisotropy", 0.7}},
+         0.02}};
+    for (const auto& [values, tolerance] : materials) {
+        use(values);
+        const double there = lit(a, b) / a.z, back = lit(b, a) / b.z;
+        EXPECT_GT(there, 0);
+        EXPECT_NEAR(there, back, tolerance * there) << testing::PrintToString(values);
+    }
+}
+
+// A plane that faces the eye reflects the mean of the studio over the lobe.
+TEST_F(LobeTest, AMetalReflectsTheStudioAsManySamplesDo) {
+    renderer->set_mood(Mood::studio);
+    const Image studio = environment_of(Mood::studio);
+    for (const double roughness : {0.1, 0.3, 0.6, 1.0}) {
+        double found = 0, expected = 0;
+        for (int i = 0; i < 12; ++i) {
+            const double yaw = i * 0.55 - 3, pitch = std::sin(i * 1.7) * 0.9;
+            const dvec3 n(std::cos(pitch) * std::sin(yaw), std::sin(pitch),
+                          std::cos(pitch) * std::cos(yaw));
+            use({{"color", 1}, {"roughness", roughness}, {"metalness", 1}});
+            scene.object =
+                glm::rotate(glm::rotate(glm::mat4(1), static_cast<float>(yaw), vec3(0, 1, 0)),
+                            static_cast<float>(-pitch), vec3(1, 0, 0));
+            found += in_environment(n);
+            expected += reflected(studio, n, roughness);
+        }
+        EXPECT_NEAR(found, expected, 0.02 * expected) << roughness;
+    }
+}
+
+}  // namespace
+}  // namespace wrinkle::gpu
