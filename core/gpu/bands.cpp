@@ -31,7 +31,9 @@ std::optional<Band> Bands::next() {
     if (low_ >= options_.height) return std::nullopt;
     if (options_.before) options_.before();
     if (options_.milliseconds > 0) start_ = Clock::now();
-    const Band band{low_, std::min(rows_, options_.height - low_)};
+    const int above = low_ % options_.most_rows;
+    const int left = std::min(options_.most_rows - above, options_.height - low_);
+    const Band band{low_, std::min(rows_, left), low_ - above};
     low_ += band.rows;
     return band;
 }

@@ -10,11 +10,12 @@ namespace wrinkle::gpu {
 
 struct Band {
     int low = 0, rows = 0;
+    int origin = 0;  // first row of the target that the buffers hold, a multiple of most_rows
 };
 
 struct BandOptions {
     int height = 0;                // rows of the target
-    int most_rows = 0;             // maximum rows of a band, even
+    int most_rows = 0;             // rows of the buffers, even
     double milliseconds = 0;       // aimed at per band; 0: as few bands as possible
     std::function<void()> before;  // called before each band, may block; may be empty
 };

@@ -35,12 +35,12 @@ void main() {
 // The tone curve comes before the average, so that a highlight does not outweigh an edge.
 constexpr std::string_view resolve_text = R"(
 uniform sampler2D WrView_radiance;
-uniform int WrView_low;    // first row of the band
+uniform int WrView_origin;  // of the radiance, row of the target
 uniform int WrView_across;  // samples per side of a pixel
 uniform bool WrView_raw;
 
 void main() {
-    ivec2 first = (ivec2(gl_FragCoord.xy) - ivec2(0, WrView_low)) * WrView_across;
+    ivec2 first = (ivec2(gl_FragCoord.xy) - ivec2(0, WrView_origin)) * WrView_across;
     vec4 sum = vec4(0.0);
     for (int i = 0; i < WrView_across * WrView_across; ++i) {
         ivec2 at = first + ivec2(i % WrView_across, i / WrView_across);
@@ -118,8 +118,8 @@ bool ShadedView::draw(const MaterialPass& material, const Scene& scene, const Vi
     Bands bands(
         {target.height(), frame.most_rows(), options.strip_milliseconds, options.before_strip});
     while (const auto band = bands.next()) {
-        draw_layers(frame, band->low, band->rows);
-        resolve(frame, band->low, band->rows);
+        draw_layers(frame, *band);
+        resolve(frame, *band);
     }
     strips_took_ = bands.milliseconds();
     glDisable(GL_SCISSOR_TEST);
@@ -127,11 +127,11 @@ bool ShadedView::draw(const MaterialPass& material, const Scene& scene, const Vi
     return true;
 }
 
-// The viewport is that of the entire target, shifted so that the band is at the buffer's bottom.
-void ShadedView::draw_layers(const Frame& frame, int low, int rows) {
+// The viewport is that of the entire target, shifted by the origin of the buffers.
+void ShadedView::draw_layers(const Frame& frame, const Band& band) {
     const auto see_band = [&] {
-        glViewport(0, -low * frame.across, frame.width(), frame.height());
-        scissor(frame.width(), 0, rows * frame.across);
+        glViewport(0, -band.origin * frame.across, frame.width(), frame.height());
+        scissor(frame.width(), (band.low - band.origin) * frame.across, band.rows * frame.across);
     };
     radiance_->bind();
     see_band();
@@ -192,13 +192,13 @@ void ShadedView::light_layer(const Frame& frame) {
     glBindSampler(static_cast<GLuint>(texels + 2), 0);
 }
 
-void ShadedView::resolve(const Frame& frame, int low, int rows) {
+void ShadedView::resolve(const Frame& frame, const Band& band) {
     frame.target.bind_resolved();
-    scissor(frame.target.width(), low, rows);
+    scissor(frame.target.width(), band.low, band.rows);
     resolve_->use();
     set_display_uniforms(*resolve_, frame.scene);
     resolve_->set("WrView_radiance", 0);
-    resolve_->set("WrView_low", low);
+    resolve_->set("WrView_origin", band.origin);
     resolve_->set("WrView_across", frame.across);
     resolve_->set("WrView_raw", frame.options.raw ? 1 : 0);
     glActiveTexture(GL_TEXTURE0);

@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "gpu/bands.h"
 #include "gpu/environment.h"
 #include "gpu/program.h"
 #include "gpu/surface_buffer.h"
@@ -53,9 +54,9 @@ private:
 
     bool prepare(Frame& frame, Diagnostics& diagnostics);
     const Program* lighting_for(SurfaceModel model, Lighting lighting, Diagnostics& diagnostics);
-    void draw_layers(const Frame& frame, int low, int rows);
+    void draw_layers(const Frame& frame, const Band& band);
     void light_layer(const Frame& frame);
-    void resolve(const Frame& frame, int low, int rows);
+    void resolve(const Frame& frame, const Band& band);
 
     std::optional<SurfaceBuffer> surface_;
     std::optional<Target> radiance_;

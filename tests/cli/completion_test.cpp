@@ -49,7 +49,7 @@ TEST_F(CompletionTest, OffersCommands) {
 }
 
 TEST_F(CompletionTest, OffersOptionsAndTheirValues) {
-    EXPECT_EQ(offered({"render", "--li"}), (Names{"--lighting", "--list-targets"}));
+    EXPECT_EQ(offered({"render", "--li"}), (Names{"--light", "--lighting", "--list-targets"}));
     EXPECT_EQ(offered({"eval", "--precision", ""}), (Names{"double", "float"}));
     EXPECT_EQ(offered({"eval", "--precision=f"}), Names{"--precision=float"});
     EXPECT_EQ(offered({"eval", "--precision", "=", "d"}), Names{"double"});

@@ -33,13 +33,16 @@ protected:
         if (context_) context_->release_current();
     }
 
-    // Returns the rendering of the newest document, `side` x `side` pixels.
+    // Returns the rendering of the newest document, `side` x `side` pixels, as it is when nothing
+    // moves.
     const PreviewImage& see() {
         refresh(state);
-        preview_->show(state.view.preview_view, other_normal(state), state.view.compare, side,
-                       side);
-        preview_->wait_idle();
-        refresh(state);
+        do {
+            preview_->show(state.view.preview_view, other_normal(state), state.view.compare, side,
+                           side);
+            preview_->wait_idle();
+            refresh(state);
+        } while (!preview_->idle());
         return preview_->shown();
     }
     void begin(const char* graph) {
