@@ -1,5 +1,5 @@
-// Test of normal variance: a bumped metal ball, rendered so small that its weave is finer than a
-// pixel, against a large rendering that is downsampled.
+// Test of normal variance: a bumped metal ball under a directional light, rendered so small that its
+// weave is finer than a pixel, against a large rendering that is downsampled.
 #include <cmath>
 
 #include "cli/support.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint32_t side = 48, finer = 16;
 
-// The metal is dark enough that highlights remain in the linear part of the tone curve.
+// The metal is dark enough that its highlights are not clipped.
 constexpr const char* dark_metal = R"({"wrinkle": 1, "nodes": {
     "tile": {"type": "uv_transform", "in": {"scale": [24, 24]}},
     "weave": {"type": "tangent_normal_map", "in": {"image": "weave_normal.png",
@@ -55,7 +55,8 @@ TEST_F(FarHighlight, IsThatOfTheBumpSeenInFull) {
     const auto light = [&](uint32_t block, const std::string& amount) {
         const std::string size = std::to_string(side * block);
         const Ran ran = run({"render", "g.json", "-o", "g.png", "--size", size + "x" + size,
-                             "--set", "rough.amount=" + amount});
+                             "--set", "rough.amount=" + amount, "--light", "sun", "--tone",
+                             "linear", "--background", "plain"});
         EXPECT_EQ(ran.code, 0) << ran.err;
         return light_of(folder / "g.png", block);
     };
