@@ -1,35 +1,16 @@
-// Shapes by signed distance, negative inside, in uv units: exact, so their slopes have length 1.
-// Formulas after I. Quilez.
+// Round and regular shapes by signed distance, their combinations, masks and bevels.
 #include <cmath>
 #include <numbers>
 #include <span>
 
 #include "nodes/footprint.h"
 #include "nodes/random.h"
-#include "nodes/rotated.h"
+#include "nodes/shape.h"
 #include "nodes/smooth.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
 
-static constexpr auto shape_family(const char* id, const char* title, const char* doc) {
-    return node(id, title, doc).family("shape");
-}
-static constexpr auto shape(const char* id, const char* title, const char* doc) {
-    return shape_family(id, title, doc)
-        .in<vec2>("uv", surface::uv0, "Where to read it, on any uv set")
-        .in<vec2>("center", 0.5, "The middle of the shape", slider(0, 1))
-        .in<Float>("rotation", 0, "Angle of the shape, anticlockwise", slider(-180, 180),
-                   unit("deg"));
-}
-template <class Declaration>
-static constexpr auto distance_out(const Declaration& declaration) {
-    return declaration.template out<Float>("distance", "To the edge, negative inside, in uv units");
-}
-// The uv as seen from the shape.
-static vec2 local(vec2 uv, vec2 center, Float rotation) {
-    return named("p", rotated(uv - center, -radians(rotation)));
-}
 // The angle from the y axis, clockwise.
 static Float angle_from_up(vec2 p) {
     return named("angle", atan(p.x(), p.y()));
@@ -80,13 +61,14 @@ static Float ellipse_distance(vec2 p, vec2 half) {
 
 enum class Combination { union_, intersection, subtraction, exclusion };
 
-static SmoothMinimum combined(Combination how, Float a, Float b, Float band) {
-    if (how == Combination::union_) return smooth_minimum(a, b, band);
+static SmoothMinimum combined(Combination how, Float a, Float b, Float band, Seam seam) {
+    if (how == Combination::union_) return smooth_minimum(a, b, band, seam);
     if (how == Combination::exclusion) {
-        const auto [joined, share] = smooth_minimum(a, b, band);
+        const auto [joined, share] = smooth_minimum(a, b, band, seam);
         return {max(joined, -max(a, b)), share};
     }
-    const auto [d, share] = smooth_minimum(-a, how == Combination::subtraction ? b : -b, band);
+    const auto [d, share] =
+        smooth_minimum(-a, how == Combination::subtraction ? b : -b, band, seam);
     return {-d, share};
 }
 
@@ -215,13 +197,15 @@ static constinit Node shape_list[] = {
         .in<Float>("b", 0, "Distance to the other shape", slider(-1, 1))
         .choice("mode", {"union", "intersection", "subtraction", "exclusion"},
                 "Inside of either, of both, of a but not b, or of one only")
-        .in<Float>("smoothness", 0, "Distance below which the seam is rounded, in uv units",
+        .in<Float>("smoothness", 0, "Distance below which the seam is rounded or cut, in uv units",
                    slider(0, 0.5), limits(0, 1e6))
+        .choice("seam", {"quadratic", "cubic", "chamfer"},
+                "Rounded by a parabola, smoother by a cubic, or cut straight at 45 degrees")
         .out<Float>("distance", "To the edge, negative inside; inside it is a bound")
         .out<Float>("share", "0 to 1: how much of the result is b, to mix two colours alike")
-        .body([](Float a, Float b, Choice mode, Float smoothness) {
-            const auto [distance, share] =
-                combined(static_cast<Combination>(int(mode)), a, b, smoothness);
+        .body([](Float a, Float b, Choice mode, Float smoothness, Choice seam) {
+            const auto [distance, share] = combined(static_cast<Combination>(int(mode)), a, b,
+                                                    smoothness, static_cast<Seam>(int(seam)));
             return std::tuple{distance, share};
         }),
 
@@ -231,10 +215,12 @@ static constinit Node shape_list[] = {
                    slider(-0.2, 0.2))
         .flag("line", false, "A line along the edge instead of the shape")
         .in<Float>("width", 0.02, "Width of the line, in uv units", slider(0, 0.2))
+        .flag("invert", false, "The outside of the result instead of its inside")
         .out<Float>("distance", "Distance to the changed shape")
-        .body([](Float distance, Float grow, bool line, Float width) {
+        .body([](Float distance, Float grow, bool line, Float width, bool invert) {
             const Float grown = distance - grow;
-            return line ? abs(grown) - 0.5 * width : grown;
+            const Float changed = line ? abs(grown) - 0.5 * width : grown;
+            return invert ? -changed : changed;
         }),
 
     shape_family("shape_fill", "Fill", "A mask: 1 inside of a shape, 0 outside, and its outline.")

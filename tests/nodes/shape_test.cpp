@@ -3,67 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <set>
 
 #include "nodes/number.h"
+#include "nodes/outline.h"
 
 namespace wrinkle::test {
 namespace {
-
-using Point2 = std::array<double, 2>;
-constexpr double half_turn = 3.141592653589793;
-
-std::vector<Point2> random_places(size_t count) {
-    std::mt19937 random(31);
-    std::vector<Point2> places(count);
-    for (Point2& p : places)
-        for (double& each : p)
-            each = random() / 4294967296.0;
-    return places;
-}
-
-// Distance to a closed outline of straight parts, and the side by the winding number.
-double to_outline(const std::vector<Point2>& outline, Point2 p) {
-    double nearest = 9, winding = 0;
-    for (size_t k = 0; k < outline.size(); ++k) {
-        const Point2 a = outline[k], b = outline[(k + 1) % outline.size()];
-        const double ax = a[0] - p[0], ay = a[1] - p[1], bx = b[0] - p[0], by = b[1] - p[1];
-        const double dx = b[0] - a[0], dy = b[1] - a[1];
-        const double t = std::clamp(-(ax * dx + ay * dy) / (dx * dx + dy * dy), 0.0, 1.0);
-        nearest = std::min(nearest, std::hypot(ax + t * dx, ay + t * dy));
-        winding += std::atan2(ax * by - ay * bx, ax * bx + ay * by);
-    }
-    return std::fabs(winding) > half_turn ? -nearest : nearest;
-}
-
-// Points of an outline around (0.5, 0.5), from a radius by the angle clockwise from up.
-template <class Radius>
-std::vector<Point2> polar(int count, Radius radius) {
-    std::vector<Point2> outline;
-    for (int k = 0; k < count; ++k) {
-        const double angle = 2 * half_turn * k / count, r = radius(k);
-        outline.push_back({0.5 + r * std::sin(angle), 0.5 + r * std::cos(angle)});
-    }
-    return outline;
-}
-// Arcs of corners, one after the other: centre, radius, first angle and angle turned.
-void add_arc(std::vector<Point2>& outline, Point2 center, double radius, double from, double turn) {
-    for (int k = 0; k <= 400; ++k) {
-        const double angle = from + turn * k / 400;
-        outline.push_back(
-            {center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle)});
-    }
-}
-
-void expect_outline(const std::string& type, const std::string& in,
-                    const std::vector<Point2>& outline) {
-    const auto places = random_places(400);
-    const auto got = values({one(type, in), "n.distance"}, places);
-    for (size_t i = 0; i < places.size(); ++i)
-        EXPECT_NEAR(got[i][0], to_outline(outline, places[i]), 1e-4)
-            << type << " at " << places[i][0] << " " << places[i][1];
-}
 
 TEST(Shape, IsAsFarAsItsOutline) {
     std::vector<Point2> circle;
@@ -128,21 +74,17 @@ TEST(Shape, OfAnEllipseIsRightAtItsEdge) {
 }
 
 TEST(Shape, HasASlopeOfOne) {
-    const auto places = random_places(300);
     for (const char* type :
-         {"sd_circle", "sd_ring", "sd_box", "sd_segment", "sd_polygon", "sd_star", "sd_arc"}) {
-        const std::string nodes =
-            one(type) +
-            R"(, "g": {"type": "gradient_from_height", "in": {"height": {"from": "n.distance"}}})";
-        for (const auto& g : values({nodes, "g.gradient"}, places))
-            EXPECT_NEAR(std::hypot(g[0], g[1]), 1, 1e-5) << type;
-    }
+         {"sd_circle", "sd_ring", "sd_box", "sd_segment", "sd_polygon", "sd_star", "sd_arc"})
+        expect_slope_of_one(type);
 }
 
-double joined(double a, double b, const std::string& mode, double band, const char* output) {
+double joined(double a, double b, const std::string& mode, double band, const char* output,
+              const std::string& seam = "quadratic") {
     return value({one("shape_combine", "\"a\": " + std::to_string(a) +
                                            ", \"b\": " + std::to_string(b) + ", \"mode\": \"" +
-                                           mode + "\", \"smoothness\": " + std::to_string(band)),
+                                           mode + "\", \"smoothness\": " + std::to_string(band) +
+                                           ", \"seam\": \"" + seam + "\""),
                   std::string("n.") + output})[0];
 }
 
@@ -176,6 +118,39 @@ TEST(ShapeCombine, IsThatOfSets) {
     EXPECT_NEAR(joined(0.5, 0.1, "union", 0.2, "share"), 1, 1e-6);
 }
 
+// Of a and b at right angles, as x and y: the cut is a line at 45 degrees, a band from the corner.
+TEST(ShapeCombine, CutsAChamfer) {
+    const auto cut = [](double x, double y, const char* mode, const char* output = "distance") {
+        return joined(x, y, mode, 0.2, output, "chamfer");
+    };
+    EXPECT_NEAR(cut(0.2, 0, "union"), 0, 1e-6);
+    EXPECT_NEAR(cut(0, 0.2, "union"), 0, 1e-6);
+    EXPECT_NEAR(cut(0.13, 0.07, "union"), 0, 1e-6);
+    EXPECT_NEAR(cut(0.15, 0.15, "union"), 0.1 * std::sqrt(0.5), 1e-6);
+    EXPECT_NEAR(cut(0.5, 0.1, "union"), 0.1, 1e-6);
+    EXPECT_NEAR(cut(-0.1, -0.1, "intersection"), 0, 1e-6);
+    EXPECT_NEAR(cut(-0.5, -0.1, "intersection"), -0.1, 1e-6);
+    EXPECT_NEAR(cut(-0.1, 0.1, "subtraction"), 0, 1e-6);
+    EXPECT_NEAR(cut(0.1, 0.1, "union", "share"), 0.5, 1e-6);
+    EXPECT_NEAR(cut(0.2, 0, "union", "share"), 1, 1e-6);
+    EXPECT_NEAR(joined(0.1, 0.3, "union", 0, "distance", "chamfer"), 0.1, 1e-6);
+}
+
+// By differences: the slopes along a and b are the parts of both, and add up to 1.
+TEST(ShapeCombine, SharesAreItsSlopes) {
+    for (const char* seam : {"quadratic", "cubic"})
+        for (const double b : {0.02, 0.1, 0.15, 0.18, 0.29, 0.4}) {
+            const auto at = [&](double a, double c) {
+                return joined(a, c, "union", 0.2, "distance", seam);
+            };
+            const double step = 1e-3, by_a = (at(0.1 + step, b) - at(0.1 - step, b)) / (2 * step);
+            const double by_b = (at(0.1, b + step) - at(0.1, b - step)) / (2 * step);
+            EXPECT_NEAR(joined(0.1, b, "union", 0.2, "share", seam), by_b, 3e-3) << seam << b;
+            EXPECT_NEAR(by_a + by_b, 1, 1e-3) << seam << b;
+        }
+    EXPECT_NEAR(joined(0.1, 0.1, "union", 0.2, "distance", "cubic"), 0.1 - 0.2 / 6, 1e-6);
+}
+
 double through_distance(const std::string& type, const std::string& in, double distance,
                         const std::string& output = "value", double width = 0) {
     return numbers_through(type, "distance", in, output, {distance}, width)[0];
@@ -194,6 +169,8 @@ TEST(ShapeFill, IsTheCoveredPartOfAPixel) {
 TEST(ShapeOnion, GrowsAndOutlines) {
     EXPECT_NEAR(through_distance("shape_onion", "\"grow\": 0.1", 0.3, "distance"), 0.2, 1e-6);
     EXPECT_NEAR(through_distance("shape_onion", "\"line\": true", -0.3, "distance"), 0.29, 1e-6);
+    EXPECT_NEAR(through_distance("shape_onion", R"("grow": 0.1, "invert": true)", 0.3, "distance"),
+                -0.2, 1e-6);
 }
 
 TEST(Bevel, HasItsProfile) {
