@@ -76,7 +76,10 @@ static Float vesica_distance(vec2 p, vec2 half) {
     const Float wide = named("wide", min(half.x(), half.y()));
     const Float offset = named("offset", divide(tip * tip - wide * wide, 2 * wide));
     const Bool beyond = (q.y() - tip) * offset > q.x() * tip;
-    return select(beyond, length(q - vec2(0, tip)), length(q + vec2(offset, 0)) - (offset + wide));
+    // The length less the radius, as a quotient: both are large if the lens is thin.
+    const Float over = dot(q, q) - tip * tip + 2 * offset * q.x();
+    const Float sum = length(q + vec2(offset, 0)) + offset + wide;
+    return select(beyond, length(q - vec2(0, tip)), over / sum);
 }
 
 // The tip is at 0, two half circles are on a square above it; the height is 1.1036.
@@ -106,19 +109,19 @@ static constinit Node figure_list[] = {
         .body([](vec2 uv, vec2 a, vec2 b, vec2 c) { return triangle_distance(uv, a, b, c); }),
 
     distance_out(shape("sd_rhombus", "Rhombus", "The distance to a rhombus, a corner up.")
-                     .in<vec2>("size", {0.5, 0.7}, "Width and height, in uv units", slider(0, 1),
-                               limits(1e-6, 1e6)))
+                     .in<vec2>("size", {0.5, 0.7}, "Width and height, in uv units", slider(0.01, 1),
+                               limits(1e-3, 1e6)))
         .body([](vec2 uv, vec2 center, Float rotation, vec2 size) {
             return rhombus_distance(local(uv, center, rotation), 0.5 * size);
         }),
 
-    distance_out(
-        shape("sd_trapezoid", "Trapezoid", "The distance to a symmetric trapezoid.")
-            .in<Float>("bottom", 0.7, "Width of the lower side, in uv units", slider(0, 1),
-                       limits(0, 1e6))
-            .in<Float>("top", 0.4, "Width of the upper side, in uv units", slider(0, 1),
-                       limits(0, 1e6))
-            .in<Float>("height", 0.5, "Between them, in uv units", slider(0, 1), limits(1e-6, 1e6)))
+    distance_out(shape("sd_trapezoid", "Trapezoid", "The distance to a symmetric trapezoid.")
+                     .in<Float>("bottom", 0.7, "Width of the lower side, in uv units", slider(0, 1),
+                                limits(0, 1e6))
+                     .in<Float>("top", 0.4, "Width of the upper side, in uv units", slider(0, 1),
+                                limits(0, 1e6))
+                     .in<Float>("height", 0.5, "Between them, in uv units", slider(0.01, 1),
+                                limits(1e-3, 1e6)))
         .body([](vec2 uv, vec2 center, Float rotation, Float bottom, Float top, Float height) {
             return trapezoid_distance(local(uv, center, rotation), 0.5 * bottom, 0.5 * top,
                                       0.5 * height);
@@ -147,15 +150,15 @@ static constinit Node figure_list[] = {
 
     distance_out(
         shape("sd_vesica", "Vesica", "The distance to a lens: the common part of two equal discs.")
-            .in<vec2>("size", {0.4, 0.8}, "Width and height, in uv units", slider(0, 1),
-                      limits(1e-6, 1e6)))
+            .in<vec2>("size", {0.4, 0.8}, "Width and height, in uv units", slider(0.01, 1),
+                      limits(1e-3, 1e6)))
         .body([](vec2 uv, vec2 center, Float rotation, vec2 size) {
             return vesica_distance(local(uv, center, rotation), 0.5 * size);
         }),
 
     distance_out(shape("sd_heart", "Heart", "The distance to a heart, the tip down.")
                      .in<Float>("size", 0.8, "Height, in uv units; the width is 1.09 of it",
-                                slider(0, 1), limits(1e-6, 1e6)))
+                                slider(0.01, 1), limits(1e-3, 1e6)))
         .body([](vec2 uv, vec2 center, Float rotation, Float size) {
             constexpr double height = 1.1035533905932737;
             const Float scale = named("scale", size / height);
