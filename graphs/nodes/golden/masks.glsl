@@ -148,14 +148,14 @@ WrinkleMaterial_masks wrinkle_masks(WrinkleSurface_masks s) {
     float snow_result = above_value * steep_flat;  // snow: Multiply
     // snowy: Blend
     vec3 snowy_color = mix(mossy_color, vec3(0.85, 0.88, 0.92), min(max(snow_result, 0.0), 1.0));
-    float gloss_cosine = min(abs(dot(bumped_normal, s.view)), 1.0);  // gloss: Fresnel
-    float gloss_value = wrinkle_masks_dielectric_fresnel(gloss_cosine, 1.5);
-    // rim: Facing
-    float rim_value = 1.0 - (gloss_cosine > 0.0 ? pow(gloss_cosine, 1.6666666) : 0.0);
+    float rim_least = min(abs(dot(bumped_normal, s.view)), 1.0);  // rim: Facing
+    float rim_value = 1.0 - (rim_least > 0.0 ? pow(rim_least, 1.6666666) : 0.0);
     float frosty_product = 0.4 * min(max(rim_value, 0.0), 1.0);  // frosty: Blend
+    float gloss_cosine = min(abs(dot(normal * s.facing, s.view)), 1.0);  // gloss: Fresnel
+    float gloss_value = wrinkle_masks_dielectric_fresnel(gloss_cosine, 1.5);
     WrinkleMaterial_masks m;
     m.normal = bumped_normal;
-    m.color = mix(snowy_color, vec3(0.5, 0.6, 0.75), frosty_product);
+    m.color = mix(snowy_color, vec3(0.5, 0.6, 0.75), frosty_product);  // frosty: Blend (continued)
     m.roughness = mix(0.8, 0.3, gloss_value);  // rough: Mix
     return m;
 }
