@@ -7,13 +7,15 @@
 namespace wrinkle::nodes {
 using namespace sdk;
 
-enum class Bond { running, english, flemish, planks, herringbone, basket_weave };
+enum class Bond { running, english, flemish, planks, herringbone, basket_weave, spanish };
 
 struct Bricks {
     vec2 uv;
     Float scale;
     Choice bond;
-    Float aspect, offset, variation, mortar, bevel, radius;
+    Float aspect, offset;
+    int every;
+    Float variation, mortar, bevel, radius;
     int seed;
     Float amplitude;
 };
@@ -48,7 +50,8 @@ static Brick row_of(Bond bond, vec2 p, const Bricks& in) {
     const Float aspect = in.aspect;
     const Float row = named("row", floor(p.y())), y = named("y", p.y() - row - 0.5);
     const Float odd = named("odd", mod(row, 2));
-    const Float moved = p.x() - row * in.offset * aspect;
+    const Float steps = in.every == 0 ? row : Float(mod(row + 0.5, in.every) < 1);
+    const Float moved = p.x() - steps * in.offset * aspect;
     if (bond == Bond::running) return in_row(moved, y, row, aspect);
     if (bond == Bond::planks) return plank(moved, y, row, in);
     if (bond == Bond::english)
@@ -65,6 +68,23 @@ static Brick row_of(Bond bond, vec2 p, const Bricks& in) {
             {select(header, 0.5 * aspect, aspect), 1}};
 }
 
+// Four bricks, each from a corner of a block to the next brick, around a square of bricks less one.
+static Brick pinwheel(vec2 p, vec2 square, Float squares) {
+    const Float block_size = named("block_size", squares + 1);
+    const vec2 block = named("block", floor(square / block_size + 0.5 / block_size) * block_size);
+    const vec2 inner = named("inner", square - block);
+    const Bool left = inner.x() < 0.5 && inner.y() < squares - 0.5;
+    const Bool right = inner.x() > squares - 0.5 && inner.y() > 0.5;
+    const Bool low = inner.y() < 0.5 && !left, high = inner.y() > squares - 0.5 && !right;
+    const Bool upright = named("upright", left || right), lying = named("lying", low || high);
+    const vec2 first = select(upright, vec2(select(left, 0, squares), select(left, 0, 1)),
+                              vec2(select(low, 1, 0), select(low, 0, squares)));
+    const Bool outer = upright || lying;
+    const vec2 side = select(upright, vec2(1, squares), vec2(squares, 1));
+    return at_corner(p, block + select(outer, first, vec2(1)),
+                     select(outer, side, vec2(squares - 1)));
+}
+
 // Bricks along both axes, of a whole number of squares: `squares` by 1.
 static Brick crossed(Bond bond, vec2 p, Float squares) {
     const vec2 lying(squares, 1), upright(1, squares), square = named("square", floor(p));
@@ -75,6 +95,7 @@ static Brick crossed(Bond bond, vec2 p, Float squares) {
         return at_corner(p, corner + select(vertical, vec2(stripe.x(), 0), vec2(0, stripe.y())),
                          select(vertical, upright, lying));
     }
+    if (bond == Bond::spanish) return pinwheel(p, square, squares);
     const Float k = named("k", mod(square.x() - square.y(), 2 * squares));
     const Bool horizontal = k < squares;
     const vec2 back = select(horizontal, vec2(k, 0), vec2(0, 2 * squares - 1 - k));
@@ -94,8 +115,19 @@ static CellAt brick_at(const Bricks& in, vec2 p) {
     return {brick.cell, way, size, named("edge", radius - outside), footprint(p)};
 }
 
+// Four bricks and a square with sides of a length, of the area of a block.
+static Float pinwheel_mean(const Edges& edges, Float squares, Float stretchers) {
+    const Float side = squares - 1, block = squares + 1;
+    const Float open = saturate(1 - edges.groove() / max(side, 0.5));
+    return (4 * squares * stretchers + side * side * open * open) / (block * block);
+}
+
 static Float mean_of(const Bricks& in, const Edges& edges) {
     const Bond bond = in.bond;
+    if (bond == Bond::spanish) {
+        const Float squares = named("squares", floor(in.aspect + 0.5));
+        return pinwheel_mean(edges, squares, edges.mean(squares));
+    }
     const Float stretchers = edges.mean(in.aspect);
     if (bond != Bond::english && bond != Bond::flemish) return stretchers;
     return mix(stretchers, edges.mean(0.5 * in.aspect), bond == Bond::english ? 0.5 : 1.0 / 3);
@@ -111,14 +143,19 @@ static constinit Node bricks_list[] = {
                               "scale", 6, "Widths of a brick per uv unit")
                     .choice(
                         "bond",
-                        {"running", "english", "flemish", "planks", "herringbone", "basket_weave"},
+                        {"running", "english", "flemish", "planks", "herringbone", "basket_weave",
+                         "spanish"},
                         "Rows moved by the offset; rows of halves between; halves in every row; "
-                        "boards of random lengths; or crossed bricks, of a rounded aspect")
+                        "boards of random lengths; or crossed bricks, of a rounded aspect: spanish "
+                        "has four "
+                        "around a square")
                     .in<Float>("aspect", 2, "Length of a brick over its width", slider(1, 6),
                                limits(1, 100), unit("x"))
                     .in<Float>("offset", 0.5,
                                "How far each row of running and planks is moved, in bricks",
                                slider(0, 1))
+                    .count("every", 0, 0, 16,
+                           "0 moves each row against the one below, n only every nth row")
                     .in<Float>("variation", 0.7, "How different the lengths of planks are",
                                slider(0, 0.9), limits(0, 0.9)),
                 0.06, 0.1, "Width of the mortar's bottom, in widths of a brick")

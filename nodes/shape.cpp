@@ -184,12 +184,22 @@ static constinit Node shape_list[] = {
         .count("seed", 0, 0, 65535, "Another seed turns other squares")
         .out<Float>("distance", "To the edge of the lines, negative inside, in uv units")
         .out<vec2>("cell", "The square: whole numbers")
+        .out<vec3>("random", "Three random numbers of the square, 0 to below 1")
+        .out<vec2>("center", "The middle of the square, on the uv set")
+        .out<vec2>("local", "Position in the square, -0.5 to 0.5, with the slopes of the uv")
+        .out<Float>("detail", "1 near, 0 where a pixel covers a square")
         .body([](vec2 uv, Float scale, Float width, int seed) {
             const vec2 p = named("p", uv * scale), cell = named("cell", floor(p));
-            const Float side = 1 - 2 * Float(random_bits(cell, 0, seed) & 1u);
-            const vec2 way = named("way", (p - cell - 0.5) * vec2(side, 1));
+            const Uint bits = random_bits(cell, 0, seed);
+            const vec2 local = named("local", p - cell - 0.5);
+            const vec2 way = named("way", local * vec2(1 - 2 * Float(bits & 1u), 1));
             const Float first = abs(length(way - 0.5) - 0.5), second = abs(length(way + 0.5) - 0.5);
-            return std::tuple{(min(first, second) - 0.5 * width) / scale, cell};
+            return std::tuple{(min(first, second) - 0.5 * width) / scale,
+                              cell,
+                              random3(bits),
+                              (cell + 0.5) / scale,
+                              local,
+                              fade(footprint(p))};
         }),
 
     shape_family("shape_combine", "Combine shapes", "Joins or cuts two shapes, with soft seams.")

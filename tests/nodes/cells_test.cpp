@@ -33,6 +33,10 @@ const std::pair<const char*, std::vector<Point>> bonds[] = {
     {R"("bond": "herringbone", "aspect": 2)", {{2, 1}, {1, 2}}},
     {R"("bond": "herringbone", "aspect": 3)", {{3, 1}, {1, 3}}},
     {R"("bond": "basket_weave", "aspect": 3)", {{3, 1}, {1, 3}}},
+    {R"("bond": "spanish", "aspect": 1)", {{1, 1}}},
+    {R"("bond": "spanish", "aspect": 2)", {{2, 1}, {1, 2}, {1, 1}}},
+    {R"("bond": "spanish", "aspect": 3)", {{3, 1}, {1, 3}, {2, 2}}},
+    {R"("bond": "running", "aspect": 2, "every": 3)", {{2, 1}}},
 };
 
 // Every point of the box of a brick is of that brick, so boxes do not overlap. Every point is in
@@ -67,6 +71,30 @@ TEST(Bricks, FillThePlane) {
             EXPECT_EQ(same.cell[i], got.cell[i / 5]) << in;
             EXPECT_EQ(same.random[i], got.random[i / 5]) << in;
         }
+    }
+}
+
+// Far away a wall has its mean; of planks of one length, since their lengths are random.
+TEST(Bricks, FadeToTheMeanOfTheBond) {
+    const auto points = random_cells(20000, 400, 7);
+    for (const auto& [in, sizes] : bonds) {
+        const std::string all = std::string(in) + R"(, "mortar": 0.1, "bevel": 0.15)" +
+                                (sizes.empty() ? R"(, "offset": 0.1)" : "");
+        double near = 0;
+        for (const double v : value_of("bricks", all, points, 1e-3))
+            near += v / 20000;
+        EXPECT_NEAR(value_of("bricks", all, {{0.3, 0.4}}, 20)[0], near, 0.01) << in;
+    }
+}
+
+// Bricks of length 2 are moved by a half in rows 0, 3 and 6 only.
+TEST(Bricks, MoveEveryNthRow) {
+    for (const double row : {-3.0, -1.0, 0.0, 1.0, 2.0, 3.0, 4.0, 6.0}) {
+        const Cells got = read_cells("bricks", R"("every": 3, "aspect": 2)",
+                                     {{0.2, row + 0.5}, {1.2, row + 0.5}});
+        const bool moved = std::fmod(row, 3) == 0;
+        EXPECT_EQ(got.cell[0] == got.cell[1], !moved) << row;
+        EXPECT_NEAR(got.local[1][0], moved ? -0.4 : 0.1, 1e-6) << row;
     }
 }
 

@@ -102,6 +102,19 @@ TEST(Truchet, JoinsTheMiddlesOfSides) {
     EXPECT_EQ(turned.size(), 2U);
 }
 
+TEST(Truchet, HasNumbersOfItsSquares) {
+    const std::string node = one("truchet", R"("scale": 4)");
+    const auto at = [&](const char* output, double x) { return value({node, output}, x, 0.3); };
+    EXPECT_EQ(at("n.cell", 0.6), (std::vector<double>{2, 1}));
+    EXPECT_EQ(at("n.center", 0.6), (std::vector<double>{0.625, 0.375}));
+    EXPECT_NEAR(at("n.local", 0.6)[0], -0.1, 1e-6);
+    EXPECT_NEAR(at("n.local", 0.6)[1], -0.3, 1e-6);
+    EXPECT_EQ(at("n.random", 0.6), at("n.random", 0.7));
+    EXPECT_NE(at("n.random", 0.6), at("n.random", 0.8));
+    EXPECT_EQ(at("n.detail", 0.6)[0], 1);
+    EXPECT_EQ(value({one("truchet", R"("scale": 2000)"), "n.detail"})[0], 0);
+}
+
 TEST(ShapeCombine, IsThatOfSets) {
     for (const auto& [a, b] : {std::pair{-0.2, 0.3}, std::pair{0.1, 0.4}, std::pair{-0.3, -0.1}}) {
         EXPECT_NEAR(joined(a, b, "union", 0, "distance"), std::min(a, b), 1e-6);
