@@ -56,7 +56,7 @@ static Float pie_distance(vec2 p, Float half_angle, Float radius) {
     return max(length(q) - radius, straight * sign_nonzero(area(q, side)));
 }
 
-// A disc less another one, whose centre is at (offset, 0). Their circles cross at `tip`, or there.
+// A disc less another one around (offset, 0). Their circles cross at `tip`, or there.
 static Float moon_distance(vec2 p, Float offset, Float radius, Float cut) {
     const vec2 q = named("q", vec2(p.x(), abs(p.y())));
     const Float x = named("x", divide(radius * radius - cut * cut + offset * offset, 2 * offset));

@@ -14,7 +14,7 @@ enum class Seam { quadratic, cubic, chamfer };
 
 // Rounds or cuts the crease where the numbers differ by less than `band`. Where they are equal, the
 // parabola is a quarter of the band below, the cubic a sixth. A chamfer is the straight cut of two
-// distances at right angles, whose ends are a band from their crease. A band of 0 is the minimum.
+// distances at right angles, with ends a band from their crease. A band of 0 is the minimum.
 inline SmoothMinimum smooth_minimum(sdk::Float a, sdk::Float b, sdk::Float band,
                                     Seam seam = Seam::quadratic) {
     using namespace sdk;

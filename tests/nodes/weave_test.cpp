@@ -1,5 +1,5 @@
-// Tests of weaves: the order of their crossings, the relief against differences and samples, and the
-// numbers of their threads.
+// Tests of weaves: the order of their crossings, the relief against differences and samples, and
+// the numbers of their threads.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -88,16 +88,20 @@ vec4 wrinkle_tangent_space_normal_billows(vec3 point, float width, float scale, 
     return vec4(sum_slope, sum) / total;
 }
 
-vec3 wrinkle_tangent_space_normal_thread(vec2 p, float side, float width) {
-    float floored = floor(p.x);
-    float quotient = (2.0 * (p.x - floored) - 1.0) / width;
+float wrinkle_tangent_space_normal_warp_side(float column, float row) {
+    return mod(column + row + 0.5, 2.0) < 1.0 ? 1.0 : -1.0;
+}
+
+vec3 wrinkle_tangent_space_normal_thread(vec2 p, float width, float side, float next) {
+    float quotient = (2.0 * (p.x - floor(p.x)) - 1.0) / width;
     float difference = 1.0 - quotient * quotient;
     float choice = difference < 0.0 ? 0.0 : -(2.0 / width * quotient * 2.0);
-    float product = mod(p.y - 0.5 + floored, 2.0) * tangent_space_normal_pi;
+    float difference_2 = p.y - 0.5;
+    float product = (difference_2 - floor(difference_2)) * tangent_space_normal_pi;
+    float product_2 = -(tangent_space_normal_pi * sin(product)) * 0.5 * (side - next) * 0.325;
     float greatest = max(difference, 0.0);
-    vec3 vector = vec3(choice, -(tangent_space_normal_pi * sin(product)) * side * 0.325, greatest);
-    float sum = 0.675 + 0.325 * (side * cos(product));
-    return vector * vec3(sum, greatest, sum);
+    float sum = 0.675 + 0.325 * mix(next, side, 0.5 + 0.5 * cos(product));
+    return vec3(choice, product_2, greatest) * vec3(sum, greatest, sum);
 }
 
 WrinkleMaterial_tangent_space_normal
@@ -121,18 +125,24 @@ WrinkleMaterial_tangent_space_normal
     float dents_choice = dents_test ? 1.5 * pow(dents_clamped, 1.5) / dents_clamped : 0.0;
     vec2 dents_product = (dents_test_2 ? vec2(0.0) : dents_quotient_2) * dents_choice;
     vec2 dents_slope = -(dents_test ? dents_product : vec2(0.0));
-    vec2 cloth_product = s.uv0 * 12.0;  // cloth: Weave
-    vec3 cloth = wrinkle_tangent_space_normal_thread(cloth_product, 1.0, 0.9);
-    vec3 cloth_2 = wrinkle_tangent_space_normal_thread(cloth_product.yx, -1.0, 0.9);
-    vec2 cloth_product_2 = duv0_dx * 12.0;
-    float cloth_dot_product = dot(cloth_2.xy, cloth_product_2.yx);
-    vec2 cloth_product_3 = duv0_dy * 12.0;
-    vec2 cloth_vector = vec2(cloth_dot_product, dot(cloth_2.xy, cloth_product_3.yx));
-    vec2 cloth_product_4 = vec2(dot(cloth.xy, duv0_dx), dot(cloth.xy, duv0_dy)) * 12.0;
-    vec2 cloth_choice = cloth.z < cloth_2.z ? cloth_vector : cloth_product_4;
-    float cloth_width = max(length(cloth_product_2), length(cloth_product_3));
-    vec2 cloth_slope = cloth_choice * (1.0 - smoothstep(0.25, 0.75, cloth_width)) * 0.02;
-    vec2 sum_slope = dents_slope * 0.15 + cloth_slope;  // sum: Add heights
+    vec2 cloth_p = s.uv0 * 12.0;  // cloth: Weave
+    vec2 cloth_lane = floor(cloth_p);
+    vec2 cloth_crossing = floor(cloth_p - 0.5);
+    float cloth_side = wrinkle_tangent_space_normal_warp_side(cloth_lane.x, cloth_crossing.y + 1.0);
+    vec3 cloth = wrinkle_tangent_space_normal_thread(cloth_p, 0.9,
+            wrinkle_tangent_space_normal_warp_side(cloth_lane.x, cloth_crossing.y), cloth_side);
+    float cloth_side_2 = wrinkle_tangent_space_normal_warp_side(cloth_crossing.x, cloth_lane.y);
+    float cloth_side_3 = wrinkle_tangent_space_normal_warp_side(cloth_crossing.x + 1.0,
+            cloth_lane.y);
+    vec3 cloth_2 = wrinkle_tangent_space_normal_thread(cloth_p.yx, 0.9, -cloth_side_2,
+            -cloth_side_3);
+    vec2 cloth_p_dx = duv0_dx * 12.0;
+    vec2 cloth_p_dy = duv0_dy * 12.0;
+    vec2 cloth_weft_slope = vec2(dot(cloth_2.xy, cloth_p_dx.yx), dot(cloth_2.xy, cloth_p_dy.yx));
+    vec2 cloth_warp_slope = vec2(dot(cloth.xy, duv0_dx), dot(cloth.xy, duv0_dy)) * 12.0;
+    vec2 cloth_choice = cloth.z < cloth_2.z ? cloth_weft_slope : cloth_warp_slope;
+    float cloth_detail = 1.0 - smoothstep(0.25, 0.75, max(length(cloth_p_dx), length(cloth_p_dy)));
+    vec2 sum_slope = dents_slope * 0.15 + cloth_choice * cloth_detail * 0.02;  // sum: Add heights
     vec3 resolved_product = normal * s.facing;  // resolved: Resolve
     vec2 resolved_per_area = sum_slope *
             (sign(screen_area) / max(abs(screen_area), tangent_space_normal_min_area));

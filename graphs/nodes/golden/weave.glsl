@@ -13,16 +13,20 @@ const float weave_pi = 3.1415927;    // half a turn, in radians
 const float weave_min_area = 1e-36;  // smaller areas and squared lengths are zero
 const float weave_mean = 0.60579;    // height of the pattern, seen from far away
 
-vec3 wrinkle_weave_thread(vec2 p, float side, float width) {
-    float floored = floor(p.x);
-    float quotient = (2.0 * (p.x - floored) - 1.0) / width;
+float wrinkle_weave_warp_side(float column, float row) {
+    return mod(column + row + 0.5, 2.0) < 1.0 ? 1.0 : -1.0;
+}
+
+vec3 wrinkle_weave_thread(vec2 p, float width, float side, float next) {
+    float quotient = (2.0 * (p.x - floor(p.x)) - 1.0) / width;
     float difference = 1.0 - quotient * quotient;
     float choice = difference < 0.0 ? 0.0 : -(2.0 / width * quotient * 2.0);
-    float product = mod(p.y - 0.5 + floored, 2.0) * weave_pi;
+    float difference_2 = p.y - 0.5;
+    float product = (difference_2 - floor(difference_2)) * weave_pi;
+    float product_2 = -(weave_pi * sin(product)) * 0.5 * (side - next) * 0.325;
     float greatest = max(difference, 0.0);
-    vec3 vector = vec3(choice, -(weave_pi * sin(product)) * side * 0.325, greatest);
-    float sum = 0.675 + 0.325 * (side * cos(product));
-    return vector * vec3(sum, greatest, sum);
+    float sum = 0.675 + 0.325 * mix(next, side, 0.5 + 0.5 * cos(product));
+    return vec3(choice, product_2, greatest) * vec3(sum, greatest, sum);
 }
 
 WrinkleMaterial_weave wrinkle_weave(WrinkleSurface_weave s) {
@@ -32,21 +36,27 @@ WrinkleMaterial_weave wrinkle_weave(WrinkleSurface_weave s) {
     vec2 duv0_dy = dFdy(s.uv0);
     vec3 dpdy = dFdy(s.position_relative);
     float screen_area = dot(normal, cross(dpdx, dpdy));
-    vec2 relief_product = s.uv0 * 8.0;  // relief: Weave
-    vec3 relief = wrinkle_weave_thread(relief_product, 1.0, 0.9);
-    vec3 relief_2 = wrinkle_weave_thread(relief_product.yx, -1.0, 0.9);
-    vec2 relief_product_2 = duv0_dx * 8.0;
-    float relief_dot_product = dot(relief_2.xy, relief_product_2.yx);
-    vec2 relief_product_3 = duv0_dy * 8.0;
-    vec2 relief_vector = vec2(relief_dot_product, dot(relief_2.xy, relief_product_3.yx));
-    vec2 relief_product_4 = vec2(dot(relief.xy, duv0_dx), dot(relief.xy, duv0_dy)) * 8.0;
-    float relief_width = max(length(relief_product_2), length(relief_product_3));
-    float relief_fade = 1.0 - smoothstep(0.25, 0.75, relief_width);
-    vec2 relief_slope = (relief.z < relief_2.z ? relief_vector : relief_product_4) * relief_fade;
-    float relief_value = mix(weave_mean, max(relief.z, relief_2.z), relief_fade);
+    vec2 relief_p = s.uv0 * 8.0;  // relief: Weave
+    vec2 relief_lane = floor(relief_p);
+    vec2 relief_crossing = floor(relief_p - 0.5);
+    vec3 relief = wrinkle_weave_thread(relief_p, 0.9,
+            wrinkle_weave_warp_side(relief_lane.x, relief_crossing.y),
+            wrinkle_weave_warp_side(relief_lane.x, relief_crossing.y + 1.0));
+    float relief_negated = -wrinkle_weave_warp_side(relief_crossing.x + 1.0, relief_lane.y);
+    vec3 relief_2 = wrinkle_weave_thread(relief_p.yx, 0.9,
+            -wrinkle_weave_warp_side(relief_crossing.x, relief_lane.y), relief_negated);
+    vec2 relief_p_dx = duv0_dx * 8.0;
+    vec2 relief_p_dy = duv0_dy * 8.0;
+    vec2 relief_weft_slope = vec2(dot(relief_2.xy, relief_p_dx.yx),
+            dot(relief_2.xy, relief_p_dy.yx));
+    vec2 relief_warp_slope = vec2(dot(relief.xy, duv0_dx), dot(relief.xy, duv0_dy)) * 8.0;
+    vec2 relief_choice = relief.z < relief_2.z ? relief_weft_slope : relief_warp_slope;
+    float relief_ramp = smoothstep(0.25, 0.75, max(length(relief_p_dx), length(relief_p_dy)));
+    float relief_detail = 1.0 - relief_ramp;
+    float relief_value = mix(weave_mean, max(relief.z, relief_2.z), relief_detail);
     // normal: Resolve
     float normal_product = sign(screen_area) / max(abs(screen_area), weave_min_area) * 0.05;
-    vec2 normal_per_area = relief_slope * normal_product;
+    vec2 normal_per_area = relief_choice * relief_detail * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_weave m;
     m.normal = normalize(normal * s.facing - normal_gradient);
