@@ -129,7 +129,7 @@ static constinit Node figure_list[] = {
 
     distance_out(
         shape("sd_pie", "Pie", "The distance to a sector of a disc, upward.")
-            .in<Float>("angle", 90, "Of the sector, from side to side", slider(0, 360),
+            .in<Float>("angle", 90, "Angle of the sector, from side to side", slider(0, 360),
                        limits(0, 360), unit("deg"))
             .in<Float>("radius", 0.4, "Radius, in uv units", slider(0, 0.5), limits(0, 1e6)))
         .body([](vec2 uv, vec2 center, Float rotation, Float angle, Float radius) {
@@ -168,8 +168,9 @@ static constinit Node figure_list[] = {
 
     distance_out(
         shape("sd_cross", "Cross", "The distance to two bars that cross at right angles.")
-            .in<Float>("length", 0.7, "Of a bar, in uv units", slider(0, 1), limits(0, 1e6))
-            .in<Float>("width", 0.2, "Of a bar, up to its length", slider(0, 1), limits(0, 1e6)))
+            .in<Float>("length", 0.7, "Length of a bar, in uv units", slider(0, 1), limits(0, 1e6))
+            .in<Float>("width", 0.2, "Width of a bar, up to its length", slider(0, 1),
+                       limits(0, 1e6)))
         .body([](vec2 uv, vec2 center, Float rotation, Float length, Float width) {
             return cross_distance(local(uv, center, rotation), 0.5 * length,
                                   0.5 * min(width, length));

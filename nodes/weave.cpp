@@ -19,7 +19,7 @@ struct Cloth {
     Float amplitude;
 };
 
-// Whether the warp is above at a crossing. Halves keep whole numbers away from the ends of mod.
+// Whether the warp is above at a crossing. Halves are added since mod is inexact at its ends.
 static Bool warp_is_above(Weave weave, Float column, Float row) {
     switch (weave) {
         case Weave::plain:
@@ -106,7 +106,7 @@ static constexpr auto thread_outputs(const Declaration& declaration) {
         .template out<Float>("thread", "The thread on top: even numbers are the warp's")
         .template out<Float>("along",
                              "Position along this thread from crossing to crossing, 0 to 1")
-        .template out<vec2>("direction", "Of this thread in uv: (0, 1) or (1, 0)")
+        .template out<vec2>("direction", "Along this thread in uv: (0, 1) or (1, 0)")
         .template out<vec3>("tangent", "The same in object space, for anisotropy");
 }
 

@@ -37,7 +37,7 @@ TEST(Figure, PieIsAsFarAsItsOutline) {
     }
 }
 
-// The circles cross where the cosine law says, seen from both centres.
+// The circles cross at the angles of the cosine law, from both centres.
 TEST(Figure, MoonIsAsFarAsItsOutline) {
     const auto moon = [](double radius, double cut, double offset) {
         const double a =
