@@ -100,8 +100,8 @@ static constinit Node mask_list[] = {
                 "exact bump.")
         .in<Height>("height", 0, "In length units of object space")
         .in<Height>("low", 0,
-                    "Height of value 0, in length units of object space; above `high`, the mask is "
-                    "of low parts",
+                    "Height of value 0, in length units of object space; above `high`, the mask "
+                    "selects low parts",
                     slider(-0.1, 0.1), unit("m"))
         .in<Height>("high", 0.02,
                     "Height of value 1, in length units of object space; if equal to `low`, an "

@@ -19,7 +19,7 @@ struct Cloth {
     Float amplitude;
 };
 
-// Whether the warp is above at a crossing. Halves are added since mod is inexact at its ends.
+// True if the warp is above at a crossing. Halves are added since mod is inexact at its ends.
 static Bool warp_is_above(Weave weave, Float column, Float row) {
     switch (weave) {
         case Weave::plain:
@@ -120,7 +120,7 @@ static constinit Node weave_list[] = {
                           "scale", 8, "Threads per uv unit")
                 .choice("weave", {"plain", "twill", "twill_3_1", "satin_5", "satin_8"},
                         "Threads in turn above and below; diagonals of two above and two below, or "
-                        "of three and one; or long warp threads, held at every fifth or eighth")
+                        "three and one; or long warp threads, held at every fifth or eighth")
                 .in<Float>("width", 0.9, "Of a thread, in the distance of two threads",
                            slider(0.4, 1), limits(0.3, 1))
                 .count("seed", 0, 0, 65535, seed_doc),

@@ -131,7 +131,7 @@ TEST(ShapeCombine, IsThatOfSets) {
     EXPECT_NEAR(joined(0.5, 0.1, "union", 0.2, "share"), 1, 1e-6);
 }
 
-// Of a and b at right angles, as x and y: the cut is a line at 45 degrees, a band from the corner.
+// For a and b at right angles, as x and y: the cut is a line at 45 degrees, a band from the corner.
 TEST(ShapeCombine, CutsAChamfer) {
     const auto cut = [](double x, double y, const char* mode, const char* output = "distance") {
         return joined(x, y, mode, 0.2, output, "chamfer");
