@@ -3,17 +3,12 @@
 
 #include "nodes/cells.h"
 #include "nodes/constants.h"
+#include "nodes/periodic.h"
 #include "nodes/relief.h"
 #include "nodes/tile_edges.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;
-
-// The integral of a square wave: a triangle wave of period 2 between 0 and 1.
-static vec2 triangle(vec2 x) {
-    const vec2 turn = named("turn", x * 0.5);
-    return abs(named("wave", (turn - floor(turn)) * 2 - 1));
-}
 
 static constinit Node pattern_list[] = {
     cell_outputs(
