@@ -12,7 +12,7 @@
     X(uv) X(image) X(cube_map) X(triplanar) X(hex) X(decal) X(gradient) X(roughness) X(frame) \
     X(compositor) X(height) X(noise) X(fractal) X(cellular) X(waves) X(periodic) X(pattern) \
     X(weave) X(parallax) X(math) X(vector) X(value) X(ramp) X(color_blend) X(color) X(random) \
-    X(uv_tools) X(mask) X(shape) X(figure) X(bricks) X(voronoi) \
+    X(uv_tools) X(mask) X(shape) X(figure) X(bricks) X(voronoi) X(scatter) \
     X(material) X(comparison) X(comparison_surface)
 // clang-format on
 

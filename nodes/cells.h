@@ -20,6 +20,14 @@ struct CellAt {
     sdk::Float width;  // footprint
 };
 
+// An offset of a square of `width` by `width` squares around 0.
+inline sdk::vec2 offset2(sdk::Int index, double width) {
+    using namespace sdk;
+    const Float middle = named("middle", Float(index) + 0.5);
+    const Float row = named("row", floor(middle / width));
+    return vec2(floor(middle - row * width), row) - (width - 1) / 2;
+}
+
 template <class Declaration>
 constexpr auto cell_outputs(const Declaration& declaration) {
     return declaration

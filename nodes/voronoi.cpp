@@ -23,12 +23,6 @@ static vec2 feature2(vec2 square, Float jitter, Int seed) {
         });
     return point(square, jitter, seed);
 }
-// An offset of a square of `width` by `width` squares around 0.
-static vec2 offset2(Int index, double width) {
-    const Float middle = named("middle", Float(index) + 0.5);
-    const Float row = named("row", floor(middle / width));
-    return vec2(floor(middle - row * width), row) - (width - 1) / 2;
-}
 
 // Returns the squares of the nearest and of the second nearest point (3 x 3 squares), and of the
 // neighbour behind the nearest edge (5 x 5: fewer miss edges), all relative to `square`.
