@@ -10,8 +10,6 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr double degree = 3.141592653589793 / 180;
-
 // A direction at an angle from y, towards z.
 std::array<double, 3> leaning(double angle) {
     return {0, std::cos(angle * degree), std::sin(angle * degree)};

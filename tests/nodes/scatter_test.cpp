@@ -4,11 +4,10 @@
 #include <algorithm>
 
 #include "nodes/relief.h"
+#include "support/angle.h"
 
 namespace wrinkle::test {
 namespace {
-
-constexpr double degree = 3.141592653589793 / 180;
 
 // The hashes that sdk/math.h and nodes/random.h document.
 std::array<double, 3> numbers_of(int x, int y, uint32_t id, uint32_t seed) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "property/material.h"
+#include "support/angle.h"
 #include "support/files.h"
 
 namespace wrinkle::test {
@@ -120,8 +121,6 @@ dvec3 on_rebuilt_tangents(dvec3 n1, dvec2 slope) {
     const dvec3 tangent = glm::normalize(along_x - n1 * glm::dot(n1, along_x));
     return glm::normalize(n1 - tangent * slope.x - glm::cross(n1, tangent) * slope.y);
 }
-
-constexpr double degree = std::numbers::pi / 180;
 
 // A point of the plane z = 0, with uv0 along x and y.
 Surroundings on_level_plane() {
