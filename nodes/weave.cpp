@@ -107,7 +107,9 @@ static constexpr auto thread_outputs(const Declaration& declaration) {
         .template out<Float>("along",
                              "Position along this thread from crossing to crossing, 0 to 1")
         .template out<vec2>("direction", "Along this thread in uv: (0, 1) or (1, 0)")
-        .template out<vec3>("tangent", "The same in object space, for anisotropy");
+        .template out<vec3>("tangent",
+                            "Across this thread in object space, for the output `tangent`: "
+                            "threads stretch highlights across themselves");
 }
 
 static constinit Node weave_list[] = {
@@ -138,14 +140,14 @@ static constinit Node weave_list[] = {
             const vec2 lane = named("lane", floor(p)), way = named("way", p - lane - 0.5);
             const Float number = select(warp, lane.x(), lane.y());
             const Float across = select(warp, way.x(), way.y());
-            const vec2 direction = select(warp, vec2(0, 1), vec2(1, 0));
-            const Gradient tangent{Derivative(direction, frame(in.uv, Scale::unit))};
+            const vec2 along = select(warp, vec2(0, 1), vec2(1, 0));
+            const Gradient tangent{Derivative(along.yx(), frame(in.uv, Scale::unit))};
             const CellAt at{vec2(number, Float(!warp)), way, vec2(1), 0.5 * in.width - abs(across),
                             width};
             return std::tuple_cat(
                 relief_of(value, in.amplitude),
                 std::tuple{visible.over, 2 * number + Float(!warp),
-                           0.5 + select(warp, way.y(), way.x()), direction, tangent.vector()},
+                           0.5 + select(warp, way.y(), way.x()), along, tangent.vector()},
                 cell_values(at, in.uv, in.scale, in.seed));
         })};
 constinit std::span<Node> weave_nodes = weave_list;

@@ -1,5 +1,5 @@
-// Test of normal variance: a bumped metal ball under a directional light, rendered so small that its
-// weave is finer than a pixel, against a large rendering that is downsampled.
+// Test of normal variance: a bumped metal ball under a directional light, rendered so small that
+// its weave is finer than a pixel, against a large rendering that is downsampled.
 #include <cmath>
 
 #include "cli/support.h"

@@ -161,7 +161,7 @@ TEST(Weave, HasNumbersOfItsThreads) {
             EXPECT_EQ(cell[i], (std::vector<double>{number, static_cast<double>(across)}));
             EXPECT_EQ(direction[i][across], 0);
             EXPECT_EQ(direction[i][1 - across], 1);
-            EXPECT_NEAR(tangent[i][1 - across], 1, 1e-6);
+            EXPECT_NEAR(tangent[i][across], 1, 1e-6);
             EXPECT_NEAR(edge[i][0], 0.45 - std::fabs(fract(across) - 0.5), 1e-5);
             EXPECT_NEAR(along[i][0], fract(1 - across), 1e-5);
             EXPECT_NEAR(center[i][0] * 4, std::floor(points[i][0]) + 0.5, 1e-5);

