@@ -54,8 +54,12 @@ std::string base_in_words(const Module& m, Id base) {
     return "the normal of node '" + (node < m.nodes.size() ? m.nodes[node].path : "") + "'";
 }
 
+// Values of the surface point belong to no node: the one before them is named.
 OverLimit too_many(const Module& m) {
-    return {Limit::graph_values, m.most_values, m.current_node, m.nodes[m.current_node].path};
+    uint32_t node = m.current_node;
+    for (Id id = m.size(); node == 0 && id > 0;)
+        node = m.origin[--id];
+    return {Limit::graph_values, m.most_values, node, m.nodes[node].path};
 }
 
 }  // namespace

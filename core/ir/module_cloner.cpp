@@ -58,8 +58,8 @@ void ModuleCloner::run(std::span<const Id> roots) {
             ids_.set(id, write(id));
             give_names(id);
         } catch (OverLimit& over) {
-            over.node = origin;
-            over.path = (into_functions_ ? target_ : source_)->nodes[origin].path;
+            if (origin != 0) over.node = origin;
+            over.path = (into_functions_ ? target_ : source_)->nodes[over.node].path;
             throw;
         }
     };

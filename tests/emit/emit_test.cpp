@@ -104,7 +104,7 @@ TEST(Emit, the_space_of_normals_is_not_that_of_tangents) {
     world.normal_space = NormalSpace::world;
     const std::string source = emit(m, world).source;
     EXPECT_NE(source.find("unit normal, world space"), std::string::npos);
-    EXPECT_NE(source.find("direction of anisotropy, object space"), std::string::npos);
+    EXPECT_NE(source.find("stretched along it, object space"), std::string::npos);
 }
 
 TEST(Emit, nothing_is_declared_that_is_not_read) {
