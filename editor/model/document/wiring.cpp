@@ -213,15 +213,28 @@ std::string wire_problem(const Model& model, const Document& document, const Lin
            ". " + sentence(alternative(*given, wanted, *model.registry));
 }
 
+std::vector<PortType> wanted_ends(const Model& model, const Document& document,
+                                  const std::string& node, const std::string& port) {
+    std::vector<PortType> types;
+    for (const Connection& end : ends_at(document, node, port))
+        if (const auto wanted = wanted_at(model, end.node, end.port)) types.push_back(*wanted);
+    return types;
+}
+
+bool converts(PortType from, const std::vector<PortType>& ends) {
+    return std::ranges::all_of(ends, [&](PortType to) { return converts(from, to); });
+}
+
 std::optional<Passage> passage(const NodeType& type, PortType given,
-                               std::optional<PortType> wanted) {
+                               const std::vector<PortType>& ends) {
+    const PortType wanted = ends.empty() ? given : ends.front();
     std::optional<Passage> best;
     int most = -1;
     for (const Port& in : type.ports) {
         if (!in.is_value() || !converts(given, in.type)) continue;
         for (const Port& out : type.ports) {
-            if (out.kind != Port::Kind::output || !converts(out.type, wanted)) continue;
-            const int score = 2 * (in.type == given) + (out.type == wanted.value_or(given));
+            if (out.kind != Port::Kind::output || !converts(out.type, ends)) continue;
+            const int score = 2 * (in.type == given) + (out.type == wanted);
             if (score <= most) continue;
             most = score;
             best = Passage{in.name, out.name};

@@ -39,14 +39,19 @@ bool wire_is_legal(const Model& model, const Document& document, PortType given,
 std::string wire_problem(const Model& model, const Document& document, const Link& from,
                          const std::string& node, const std::string& port);
 bool converts(PortType from, std::optional<PortType> to);
+// Returns the types to which the value of a wire to this input must convert: that of the input, or
+// those of all users of a reroute.
+std::vector<PortType> wanted_ends(const Model& model, const Document& document,
+                                  const std::string& node, const std::string& port);
+bool converts(PortType from, const std::vector<PortType>& ends);
 
 // Ports by which a node of that type can be inserted in a wire: `given` fits `in`, and `out` fits
-// `wanted`. Equal types first, then in port order.
+// all of `ends`. Equal types first, then in port order.
 struct Passage {
     std::string in, out;
 };
 std::optional<Passage> passage(const NodeType& type, PortType given,
-                               std::optional<PortType> wanted);
+                               const std::vector<PortType>& ends);
 
 // Removes the nodes and reconnects their users: each gets the source of the node's first connected
 // input of the output's type, else of the first connected input that converts to it.

@@ -47,8 +47,8 @@ bool add_in_wire(State& state, const NodeType& type) {
     if (!state.view.selected_wire) return false;
     const Wire* wire = state.layout.wire_to(*state.view.selected_wire);
     if (!wire || !wire->known) return false;
-    const auto through =
-        passage(type, wire->from_type, wanted_at(state.model, wire->node, wire->port));
+    const auto through = passage(
+        type, wire->from_type, wanted_ends(state.model, state.document(), wire->node, wire->port));
     if (!through) return false;
     Node node = node_of_type(state.document(), type);
     const std::string id = node.id;
@@ -127,13 +127,13 @@ void add_node_to_selection(State& state, const NodeType& type, ImVec2 at) {
     commit_new(state, type, id, move_node(document, id, place.x, place.y));
 }
 
-std::vector<Offer::Choice> between(const Registry& registry, PortType from, PortType to,
-                                   size_t most) {
+std::vector<Offer::Choice> between(const Registry& registry, PortType from,
+                                   const std::vector<PortType>& ends, size_t most) {
     std::vector<std::pair<int, Offer::Choice>> found;
     for (const NodeType& type : registry.list()) {
         if (type.family == "comparison") continue;
-        if (const auto through = passage(type, from, to))
-            found.emplace_back(distance(type, *through, from, to),
+        if (const auto through = passage(type, from, ends))
+            found.emplace_back(distance(type, *through, from, ends.empty() ? from : ends.front()),
                                Offer::Choice{&type, through->in, through->out});
     }
     std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -148,11 +148,11 @@ void offer_between(State& state, const Gesture& wire, const Card& card, const Pi
     Offer offer;
     offer.connection = connection_at(wire, card, pin);
     const auto given = state.model.type_of(offer.connection.from);
-    const auto wanted = wanted_at(state.model, offer.connection.node, offer.connection.port);
-    if (!given || !wanted || converts(*given, wanted) || wire.loops.contains(card.link_id()))
-        return;
+    const std::vector<PortType> ends =
+        wanted_ends(state.model, state.document(), offer.connection.node, offer.connection.port);
+    if (!given || converts(*given, ends) || wire.loops.contains(card.link_id())) return;
     if (wire.taken) offer.lifted = Link{wire.node, wire.port};
-    offer.choices = between(*state.registry, *given, *wanted);
+    offer.choices = between(*state.registry, *given, ends);
     offer.why = state.status;
     if (!offer.choices.empty()) offer.why = offer.why.substr(0, offer.why.find(';')) + ".";
     offer.at = ImGui::GetIO().MousePos;

@@ -54,10 +54,11 @@ void group_selected(State& state);
 // Inlines the one selected sub-graph in one undo step; its file remains.
 void ungroup_selected(State& state);
 
-// Proposes nodes that convert between two types: they take the one and return the other.
+// Proposes nodes between a source and the ends of its wire: they take the type `from` and return
+// one that all ends take.
 // Returns at most `most` choices, the best first; empty if no single node converts.
-std::vector<Offer::Choice> between(const Registry& registry, PortType from, PortType to,
-                                   size_t most = 3);
+std::vector<Offer::Choice> between(const Registry& registry, PortType from,
+                                   const std::vector<PortType>& ends, size_t most = 3);
 
 // Opens the offer at the pointer for a wire that was dropped at a pin of another type.
 void offer_between(State& state, const Gesture& wire, const Card& card, const Pin& pin);

@@ -32,7 +32,8 @@ const Card* loose_card(const State& state) {
 std::optional<Passage> passage_in(const State& state, const Card& card, const Wire& wire) {
     if (!wire.known) return std::nullopt;
     if (card.reroute) return Passage{"in", "out"};
-    return passage(*card.type, wire.from_type, wanted_at(state.model, wire.node, wire.port));
+    return passage(*card.type, wire.from_type,
+                   wanted_ends(state.model, state.document(), wire.node, wire.port));
 }
 
 // Returns the wire into which the moved card would be inserted.
