@@ -198,7 +198,7 @@ TEST(Scatter, HasExactSlopes) {
                 const std::string nodes =
                     one(type, all) +
                     R"(, "g": {"type": "gradient_from_height", "in": {"height": {"from": "n.height"}}})";
-                const auto at = [&](double by) {
+                const auto at = [&, type = type](double by) {
                     auto moved = points;
                     for (Point& p : moved)
                         p[0] += by;
@@ -234,7 +234,7 @@ TEST(Scatter, FadesToTheMean) {
                              less + R"(, "count": 64, "size": [0.1, 0.1], "order": "random")",
                              0.06}}) {
                 const std::string all = in + R"(, "shape": ")" + shape + '"';
-                const auto mean = [&](const std::string& scale) {
+                const auto mean = [&, type = type](const std::string& scale) {
                     const std::string nodes =
                         one(type, all + R"(, "uv": {"from": "t.uv"})") +
                         R"(, "t": {"type": "uv_transform", "in": {"scale": [)" + scale + ", " +
