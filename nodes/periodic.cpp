@@ -119,7 +119,12 @@ struct Ramping {
 static Float gradient_position(const Ramping& in) {
     const vec2 p = named("p", rotated(in.uv - in.center, -radians(in.rotation)) / in.size);
     const vec2 side = named("side", abs(p));
-    const auto turns = [&] { return atan(p.y(), p.x()) / two_pi() * in.arms; };
+    // The angle takes less rounding than the rotated and scaled point.
+    const vec2 from = in.uv - in.center;
+    const auto turns = [&] {
+        const Float turn = named("turn", atan(from.y(), from.x()) / two_pi() - in.rotation / 360);
+        return (turn - floor(turn + 0.5)) * in.arms;
+    };
     switch (in.shape) {
         case GradientShape::linear:
             return 0.5 + 0.5 * p.x();
@@ -219,7 +224,7 @@ static constinit Node periodic_list[] = {
                    "From the middle to where it is 1, in uv units; a linear one is 0 as far on the "
                    "other side",
                    slider(0.01, 1), limits(1e-6, 1e6))
-        .count("arms", 1, 1, 32, "How often an angular or spiral gradient runs from 0 to 1")
+        .count("arms", 1, 1, 4, "How often an angular or spiral gradient runs from 0 to 1")
         .choice("extend", {"clamp", "repeat", "mirror"},
                 "Beyond 0 and 1: constant, from the start again, or back and forth; angular and "
                 "spiral ones repeat unless mirrored")

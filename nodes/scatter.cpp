@@ -221,8 +221,8 @@ static Drawn mean_of(const Copies& in, const Places& places) {
     const bool round = in.stamp == Stamp::dome || in.stamp == Stamp::disc;
     const double part = round ? 0.7853981633974483 : 1;
     const Float smaller = 1 - in.size_random * (1 - in.size_random / 3);  // mean area
-    const Float areas =
-        places.per_area() * in.size.x() * in.size.y() * smaller * in.density * in.mask(in.uv);
+    const Float areas = max(
+        places.per_area() * in.size.x() * in.size.y() * smaller * in.density * in.mask(in.uv), 0);
     const Float covered = places.covered(areas, part);
     const Float drawn = in.order == Order::add ? areas : covered;
     const Float height = 1 - 0.5 * in.height_random;

@@ -147,60 +147,9 @@ WrinkleMaterial_gradient_shapes wrinkle_gradient_shapes(WrinkleSurface_gradient_
     vec2 square_mean = (square_high - square_low) / square_box;
     float is_square_result = abs(index_result - 4.0) <= 1e-06 ? 1.0 : 0.0;  // is_square: Compare
     float chart_4_result = mix(chart_3_result, square_mean.x, is_square_result);  // chart_4: Mix
-    // angular: Gradient shape
-    float angular_sum = 6.123234e-17 * linear_difference.x + linear_difference.y;
-    float angular_sum_2 = -linear_difference.x + 6.123234e-17 * linear_difference.y;
-    vec2 angular_p = vec2(angular_sum, angular_sum_2) / 0.5;
-    bool angular_test = abs(angular_p.x) + abs(angular_p.y) > 0.0;
-    float angular_position = (angular_test ? atan(angular_p.y, angular_p.x) : 0.0) /
-            gradient_shapes_two_pi;
-    float angular_turned = angular_position - floor(angular_position);
-    float angular_sum_3 = -grid_uv_dx.x + grid_uv_dx.y * 6.123234e-17;
-    vec2 angular_p_dx = vec2(grid_uv_dx.x * 6.123234e-17 + grid_uv_dx.y, angular_sum_3) / 0.5;
-    float angular_sum_4 = -grid_uv_dy.x + grid_uv_dy.y * 6.123234e-17;
-    vec2 angular_p_dy = vec2(grid_uv_dy.x * 6.123234e-17 + grid_uv_dy.y, angular_sum_4) / 0.5;
-    vec2 angular_product = vec2(angular_p_dx.y, angular_p_dy.y) * angular_p.x;
-    vec2 angular_product_2 = vec2(angular_p_dx.x, angular_p_dy.x) * angular_p.y;
-    float angular_sum_5 = angular_p.y * angular_p.y + angular_p.x * angular_p.x;
-    float angular_choice = angular_sum_5 > 0.0 ? 1.0 / angular_sum_5 : 0.0;
-    vec2 angular_product_3 = (angular_product - angular_product_2) * angular_choice;
-    vec2 angular_t_slope = (angular_test ? angular_product_3 : vec2(0.0)) / gradient_shapes_two_pi;
-    float angular_box = max(length(angular_t_slope), gradient_shapes_min_box);
-    float angular_product_4 = 0.5 * angular_box;
-    vec2 angular_high = wrinkle_gradient_shapes_repeated(angular_turned + angular_product_4);
-    vec2 angular_low = wrinkle_gradient_shapes_repeated(angular_turned - angular_product_4);
-    vec2 angular_mean = (angular_high - angular_low) / angular_box;
     float is_angular_result = abs(index_result - 5.0) <= 1e-06 ? 1.0 : 0.0;  // is_angular: Compare
-    float chart_5_result = mix(chart_4_result, angular_mean.x, is_angular_result);  // chart_5: Mix
-    bool spiral_test = abs(reflected_p.x) + abs(reflected_p.y) > 0.0;  // spiral: Gradient shape
-    float spiral_choice = spiral_test ? atan(reflected_p.y, reflected_p.x) : 0.0;
-    float spiral_quotient = spiral_choice / gradient_shapes_two_pi;
-    float spiral_position = spiral_quotient * 3.0 + radial_position;
-    float spiral_turned = spiral_position - floor(spiral_position);
-    vec2 spiral_product = vec2(reflected_p_dx.y, reflected_p_dy.y) * reflected_p.x;
-    vec2 spiral_product_2 = vec2(reflected_p_dx.x, reflected_p_dy.x) * reflected_p.y;
-    float spiral_sum = reflected_p.y * reflected_p.y + reflected_p.x * reflected_p.x;
-    float spiral_choice_2 = spiral_sum > 0.0 ? 1.0 / spiral_sum : 0.0;
-    vec2 spiral_product_3 = (spiral_product - spiral_product_2) * spiral_choice_2;
-    vec2 spiral_quotient_2 = (spiral_test ? spiral_product_3 : vec2(0.0)) / gradient_shapes_two_pi;
-    float spiral_box = max(length(spiral_quotient_2 * 3.0 + radial_t_slope),
-            gradient_shapes_min_box);
-    float spiral_product_4 = 0.5 * spiral_box;
-    vec2 spiral_high = wrinkle_gradient_shapes_repeated(spiral_turned + spiral_product_4);
-    vec2 spiral_low = wrinkle_gradient_shapes_repeated(spiral_turned - spiral_product_4);
-    vec2 spiral_mean = (spiral_high - spiral_low) / spiral_box;
     float is_spiral_result = abs(index_result - 6.0) <= 1e-06 ? 1.0 : 0.0;  // is_spiral: Compare
-    float chart_6_result = mix(chart_5_result, spiral_mean.x, is_spiral_result);  // chart_6: Mix
-    float petals_position = spiral_quotient * 5.0;  // petals: Gradient shape
-    float petals_product = 2.0 * petals_position;
-    float petals_difference = petals_product - 2.0 * floor(0.5 * petals_product);
-    float petals_box = max(length(spiral_quotient_2 * 5.0 * 2.0), gradient_shapes_min_box);
-    float petals_product_2 = 0.5 * petals_box;
-    vec2 petals_high = wrinkle_gradient_shapes_mirrored_2(petals_difference + petals_product_2);
-    vec2 petals_low = wrinkle_gradient_shapes_mirrored_2(petals_difference - petals_product_2);
-    vec2 petals_mean = (petals_high - petals_low) / petals_box;
     float is_petals_result = abs(index_result - 7.0) <= 1e-06 ? 1.0 : 0.0;  // is_petals: Compare
-    float chart_7_result = mix(chart_6_result, petals_mean.x, is_petals_result);  // chart_7: Mix
     float quadratic_width = length(radial_t_slope);  // quadratic: Gradient shape
     float quadratic_reach = max(0.5 * quadratic_width, 1.0);
     float quadratic_clamped = clamp(radial_position, -quadratic_reach, 1.0 + quadratic_reach);
@@ -211,6 +160,46 @@ WrinkleMaterial_gradient_shapes wrinkle_gradient_shapes(WrinkleSurface_gradient_
     vec2 quadratic_mean = (quadratic_high - quadratic_low) / quadratic_box;
     // is_quadratic: Compare
     float is_quadratic_result = abs(index_result - 8.0) <= 1e-06 ? 1.0 : 0.0;
+    // angular: Gradient shape
+    bool angular_test = abs(linear_difference.x) + abs(linear_difference.y) > 0.0;
+    float angular_choice = angular_test ? atan(linear_difference.y, linear_difference.x) : 0.0;
+    vec2 angular_product = vec2(grid_uv_dx.y, grid_uv_dy.y) * linear_difference.x;
+    vec2 angular_product_2 = vec2(grid_uv_dx.x, grid_uv_dy.x) * linear_difference.y;
+    float angular_product_3 = linear_difference.y * linear_difference.y;
+    float angular_sum = angular_product_3 + linear_difference.x * linear_difference.x;
+    float angular_choice_2 = angular_sum > 0.0 ? 1.0 / angular_sum : 0.0;
+    vec2 angular_product_4 = (angular_product - angular_product_2) * angular_choice_2;
+    vec2 angular_turn_slope = (angular_test ? angular_product_4 : vec2(0.0)) /
+            gradient_shapes_two_pi;
+    float angular_box = max(length(angular_turn_slope), gradient_shapes_min_box);
+    float angular_product_5 = 0.5 * angular_box;
+    float spiral_turn = angular_choice / gradient_shapes_two_pi;  // spiral: Gradient shape
+    float spiral_difference = spiral_turn - floor(spiral_turn + 0.5);
+    float spiral_position = spiral_difference * 3.0 + radial_position;
+    float spiral_turned = spiral_position - floor(spiral_position);
+    float spiral_box = max(length(angular_turn_slope * 3.0 + radial_t_slope),
+            gradient_shapes_min_box);
+    float spiral_product = 0.5 * spiral_box;
+    vec2 spiral_high = wrinkle_gradient_shapes_repeated(spiral_turned + spiral_product);
+    vec2 spiral_low = wrinkle_gradient_shapes_repeated(spiral_turned - spiral_product);
+    vec2 spiral_mean = (spiral_high - spiral_low) / spiral_box;
+    float angular_turn = spiral_turn - 0.25;  // angular: Gradient shape (continued)
+    float angular_position = angular_turn - floor(angular_turn + 0.5);
+    float angular_turned = angular_position - floor(angular_position);
+    vec2 angular_high = wrinkle_gradient_shapes_repeated(angular_turned + angular_product_5);
+    vec2 angular_low = wrinkle_gradient_shapes_repeated(angular_turned - angular_product_5);
+    vec2 angular_mean = (angular_high - angular_low) / angular_box;
+    float chart_5_result = mix(chart_4_result, angular_mean.x, is_angular_result);  // chart_5: Mix
+    float chart_6_result = mix(chart_5_result, spiral_mean.x, is_spiral_result);  // chart_6: Mix
+    float petals_position = spiral_difference * 4.0;  // petals: Gradient shape
+    float petals_product = 2.0 * petals_position;
+    float petals_difference = petals_product - 2.0 * floor(0.5 * petals_product);
+    float petals_box = max(length(angular_turn_slope * 4.0 * 2.0), gradient_shapes_min_box);
+    float petals_product_2 = 0.5 * petals_box;
+    vec2 petals_high = wrinkle_gradient_shapes_mirrored_2(petals_difference + petals_product_2);
+    vec2 petals_low = wrinkle_gradient_shapes_mirrored_2(petals_difference - petals_product_2);
+    vec2 petals_mean = (petals_high - petals_low) / petals_box;
+    float chart_7_result = mix(chart_6_result, petals_mean.x, is_petals_result);  // chart_7: Mix
     // chart_8: Mix
     float chart_8_result = mix(chart_7_result, quadratic_mean.x, is_quadratic_result);
     WrinkleMaterial_gradient_shapes m;
