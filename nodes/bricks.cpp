@@ -73,9 +73,10 @@ static Brick pinwheel(vec2 p, vec2 square, Float squares) {
     const Float block_size = named("block_size", squares + 1);
     const vec2 block = named("block", floor(square / block_size + 0.5 / block_size) * block_size);
     const vec2 inner = named("inner", square - block);
+    // Where an upright and a lying brick meet, the upright one has the corner.
     const Bool left = inner.x() < 0.5 && inner.y() < squares - 0.5;
     const Bool right = inner.x() > squares - 0.5 && inner.y() > 0.5;
-    const Bool low = inner.y() < 0.5 && !left, high = inner.y() > squares - 0.5 && !right;
+    const Bool low = inner.y()<0.5, high = inner.y()> squares - 0.5;
     const Bool upright = named("upright", left || right), lying = named("lying", low || high);
     const vec2 first = select(upright, vec2(select(left, 0, squares), select(left, 0, 1)),
                               vec2(select(low, 1, 0), select(low, 0, squares)));
@@ -147,8 +148,7 @@ static constinit Node bricks_list[] = {
                          "spanish"},
                         "Rows moved by the offset; rows of halves between; halves in every row; "
                         "boards of random lengths; or crossed bricks, of a rounded aspect: spanish "
-                        "has four "
-                        "around a square")
+                        "has four around a square")
                     .in<Float>("aspect", 2, "Length of a brick over its width", slider(1, 6),
                                limits(1, 100), unit("x"))
                     .in<Float>("offset", 0.5,
