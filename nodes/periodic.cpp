@@ -224,6 +224,7 @@ static constinit Node periodic_list[] = {
                    "From the middle to where it is 1, in uv units; a linear one is 0 as far on the "
                    "other side",
                    slider(0.01, 1), limits(1e-6, 1e6))
+        // atan() of GLSL is exact to about 2e-5 turns; arms multiply that.
         .count("arms", 1, 1, 4, "How often an angular or spiral gradient runs from 0 to 1")
         .choice("extend", {"clamp", "repeat", "mirror"},
                 "Beyond 0 and 1: constant, from the start again, or back and forth; angular and "

@@ -6,7 +6,7 @@
 namespace wrinkle::test {
 
 inline constexpr double degrees = 57.29577951308232;  // per radian
-inline constexpr double degree = 1 / degrees;  // in radians
+inline constexpr double degree = 1 / degrees;         // in radians
 inline constexpr double full_circle = 6.283185307179586;
 
 // Uses the sine too, because the cosine loses small angles. Vector: any type with a[0], a[1], a[2].
