@@ -76,7 +76,8 @@ static Brick pinwheel(vec2 p, vec2 square, Float squares) {
     // Where an upright and a lying brick meet, the upright one has the corner.
     const Bool left = inner.x() < 0.5 && inner.y() < squares - 0.5;
     const Bool right = inner.x() > squares - 0.5 && inner.y() > 0.5;
-    const Bool low = inner.y()<0.5, high = inner.y()> squares - 0.5;
+    const Bool low = inner.y() < 0.5;
+    const Bool high = inner.y() > squares - 0.5;
     const Bool upright = named("upright", left || right), lying = named("lying", low || high);
     const vec2 first = select(upright, vec2(select(left, 0, squares), select(left, 0, 1)),
                               vec2(select(low, 1, 0), select(low, 0, squares)));
