@@ -22,7 +22,7 @@ using Run = std::function<int()>;
 
 // In the order of --help.
 #define WRINKLE_COMMANDS(row)                                                                \
-    row(check) row(compile) row(eval) row(render) row(bake) row(convert) row(lint) row(test) \
+    row(check) row(compile) row(eval) row(render) row(bake) row(convert) row(lint) row(import) row(test) \
         row(format) row(upgrade) row(inputs) row(nodes) row(plugins) row(new_plugin)         \
             row(explain_log) row(completion) row(man)
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <bitset>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <optional>
 
 #include "mesh/uv_triangle.h"
@@ -113,6 +114,21 @@ UvSurvey survey_uvs(const Mesh& mesh) {
     }
     survey.udim_tiles = used.tiles();
     return survey;
+}
+
+double uv_length(const Mesh& mesh) {
+    if (!mesh.has_uv(0)) return 0;
+    double area = 0, uv_area = 0;
+    for (size_t t = 0; t < mesh.triangle_count(); ++t) {
+        const uint32_t* corner = mesh.indices.data() + 3 * t;
+        const glm::dvec3 a = mesh.positions[corner[0]], b = mesh.positions[corner[1]],
+                         c = mesh.positions[corner[2]];
+        const glm::dvec2 p = mesh.uvs[0][corner[0]], q = mesh.uvs[0][corner[1]],
+                         r = mesh.uvs[0][corner[2]];
+        area += glm::length(glm::cross(b - a, c - a));
+        uv_area += std::abs((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x));
+    }
+    return uv_area > 0 ? std::sqrt(area / uv_area) : 0;
 }
 
 }  // namespace wrinkle

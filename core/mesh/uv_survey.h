@@ -1,5 +1,5 @@
 // Survey of a mesh's uv layout for a bake: the unit squares of uv that triangles overlap, and
-// counts for warnings. A square is identified by its lower left corner, two integers. Linear in the
+// counts for warnings; and the scale of the layout. A square is identified by its lower left corner, two integers. Linear in the
 // triangles.
 //
 // UDIM numbers tiles 1001 + u + 10 row, u from 0 to 9. Rows count upward from v = 0. If the layout
@@ -26,6 +26,10 @@ struct UvSurvey {
 
 // Precondition: the mesh has uv0.
 UvSurvey survey_uvs(const Mesh& mesh);
+
+// Returns the length of a uv unit of uv0 in object space: the square root of the surface's area over
+// its area in uv; 0 if the mesh has no uv0 or no area in uv.
+double uv_length(const Mesh& mesh);
 
 inline constexpr int udim_columns = 10;
 inline constexpr int udim_rows = 899;  // four digits: 1001 to 9990

@@ -1,0 +1,38 @@
+// The graph of a material that reads a texture set.
+//
+// Every channel becomes the standard output of its name. Colours are read as sRGB, data as stored.
+// The normal comes from the normal map, else from the height map. Nodes: `tile` (uv_transform), one
+// node for each image (`color_map`, `normal_map`, ...; `packed_map` for several channels), and the
+// arithmetic between. Exposed inputs: `tiling`, `bump` (factor of the slopes), `roughness` (factor)
+// and `height` (height of white over black); each only if it has an effect.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+
+#include "graph/document.h"
+#include "import/texture_set.h"
+
+namespace wrinkle::textures {
+
+// Lengths are in units of object space.
+//
+// Size of a repeat: texel * size of the image in texels; without `texel` that of one uv unit on
+// the mesh; without both 1. With `texel`, `tiling` is how many repeats of that size fit into a uv
+// unit, which without a mesh is as long as a repeat is wide; else it is 1. If the size is known, heights are lengths on the surface (scale `surface`);
+// otherwise slopes do not depend on the surface (scale `unit`).
+struct GraphOptions {
+    std::optional<std::array<double, 2>> texel;  // width and height of a texel, > 0
+    std::optional<double> uv_length;             // length of a uv unit on the mesh, > 0
+    // Height of white over black. Default: TextureSet::relief times the texel, else default_relief
+    // times the width of a repeat.
+    std::optional<double> height;
+    std::filesystem::path folder;  // of the graph; images are named relative to it
+};
+inline constexpr double default_relief = 0.02;
+
+// Precondition: examine_textures() succeeded. Equal arguments give equal documents.
+Document material_graph(const TextureSet& set, const GraphOptions& options);
+
+}  // namespace wrinkle::textures
