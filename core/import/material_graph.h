@@ -20,15 +20,16 @@ namespace wrinkle::textures {
 //
 // Size of a repeat: texel * size of the image in texels; without `texel` that of one uv unit on
 // the mesh; without both 1. With `texel`, `tiling` is how many repeats of that size fit into a uv
-// unit, which without a mesh is as long as a repeat is wide; else it is 1. If the size is known, heights are lengths on the surface (scale `surface`);
-// otherwise slopes do not depend on the surface (scale `unit`).
+// unit, which without a mesh is as long as a repeat is wide; else it is 1. If the size is known,
+// heights are lengths on the surface (scale `surface`); otherwise slopes do not depend on the
+// surface (scale `unit`).
 struct GraphOptions {
-    std::optional<std::array<double, 2>> texel;  // width and height of a texel, > 0
-    std::optional<double> uv_length;             // length of a uv unit on the mesh, > 0
+    std::optional<std::array<double, 2>> texel = {};  // width and height of a texel, > 0
+    std::optional<double> uv_length = {};             // length of a uv unit on the mesh, > 0
     // Height of white over black. Default: TextureSet::relief times the texel, else default_relief
     // times the width of a repeat.
-    std::optional<double> height;
-    std::filesystem::path folder;  // of the graph; images are named relative to it
+    std::optional<double> height = {};
+    std::filesystem::path folder = {};  // with the graph; images are named relative to it
 };
 inline constexpr double default_relief = 0.02;
 

@@ -48,7 +48,7 @@ constexpr Row rows[] = {
     {"normaldx normaldirectx nordx nrmdx", normal_rgb, 2, NamedGreen::dx},
     {"roughness rough rgh r", rough_red},
     {"gloss glossiness smoothness smooth", gloss_red, 1},
-    {"metalness metallic metal met mtl m", metal_red},
+    {"metalness metallic metal mtl m", metal_red},
     {"ambientocclusion ambientocc occlusion occ ao", occlusion_red},
     {"height displacement displace disp dsp h", height_red},
     {"bump", height_red, 1},

@@ -51,8 +51,8 @@ struct TextureRole {
     std::string_view key;                    // "normalgl"
     std::span<const ChannelSource> sources;  // empty: known, but no channel of a material
     NamedGreen green = NamedGreen::unknown;
-    // Of several files for one channel the one with the lowest rank is used: a map of its own
-    // before a packed one, roughness before gloss, a height before a bump.
+    // The file with the lowest rank is used for a channel: a single map before a packed one,
+    // roughness before gloss, a height before a bump.
     uint8_t rank = 0;
 };
 

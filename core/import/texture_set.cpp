@@ -126,6 +126,9 @@ void assign(TextureSet& set, std::vector<Candidate>& candidates, Channel channel
                                        best.file.filename().string(),
                                    "name the images that are to be used instead of the folder"));
     best.is_used = true;
+    if (!is_utf8(best.file.filename().string()))
+        diagnostics.add(problem_of(Severity::error, best.file, "is not named in UTF-8",
+                                   "another name: a graph cannot spell this one"));
     for (size_t i = 1; i < found.size(); ++i)
         found[i]->better = best.file;
     const auto source = std::ranges::find(best.role->sources, channel, &ChannelSource::channel);

@@ -54,6 +54,8 @@ TEST_F(PrintedNamesTest, NamesOfFilesAreEscaped) {
              {"test", evil + ".test.json"},
              {"format", "--check", evil + "unformatted.json"},
              {"lint", missing},
+             {"import", missing, "-o", "out.json"},
+             {"import", ".", "-o", evil + "/missing/x"},
              {"inputs", evil + "unformatted.json"},
              {"inputs", "--json", evil + "unformatted.json"},
              {"check", "@" + missing},

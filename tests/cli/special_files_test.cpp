@@ -15,7 +15,8 @@ protected:
         alarm(300);  // a command that blocks ends the test program
         put("g.json", tilt_graph());
         mkfifo((folder / "pipe").c_str(), 0600);
-        for (const char* extension : {".json", ".test.json", ".png", ".obj", ".hdr", ".so"}) {
+        for (const char* extension :
+             {".json", ".test.json", ".png", "_color.png", ".obj", ".hdr", ".so"}) {
             fs::create_symlink("pipe", folder / ("pipe" + std::string(extension)));
             fs::create_symlink("/dev/zero", folder / ("zero" + std::string(extension)));
         }
@@ -68,6 +69,7 @@ TEST_F(SpecialFilesTest, AreRefusedByEveryCommand) {
              {"explain-log", "g.json", "*.json"},
              {"convert", "*.png", "--to", "height", "-o", "out.png"},
              {"lint", "*.png"},
+             {"import", "*_color.png", "-o", "out.json", "--root", "/"},
              {"test", "*.test.json"}})
         expect_refused(words);
     expect_refused({"check", "@*.json"}, 2);

@@ -90,6 +90,8 @@ protected:
         put("driver.log", "0:3(1): error: bad\n");
         put("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n");
         fs::copy_file(WRINKLE_SOURCE_DIR "/graphs/textures/weave_normal.png", folder / "base.png");
+        put("wall/a_normal.png", get("base.png"));
+        put("wall/a_height.png", get("base.png"));
         fs::copy_file(WRINKLE_SOURCE_DIR "/graphs/compare/meshes/bent_cylinder.glb",
                       folder / "mesh.glb");
         put_gltf();
@@ -235,6 +237,10 @@ TEST_F(HostileFiles, AsImagesAndMeshesKeepTheContract) {
          {"out.png"}},
         {"base.png", {"convert", "base.png", "-o", "out.exr", "--to", "derivative"}, {"out.exr"}},
         {"base.png", {"lint", "base.png", "--json"}},
+        {"wall/a_normal.png", {"import", "wall", "-o", "out.json"}, {"out.json"}},
+        {"wall/a_height.png",
+         {"import", "wall/a_normal.png", "wall/a_height.png", "-o", "out.json"},
+         {"out.json"}},
         {"base.png",
          {"render", "plain.json", "-o", "out.png", "--size", "8x8", "--environment", "base.png"},
          {"out.png"}},

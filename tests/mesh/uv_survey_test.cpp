@@ -91,5 +91,20 @@ TEST(UvSurvey, ALayoutInOneOtherSquareIsBakedThere) {
     EXPECT_EQ(survey_at({{0, -1}, {0, -2}}).in_square, 0U);
 }
 
+// Sides of length 2 over squares of side 1 and of side 1/3.
+TEST(UvSurvey, TheLengthOfAUvUnitIsThatOfTheSurface) {
+    Mesh plane = *make_shape("plane");
+    EXPECT_NEAR(uv_length(plane), 2, 1e-6);
+    EXPECT_NEAR(uv_length(*make_shape("cube")), 6, 1e-5);
+    for (glm::vec2& uv : plane.uvs[0])
+        uv = glm::vec2(-10 * uv.y, 10 * uv.x);
+    EXPECT_NEAR(uv_length(plane), 0.2, 1e-6);
+    for (glm::vec2& uv : plane.uvs[0])
+        uv = glm::vec2(0.5F);
+    EXPECT_EQ(uv_length(plane), 0);
+    plane.uvs[0].clear();
+    EXPECT_EQ(uv_length(plane), 0);
+}
+
 }  // namespace
 }  // namespace wrinkle
