@@ -3,8 +3,8 @@
 //
 // Two steps: find_textures() assigns files to channels by their names and opens no image;
 // examine_textures() opens the files that are used. Both report every problem with the file and a
-// remedy. Warnings: images that are left out, a green that a name does not state, pixels of
-// a normal map that contradict its name. Errors: nothing recognised, two files of equal rank for one
+// remedy. Warnings: images that are left out, a green that a name does not state, pixels of a
+// normal map that contradict its name. Errors: nothing recognised, two files of equal rank for one
 // channel, an image that cannot be read.
 #pragma once
 

@@ -1,6 +1,6 @@
 // Survey of a mesh's uv layout for a bake: the unit squares of uv that triangles overlap, and
-// counts for warnings; and the scale of the layout. A square is identified by its lower left corner, two integers. Linear in the
-// triangles.
+// counts for warnings; and the scale of the layout. A square is identified by its lower left
+// corner, two integers. Linear in the triangles.
 //
 // UDIM numbers tiles 1001 + u + 10 row, u from 0 to 9. Rows count upward from v = 0. If the layout
 // extends below 0 and never above 1, they count downward: v from -1 to 0 is row 1. So a glTF file,
@@ -27,8 +27,8 @@ struct UvSurvey {
 // Precondition: the mesh has uv0.
 UvSurvey survey_uvs(const Mesh& mesh);
 
-// Returns the length of a uv unit of uv0 in object space: the square root of the surface's area over
-// its area in uv; 0 if the mesh has no uv0 or no area in uv.
+// Returns the length of a uv unit of uv0 in object space: the square root of the surface's area
+// over its area in uv; 0 if the mesh has no uv0 or no area in uv.
 double uv_length(const Mesh& mesh);
 
 inline constexpr int udim_columns = 10;
