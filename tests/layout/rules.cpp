@@ -45,7 +45,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"plugins", {"sdk"}},
     {"editor/model",
      {"base", "json", "ir", "graph", "registry", "lower", "emit", "spirv", "cpu", "image", "mesh",
-      "maps", "bake", "cost", "compile", "glm", "contract", "list of nodes"}},
+      "maps", "import", "bake", "cost", "compile", "glm", "contract", "list of nodes"}},
     {"editor/view",
      {"base", "json", "ir", "graph", "registry", "lower", "emit", "cpu", "image", "mesh", "maps",
       "gpu", "bake", "contract", "editor/model", "glm", "gl", "imgui"}},

@@ -3,6 +3,7 @@
 #include "editor/model/document/files.h"
 #include "editor/model/document/levels.h"
 #include "editor/model/document/recovery.h"
+#include "editor/model/document/texture_import.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
@@ -100,6 +101,8 @@ void carry_out(Session& session, const PendingAction& intent) {
             return;
         case PendingAction::Kind::leave:
             return leave_subgraphs(session, intent.depth);
+        case PendingAction::Kind::import:
+            return open_imported(session, intent);
     }
 }
 

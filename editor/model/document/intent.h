@@ -4,17 +4,23 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
+
+namespace wrinkle {
+struct Document;
+}
 
 namespace wrinkle::editor {
 
 struct Session;
 
 struct PendingAction {
-    enum class Kind : uint8_t { nothing, quit, new_graph, open, recover, leave };
+    enum class Kind : uint8_t { nothing, quit, new_graph, open, recover, leave, import };
     Kind kind = Kind::nothing;
-    std::filesystem::path file;  // for open; for recover, the recovery file
+    std::filesystem::path file;  // for open; for recover, the recovery file; for import, the folder
     size_t depth = 0;            // for leave: index in State::outer of the graph to return to
+    std::shared_ptr<const Document> document = {};  // for import
 };
 
 // Modal prompt that the user must answer first (panels/questions.h draws it).

@@ -64,6 +64,7 @@ void try_task_again(Session& session) {
 void poll_tasks(Session& session) {
     Tasks& tasks = session.tasks;
     if (!tasks.running || !tasks.running->ended()) return;
+    if (tasks.running->order().then && session.question.open()) return;
     TaskOutcome outcome = tasks.running->outcome();
     const TaskSpec& order = tasks.running->order();
     if (outcome.good || !tasks.running->cancelled()) {
@@ -74,7 +75,9 @@ void poll_tasks(Session& session) {
         session.status = order.name + " was cancelled. Nothing was written.";
     }
     tasks.again = order.again;
+    const auto then = order.then;
     tasks.running.reset();
+    if (outcome.good && then) then(session);
 }
 
 }  // namespace wrinkle::editor

@@ -42,6 +42,8 @@ struct TaskSpec {
     TaskWork work;
     std::function<void()> again;  // starts the same task again
     std::string unit = {};        // counted unit, with a rate: "texels"; "" is steps
+    // Called after success on the thread of the interface, once no question is open.
+    std::function<void(Session&)> then = {};
 };
 
 class Task {

@@ -5,6 +5,7 @@
 
 #include "base/file.h"
 #include "editor/model/document/field.h"
+#include "editor/model/document/texture_import.h"
 #include "editor/view/canvas/canvas.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/canvas/new_cards.h"
@@ -202,7 +203,12 @@ fs::path canonical_or_same(const fs::path& file) {
 
 void handle(State& state, const FileDrop& drop) {
     std::vector<std::string> images;
+    std::error_code ignored;
     for (const std::string& file : drop.files) {
+        if (fs::is_directory(file, ignored)) {
+            import_folder(state, file);
+            return;
+        }
         const Kind kind = kind_of_name(file);
         if (kind == Kind::graph) return request_action(state, {PendingAction::Kind::open, file});
         PreviewView& preview = state.view.preview_view;
