@@ -35,8 +35,8 @@ struct ImportCommand {
     std::string wrong_usage() const {
         if (texel.size() > 2) return "--texel takes one size or two";
         for (const double size : texel)
-            if (!(size > 0) || !std::isfinite(size)) return "--texel takes sizes above 0";
-        if (height && !std::isfinite(*height)) return "--height is a number";
+            if (!(size >= 1e-9 && size <= 1e6)) return "--texel takes sizes from 1e-9 to 1e6";
+        if (height && !(std::abs(*height) <= 1e6)) return "--height takes a length up to 1e6";
         std::error_code error;
         if (output != "-" && fs::is_directory(output, error))
             return "-o " + output + " is a folder; name the graph in it";
@@ -118,6 +118,7 @@ void declare_import(CLI::App& app, Run& run) {
     sub.add_option("--texel", c.texel,
                    "Width, or width and height, of a texel in length units of object space")
         ->delimiter(',')
+        ->allow_extra_args(false)  // the next word may be an image
         ->type_name("W[,H]");
     declare_mesh(sub, c.mesh,
                  "The mesh that it is made for: gives the size of a texel, or with --texel how "

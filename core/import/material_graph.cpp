@@ -142,9 +142,10 @@ private:
             const Texture* texture = set_.find(channel);
             if (!texture) continue;
             const std::string id = std::string(name_of(channel)) + "_map";
-            add_node(
-                id, "image",
-                {literal("image", image_value(path_of(*texture), Encoding::srgb, true)), uv()});
+            const bool is_coded = is_integer(texture->info.source);  // floats are linear
+            const Encoding encoding = is_coded ? Encoding::srgb : Encoding::linear;
+            add_node(id, "image",
+                     {literal("image", image_value(path_of(*texture), encoding, is_coded)), uv()});
             data_nodes_[texture->file] = id;  // alpha is never encoded
             add_output(channel, {id, "color"});
         }

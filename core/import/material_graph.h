@@ -1,10 +1,11 @@
 // The graph of a material that reads a texture set.
 //
-// Every channel becomes the standard output of its name. Colours are read as sRGB, data as stored.
-// The normal comes from the normal map, else from the height map. Nodes: `tile` (uv_transform), one
-// node for each image (`color_map`, `normal_map`, ...; `packed_map` for several channels), and the
-// arithmetic between. Exposed inputs: `tiling`, `bump` (factor of the slopes), `roughness` (factor)
-// and `height` (height of white over black); each only if it has an effect.
+// Every channel becomes the standard output of its name. Colours are read as sRGB, but linear from
+// float files; data as stored. The normal comes from the normal map, else from the height map.
+// Nodes: `tile` (uv_transform), one node for each image (`color_map`, `normal_map`, ...;
+// `packed_map` for several channels), and the arithmetic between. Exposed inputs: `tiling`, `bump`
+// (factor of the slopes), `roughness` (factor) and `height` (height of white over black); each only
+// if it has an effect.
 #pragma once
 
 #include <array>

@@ -62,7 +62,7 @@ constexpr Row rows[] = {
     {"metallicroughness metalnessroughness", gltf, 2},
     {"metallicsmoothness metallicgloss", unity, 3},
     {"maskmap", hdrp, 3},
-    {"specular spec specularlevel cavity cav curvature thickness translucency fuzz preview "
+    {"specular spec specularlevel reflection refl cavity cav curvature thickness translucency fuzz preview "
      "thumbnail normalobject objectnormal worldnormal", {}},
 };
 // clang-format on
@@ -110,16 +110,22 @@ bool all_digits(std::string_view text) {
     return !text.empty() && std::ranges::all_of(text, is_digit);
 }
 
-// Resolution, format, bit depth, level of detail or index.
+// "2k", "2048x1024".
+bool is_resolution(std::string_view word) {
+    if (word.ends_with('k')) return all_digits(word.substr(0, word.size() - 1));
+    const size_t cross = word.find('x');
+    return cross != word.npos && all_digits(word.substr(0, cross)) &&
+           all_digits(word.substr(cross + 1));
+}
+
+// Resolution, format, bit depth, color space, level of detail or index.
 bool is_qualifier(std::string_view word) {
     static constexpr std::string_view known[] = {
-        "map", "tex",  "texture", "png", "jpg",  "jpeg", "exr",   "tif",   "tiff",   "tga", "lod",
-        "var", "srgb", "raw",     "bit", "bits", "8bit", "16bit", "32bit", "linear", "256", "512"};
+        "map",   "tex",    "texture", "png",  "jpg",     "jpeg", "exr",  "tif",  "tiff",
+        "tga",   "lod",    "var",     "srgb", "raw",     "bit",  "bits", "8bit", "16bit",
+        "32bit", "linear", "256",     "512",  "utility", "s",    "rgb"};
     if (std::ranges::find(known, word) != std::end(known)) return true;
-    if (word.ends_with('k') && all_digits(word.substr(0, word.size() - 1))) return true;
-    const size_t cross = word.find('x');
-    if (cross != word.npos)
-        return all_digits(word.substr(0, cross)) && all_digits(word.substr(cross + 1));
+    if (is_resolution(word)) return true;
     return all_digits(word) && word.size() != 3 && word.size() <= 5;
 }
 
@@ -158,12 +164,21 @@ bool match_before(Match& match, size_t end) {
     return false;
 }
 
+// Finds a key before word `end`, skipping qualifiers; without one the match is unchanged.
+void match_from(Match& match, size_t end) {
+    while (end > 0 && !match_before(match, end) && is_qualifier(match.words[end - 1].text))
+        --end;
+}
+
 Match match_of(std::string_view stem) {
     Match match;
     match.words = words_of(stem);
-    size_t end = match.words.size();
-    while (end > 0 && !match_before(match, end) && is_qualifier(match.words[end - 1].text))
-        --end;
+    match_from(match, match.words.size());
+    // Poliigon: "Bricks01_COL_2K_METALNESS", where the last word names the workflow.
+    const bool is_workflow =
+        match.role && (match.role->key == "metalness" || match.role->key == "specular");
+    if (is_workflow && match.begin > 1 && is_resolution(match.words[match.begin - 1].text))
+        match_from(match, match.begin - 1);
     return match;
 }
 

@@ -4,11 +4,11 @@
 // a capital letter, before the last of several capital letters, and before digits after a letter:
 // "Bricks102_1K-JPG_NormalGL" has the words bricks, 102, 1k, jpg, normal, gl. Case is ignored. The
 // last words that are a key of the table (texture_names.cpp) select the role; words after them that
-// state a resolution, a format, a bit depth, a level of detail, or an index of at most two digits
+// state a resolution, a format, a color space, a level of detail, or an index of at most two digits
 // are skipped. The longest key is taken: "ambient occlusion" before "occlusion".
 //
 // Covered are the names of ambientCG, Poly Haven, Quixel Megascans, FreePBR, cgbookcase,
-// Textures.com, Substance and the packings of Unreal, Unity and glTF.
+// Textures.com, Poliigon, Substance and the packings of Unreal, Unity and glTF.
 #pragma once
 
 #include <cstdint>

@@ -60,16 +60,17 @@ std::optional<std::vector<fs::path>> images_of_folder(const fs::path& folder,
             return failed("holds more than " + std::to_string(max_folder_files) + " files",
                           "name the images of the material instead of the folder");
         std::error_code ignored;
-        if (entry->is_directory(ignored)) textures = entry->path();
+        if (entry->is_directory(ignored) && (textures.empty() || entry->path() < textures))
+            textures = entry->path();
         if (has_image_extension(entry->path()) && entry->is_regular_file(ignored))
             images.push_back(entry->path());
     }
     if (error) return failed("cannot be read: " + error.message());
     if (images.empty())
-        return failed("holds no image", textures.empty()
-                                            ? std::string(example_names)
-                                            : "images of sub-folders, such as " +
-                                                  textures.string() + ", are not taken");
+        return failed("holds no image", textures.empty() ? std::string(example_names)
+                                                         : "name the folder with the images, such "
+                                                           "as " +
+                                                               textures.string());
     std::ranges::sort(images);
     return images;
 }

@@ -102,6 +102,14 @@ TEST_F(Import, ValuesAreThoseOfTheImages) {
     EXPECT_EQ(run({"format", "--check", "set/g.json"}).code, 0);
 }
 
+TEST_F(Import, ColoursOfFloatFilesAreLinear) {
+    Image image = make_image(4, 4, 3);
+    std::fill(image.data.begin(), image.data.end(), 0.25F);
+    save(image, "a_color.exr", PixelType::half);
+    imported({"a_color.exr", "-o", "g.json"});
+    EXPECT_NEAR(values("g.json").find("color").at(0).as_number(), 0.25, 1e-6);
+}
+
 TEST_F(Import, PackedChannelsGoToTheirOutputs) {
     struct Row {
         const char* name;
@@ -175,7 +183,7 @@ TEST_F(Import, TilingRepeatsTheTextures) {
 // times.
 TEST_F(Import, TheMeshGivesTheSizeOfATexel) {
     put_image("a_height.png", {255});
-    imported({"a_height.png", "-o", "g.json", "--mesh", "plane", "--texel", "0.01"});
+    imported({"--texel", "0.01,0.01", "a_height.png", "-o", "g.json", "--mesh", "plane"});
     EXPECT_TRUE(says(get("g.json"), "\"default\": [50, 50]"));
     imported({"a_height.png", "-o", "g.json", "--mesh", "plane"});
     EXPECT_TRUE(says(get("g.json"), "\"default\": 0.04,"));
@@ -241,6 +249,7 @@ TEST_F(Import, BadInputsAreErrors) {
         {{".", "-o", "empty"}, 2},
         {{".", "-o", "g.json", "--texel", "0"}, 2},
         {{".", "-o", "g.json", "--texel", "nan"}, 2},
+        {{".", "-o", "g.json", "--texel", "1e300"}, 2},
         {{".", "-o", "g.json", "--texel", "1,2,3"}, 2},
         {{".", "-o", "g.json", "--height", "inf"}, 2},
         {{".", "-o", "g.json", "--mesh", "spher"}, 2},

@@ -111,7 +111,7 @@ TEST_F(Textures, FoldersThatHoldNoSetAreErrors) {
     EXPECT_TRUE(reports("holds no image (names end like"));
     folder.put("textures/a_color.png", "");
     EXPECT_FALSE(found());
-    EXPECT_TRUE(reports("images of sub-folders, such as "));
+    EXPECT_TRUE(reports("holds no image (name the folder with the images, such as "));
     folder.put("photo.png", "");
     EXPECT_FALSE(found());
     EXPECT_TRUE(reports("no image has a name of a channel: photo.png (names end like"));
