@@ -37,10 +37,11 @@ struct View : Borders {
     };
     std::vector<Push> pushes;
     bool all_surface = false, all_outputs = false;
-    bool node_previews = true;     // node previews on the cards (canvas/make_card.h)
-    std::set<std::string> turned;  // nodes with preview visibility opposite to the default
-    bool tracing = false;          // dims cards not up- or downstream of the selection
-    bool heat = false;             // tints cards by cost
+    std::set<std::string> unfolded;  // nodes with all ports shown (canvas/make_card.h)
+    bool node_previews = true;       // node previews on the cards (canvas/make_card.h)
+    std::set<std::string> turned;    // nodes with preview visibility opposite to the default
+    bool tracing = false;            // dims cards not up- or downstream of the selection
+    bool heat = false;               // tints cards by cost
     PreviewView preview_view;
     CompareView compare;
     // `against` is ignored while `compare` is off.

@@ -20,9 +20,13 @@ using Kind = Gesture::Kind;
 constexpr float threshold = 4;  // pixels before a press becomes a drag
 
 void toggle_more(CanvasState& canvas, const Card& card) {
-    bool& all =
-        card.kind == Card::Kind::surface ? canvas.view.all_surface : canvas.view.all_outputs;
-    all = !all;
+    View& view = canvas.view;
+    if (card.kind == Card::Kind::node) {
+        if (view.unfolded.erase(card.id) == 0) view.unfolded.insert(card.id);
+    } else {
+        bool& all = card.kind == Card::Kind::surface ? view.all_surface : view.all_outputs;
+        all = !all;
+    }
     canvas.layout_stale = true;
 }
 
@@ -119,6 +123,14 @@ void drag_view(State& state, ImVec2) {
     state.view.pan = state.view.pan + ImGui::GetIO().MouseDelta;
 }
 
+// A wire that is dragged onto the row of folded ports shows them.
+void unfold_under_wire(State& state, ImVec2) {
+    const Hit hit = pick(state, ImGui::GetIO().MousePos);
+    if (hit.kind != Hit::Kind::more) return;
+    const Card& card = state.layout.cards[hit.card];
+    if (card.kind == Card::Kind::node && !card.unfolded) toggle_more(state, card);
+}
+
 // Functions for each motion and for the release of the button, by Gesture::Kind.
 struct GestureSteps {
     void (*drag)(State&, ImVec2 delta) = nullptr;
@@ -129,7 +141,7 @@ constexpr GestureSteps steps_of[] = {
     {drag_view},
     {drag_box},
     {drag_move, drop_cards},
-    {nullptr, drop_wire},
+    {unfold_under_wire, drop_wire},
     {drag_value, drop_value},
     {drag_stroke, drop_cut},
     {drag_stroke, drop_reroutes},

@@ -82,8 +82,10 @@ struct Card {
     ImVec2 at{0, 0}, size{0, 0};
     std::vector<Pin> pins;
     std::vector<Field> fields;
-    float more_y = -1;     // top of the row that shows all properties; -1: none
-    float preview_y = -1;  // top of the node preview; -1: none
+    float more_y = -1;      // top of the row that shows all ports or fewer; -1: none
+    std::string more;       // text of that row: "37 more inputs"
+    bool unfolded = false;  // a long card with all ports
+    float preview_y = -1;   // top of the node preview; -1: none
     // The header's texts as shown, truncated to fit; title may be "".
     std::string name, title;
     float name_width = 0;

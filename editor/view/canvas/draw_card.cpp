@@ -254,9 +254,9 @@ void draw_card(const Painter& p, size_t index) {
     draw_outline(p, card, low, high, selected, hovered);
     draw_pins(p, index);
     if (!p.details || card.more_y < 0) return;
-    const bool all = card.kind == Card::Kind::surface ? p.view.all_surface : p.view.all_outputs;
-    p.text(low + ImVec2(13, card.more_y + 4) * p.zoom, card_text::small, theme::text_dim,
-           all ? "fewer" : "more...");
+    const bool near = hovered && hit.kind == Hit::Kind::more;
+    p.text(low + ImVec2(13, card.more_y + 4) * p.zoom, card_text::small,
+           near ? theme::text : theme::text_dim, card.more);
 }
 
 void draw_reroute(const Painter& p, size_t index) {

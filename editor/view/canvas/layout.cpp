@@ -46,13 +46,14 @@ bool has_lasting_type(const Node& node) {
 
 // Returns the card of a node from the previous layout if nothing about it changed.
 std::optional<Card> reused_card(Layout& old, size_t index, const NodePtr& node,
-                                const NodeType* type, uint64_t readers, bool preview) {
+                                const NodeType* type, uint64_t readers, Shown shown) {
     if (index >= old.nodes.size() || old.nodes[index] != node) index = old.nodes.index_of(node->id);
     if (index == Table<NodePtr>::npos || old.nodes[index] != node ||
         old.readers[index] != readers || !has_lasting_type(*node))
         return std::nullopt;
     Card& card = old.cards[old.card_of_node[index]];
-    if (card.type != type || (card.preview_y >= 0) != preview) return std::nullopt;
+    if (card.type != type || (card.preview_y >= 0) != shown.preview) return std::nullopt;
+    if (!card.more.empty() && card.unfolded != shown.unfolded) return std::nullopt;
     return std::move(card);
 }
 
@@ -176,10 +177,10 @@ Layout lay_out(State& state) {
     for (size_t i = 0; i < document.nodes.size(); ++i) {
         const NodePtr& node = document.nodes[i];
         const NodeType* type = state.model.types->of(0, i);
-        const bool preview = has_preview(state.view, *node, type);
-        auto card = reused_card(old, i, node, type, readers.key[i], preview);
+        const Shown shown = shown_of(state.view, *node, type);
+        auto card = reused_card(old, i, node, type, readers.key[i], shown);
         if (!card) {
-            card = make_card(state.fonts, *node, type, readers.ports[i], preview);
+            card = make_card(state.fonts, *node, type, readers.ports[i], shown);
             ++layout.made;
         }
         layout.cards.push_back(std::move(*card));
@@ -263,9 +264,9 @@ std::vector<Extent> places_off_canvas(const State& state, const Document& docume
     for (size_t i = 0; i < document.nodes.size(); ++i) {
         const Node& node = *document.nodes[i];
         const NodeType* type = model.types->of(0, i);
-        sizes.push_back(make_card(state.fonts, node, type, readers.ports[i],
-                                  has_preview(state.view, node, type))
-                            .size);
+        sizes.push_back(
+            make_card(state.fonts, node, type, readers.ports[i], shown_of(state.view, node, type))
+                .size);
     }
     std::vector<Extent> extents;
     for (const ImVec2 at : places_of(document, sizes))

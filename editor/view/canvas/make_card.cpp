@@ -18,8 +18,8 @@ bool shows_field(const Port& port) {
 class CardMaker {
 public:
     CardMaker(const Fonts& fonts, const Node& node, std::span<const std::string_view> read,
-              bool preview)
-        : fonts_(fonts), node_(node), read_(read), preview_(preview) {}
+              Shown shown)
+        : fonts_(fonts), node_(node), read_(read), shown_(shown) {}
 
     Card make(const NodeType* type) {
         card.id = node_.id;
@@ -112,16 +112,39 @@ private:
         }
     }
 
+    void fold_ports() {
+        const std::vector<Port>& ports = card.type->ports;
+        if (ports.size() <= most_rows) return;
+        size_t inputs = 0, outputs = 0;
+        bool folds_output = false, folds_input = false;
+        for (uint32_t i = 0; i < ports.size(); ++i) {
+            const bool output = ports[i].kind == Port::Kind::output;
+            const bool first = (output ? outputs : inputs)++ < first_rows;
+            if (first || (output ? is_read(ports[i].name) : node_.find(ports[i].name) != nullptr))
+                continue;
+            folded_.insert(i);
+            (output ? folds_output : folds_input) = true;
+        }
+        if (folded_.empty()) return;
+        const char* what = !folds_output ? "input" : folds_input ? "port" : "output";
+        card.more = shown_.unfolded ? "fewer" : std::to_string(folded_.size()) + " more " + what;
+        if (folded_.size() > 1 && !shown_.unfolded) card.more += "s";
+        card.unfolded = shown_.unfolded;
+        if (shown_.unfolded) folded_.clear();
+    }
+
     void fill_ports() {
         float y = header_height;
-        for (const Port& port : card.type->ports) {
-            if (port.kind != Port::Kind::output) continue;
+        fold_ports();
+        for (uint32_t i = 0; i < card.type->ports.size(); ++i) {
+            const Port& port = card.type->ports[i];
+            if (port.kind != Port::Kind::output || folded_.contains(i)) continue;
             add_pin(port.name, port.type, true, true, is_read(port.name), y);
             y += row_height;
         }
         for (uint32_t i = 0; i < card.type->ports.size(); ++i) {
             const Port& port = card.type->ports[i];
-            if (port.kind == Port::Kind::output) continue;
+            if (port.kind == Port::Kind::output || folded_.contains(i)) continue;
             const Input* input = node_.find(port.name);
             const bool connected = input && input->kind == Input::Kind::link;
             const bool field = !connected && shows_field(port);
@@ -132,7 +155,11 @@ private:
             if (field) add_field(i, port, y + 1.5F);
             y += row_height;
         }
-        if (preview_) {
+        if (!card.more.empty()) {
+            card.more_y = y;
+            y += row_height;
+        }
+        if (shown_.preview) {
             card.preview_y = y + 4;
             y += node_preview_height + 8;
         }
@@ -168,7 +195,8 @@ private:
     const Fonts& fonts_;
     const Node& node_;
     std::span<const std::string_view> read_;
-    bool preview_;
+    Shown shown_;
+    std::set<uint32_t> folded_;  // ports without a row
 };
 
 void write_header(const Fonts& fonts, Card& card) {
@@ -187,7 +215,8 @@ void add_row(Card& card, std::string name, PortType type, bool output, bool conn
     card.pins.push_back({name, type, true, output, connected, y + row_height / 2, name, false});
 }
 
-void close_card(const Fonts& fonts, Card& card, bool more) {
+// `all`: the card shows all rows; `more`: there are others, or it does.
+void close_card(const Fonts& fonts, Card& card, bool more, bool all) {
     card.size = {112, header_height + row_height * static_cast<float>(card.pins.size()) + 8};
     for (const Pin& pin : card.pins)
         card.size.x =
@@ -196,6 +225,7 @@ void close_card(const Fonts& fonts, Card& card, bool more) {
         pin.label = magnified_fitting(fonts, card_text::body, pin.port, card.size.x - 30);
     write_header(fonts, card);
     if (!more) return;
+    card.more = all ? "fewer" : "more...";
     card.more_y = card.size.y - 4;
     card.size.y += row_height - 4;
 }
@@ -211,9 +241,13 @@ bool has_preview(const View& view, const Node& node, const NodeType* type) {
     return usual != view.turned.contains(node.id);
 }
 
+Shown shown_of(const View& view, const Node& node, const NodeType* type) {
+    return {has_preview(view, node, type), view.unfolded.contains(node.id)};
+}
+
 Card make_card(const Fonts& fonts, const Node& node, const NodeType* type,
-               std::span<const std::string_view> read, bool preview) {
-    Card card = CardMaker(fonts, node, read, preview).make(type);
+               std::span<const std::string_view> read, Shown shown) {
+    Card card = CardMaker(fonts, node, read, shown).make(type);
     write_header(fonts, card);
     return card;
 }
@@ -229,7 +263,8 @@ Card make_surface_card(const State& state, const Used& used) {
             add_row(card, std::string(property.name), property.type, true, read);
     }
     close_card(state.fonts, card,
-               card.pins.size() < surface_properties().size() || state.view.all_surface);
+               card.pins.size() < surface_properties().size() || state.view.all_surface,
+               state.view.all_surface);
     return card;
 }
 
@@ -240,7 +275,7 @@ Card make_inputs_card(const State& state, const Used& used) {
     for (const GraphInput& input : state.document().inputs)
         add_row(card, input.name, port_type_named(input.type).value_or(PortType::float_), true,
                 used.inputs.contains(input.name));
-    close_card(state.fonts, card, false);
+    close_card(state.fonts, card, false, false);
     return card;
 }
 
@@ -263,7 +298,7 @@ Card make_outputs_card(const State& state) {
         const auto type = state.model.type_of(output.from.link);
         add_row(card, output.name, type.value_or(PortType::float_), false, true);
     }
-    close_card(state.fonts, card, more);
+    close_card(state.fonts, card, more, state.view.all_outputs);
     return card;
 }
 

@@ -14,9 +14,20 @@ namespace wrinkle::editor {
 // preview.
 bool has_preview(const View& view, const Node& node, const NodeType* type);
 
+// Parts of a card that the view shows.
+struct Shown {
+    bool preview = false;
+    bool unfolded = false;
+};
+Shown shown_of(const View& view, const Node& node, const NodeType* type);
+
+// A card with more rows than this is folded: it shows the first inputs and outputs and those that
+// are connected or set. Its last row unfolds it.
+inline constexpr size_t most_rows = 20, first_rows = 8;
+
 // `read` lists the outputs with a reader, possibly with duplicates. The card is at (0, 0).
 Card make_card(const Fonts& fonts, const Node& node, const NodeType* type,
-               std::span<const std::string_view> read, bool preview);
+               std::span<const std::string_view> read, Shown shown);
 
 // Surface properties and graph inputs that are read.
 struct Used {

@@ -84,8 +84,8 @@ ImVec2 free_offset(const State& state, const std::vector<Extent>& places, const 
 ImVec2 free_place(const State& state, const Document& document, ImVec2 at, const Node& node,
                   const NodeType* type, const std::set<std::string>& except) {
     const auto extent_at = [&](ImVec2 low, const Node& placed, const NodeType* its_type) {
-        const bool preview = has_preview(state.view, placed, its_type);
-        return Extent{low, low + make_card(state.fonts, placed, its_type, {}, preview).size};
+        const Shown shown = shown_of(state.view, placed, its_type);
+        return Extent{low, low + make_card(state.fonts, placed, its_type, {}, shown).size};
     };
     std::vector<Extent> fixed = card_extents(state, except);
     for (const Position& position : document.positions) {

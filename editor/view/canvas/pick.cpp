@@ -64,7 +64,8 @@ Hit part_of_card(const CanvasState& canvas, size_t index, ImVec2 mouse) {
     const Card& card = canvas.layout.cards[index];
     const ImVec2 at = to_canvas(canvas.view, mouse) - card.at;
     if (at.y < header_height) return {Hit::Kind::header, index, 0};
-    if (card.more_y >= 0 && at.y >= card.more_y) return {Hit::Kind::more, index, 0};
+    if (card.more_y >= 0 && at.y >= card.more_y && at.y < card.more_y + row_height)
+        return {Hit::Kind::more, index, 0};
     if (canvas.view.zoom >= detail_zoom)
         for (size_t k = 0; k < card.fields.size(); ++k) {
             const Field& field = card.fields[k];
@@ -176,7 +177,7 @@ const Card* card_named(const Layout& layout, std::string_view id) {
 }
 
 // "node:base", "pin:sum.a", "out:sum.gradient", "field:softer.amount",
-// "wire:sum.a", "more:surface"
+// "wire:sum.a", "more:surface", "more:paint"
 std::optional<TargetRect> canvas_target(const CanvasState& canvas, std::string_view name) {
     const size_t colon = name.find(':');
     if (colon == name.npos) return std::nullopt;
@@ -188,7 +189,8 @@ std::optional<TargetRect> canvas_target(const CanvasState& canvas, std::string_v
     const float zoom = canvas.view.zoom;
     if (what == "node") return rect(at, at + ImVec2(card->size.x, header_height) * zoom);
     if (what == "more" && card->more_y >= 0)
-        return rect(at + ImVec2(0, card->more_y) * zoom, at + card->size * zoom);
+        return rect(at + ImVec2(0, card->more_y) * zoom,
+                    at + ImVec2(card->size.x, card->more_y + row_height) * zoom);
     if (dot == rest.npos) return std::nullopt;
     const std::string_view part = rest.substr(dot + 1);
     if (what == "pin" || what == "out") return pin_target(canvas.view, *card, part, what == "out");

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "editor/model/document/levels.h"
 #include "editor/view/canvas/arrange.h"
 #include "editor/view/canvas/layout.h"
@@ -65,6 +67,26 @@ void turn_pictures(State& state) {
     state.layout_stale = true;
 }
 
+std::string_view no_folded(const State& state) {
+    if (state.view.selected.empty()) return wants_selection(state);
+    const auto cards = selected_cards(state);
+    const bool any =
+        std::ranges::any_of(cards, [](const Card* card) { return !card->more.empty(); });
+    return any ? "" : "Every port of the selected nodes is shown.";
+}
+
+// Shows all ports of the selected nodes, or folds them if all are shown.
+void turn_ports(State& state) {
+    std::set<std::string> folded, unfolded;
+    for (const Card* card : selected_cards(state))
+        if (!card->more.empty()) (card->unfolded ? unfolded : folded).insert(card->id);
+    if (folded.empty())
+        for (const std::string& id : unfolded)
+            state.view.unfolded.erase(id);
+    state.view.unfolded.merge(folded);
+    state.layout_stale = true;
+}
+
 template <Side Where>
 void align(State& state) {
     state.commit("Align", aligned(state, Where));
@@ -81,6 +103,7 @@ constexpr Command node_table[] = {
      [](State& s) { selected_group(s) ? open_selected_group(s) : edit_values(s); }},
     {"mute", "Mute", "M", wants_selection, mute_selected},
     {"picture", "Picture of what it makes", "V", wants_selection, turn_pictures},
+    {"ports", "All ports of a long card", "U", no_folded, turn_ports},
     {"swap-inputs", "Swap inputs", "Alt+S", wants_selection, swap_selected},
     {"frame", "Frame", "C", always, frame_selected},
     {"note", "Note", "N", always, add_note},
