@@ -58,6 +58,8 @@ Document set_type(const Document&, std::string_view id, std::string_view type, i
 Document set_output(const Document&, std::string_view name, const Link& from);
 Document remove_output(const Document&, std::string_view name);
 Document set_graph_input(const Document&, GraphInput input);  // adds or replaces by name
+// Also removes its wires, its values in presets, and conditions that name it.
+Document remove_graph_input(const Document&, std::string_view name);
 Document set_preset(const Document&, Preset preset);          // adds or replaces by name
 Document remove_preset(const Document&, std::string_view name);
 Document set_back_faces(const Document&, std::optional<BackFaces> choice);

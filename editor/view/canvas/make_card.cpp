@@ -148,7 +148,7 @@ private:
             const Input* input = node_.find(port.name);
             const bool connected = input && input->kind == Input::Kind::link;
             const bool field = !connected && shows_field(port);
-            if (port.is_value()) {
+            if (port.is_value() || connected) {
                 add_pin(port.name, port.type, true, false, connected, y);
                 card.pins.back().in_field = field && lanes_of_field(port) <= 1;
             }

@@ -32,6 +32,12 @@ void edit_box_text(State& state, const BoxId& id);
 void accept_box_text(State& state);
 void mute_selected(State& state);
 
+// Makes an input of the graph of the value or input under the pointer; otherwise of a value of the
+// selected node, chosen in a list if it has several (document/expose.h).
+void expose_pointed(State& state);
+std::string_view no_exposable(const State& state);  // why not, a sentence; "" if it can
+void expose_port(State& state, const std::string& id, const Port& port);
+
 // Computes once, for all pins and frames, the nodes to which this wire would make a cycle.
 void find_loops(const Document& document, Gesture& wire);
 // Returns the connection that the wire makes at this pin.

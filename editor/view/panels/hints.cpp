@@ -29,7 +29,7 @@ constexpr Hint<Gestures> gesture_hints[] = {
 
 constexpr Hint<Hit::Kind> canvas_hints[] = {
     {Hit::Kind::pin, "Drag to connect"},
-    {Hit::Kind::field, "Drag to change   double-click to type"},
+    {Hit::Kind::field, "Drag to change   double-click to type   E exposes it"},
     {Hit::Kind::header, "Drag to move   double-click to rename"},
     {Hit::Kind::card, "Drag to move"},
     {Hit::Kind::wire, "Click to select   double-click to bend   Delete removes it"},
@@ -49,7 +49,9 @@ constexpr std::string_view popup_hints[] = {
     "Up and Down choose   Enter takes it   Esc leaves it",
     "Type to narrow the list   Enter takes it   Esc leaves it",
     "Drag in the field   Esc closes",
+    "Up and Down choose   Enter exposes it   Esc closes",
 };
+static_assert(std::size(popup_hints) == static_cast<size_t>(Popup::Kind::expose) + 1);
 
 std::string_view hint_of_gesture(const Gesture& gesture) {
     if (gesture.under_wire) return "Let go to put it in this wire   Esc puts it back";

@@ -124,7 +124,7 @@ struct BoxText {
 
 // Text field, list or color picker over a field or a header.
 struct Popup {
-    enum class Kind : uint8_t { none, text, rename, choice, file, color };
+    enum class Kind : uint8_t { none, text, rename, choice, file, color, expose };
     Kind kind = Kind::none;
     bool opening = false;
     std::string node = {};

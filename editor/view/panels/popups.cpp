@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "editor/model/document/expose.h"
 #include "editor/model/document/field.h"
 #include "editor/view/canvas/gestures/gestures.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/drop/drop.h"
+#include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/panels/browser.h"
@@ -190,9 +192,28 @@ bool draw_color(State& state) {
     return state.popup.next != 0 || is_pressed(ImGuiKey_Enter, false);
 }
 
+// Chooses the port of the node that becomes an input of the graph.
+bool draw_exposable(State& state) {
+    const std::string id = state.popup.node;
+    const Node* node = state.document().find(id);
+    const NodeType* type = state.type_of(id);
+    if (!node || !type) return true;
+    const std::vector<const Port*> ports = exposable_ports(*node, *type);
+    std::vector<std::string> names;
+    for (const Port* port : ports)
+        names.push_back(port->name);
+    ImGui::TextDisabled("Expose a value of %s", id.c_str());
+    const auto taken = draw_list(state, names, names.size() > max_without_field);
+    if (taken) expose_port(state, id, *ports[*taken]);
+    state.popup.next = 0;  // no field is next to the list
+    return taken.has_value();
+}
+
 // By Popup::Kind. Each returns true when the popup is to be closed.
-constexpr bool (*draw_content_of[])(State&) = {nullptr,      draw_text_entry, draw_text_entry,
-                                               draw_choices, draw_files,      draw_color};
+constexpr bool (*draw_content_of[])(State&) = {nullptr,       draw_text_entry, draw_text_entry,
+                                               draw_choices,  draw_files,      draw_color,
+                                               draw_exposable};
+static_assert(std::size(draw_content_of) == static_cast<size_t>(Popup::Kind::expose) + 1);
 
 Popup::Kind kind_of(const Port& port) {
     if (port.kind == Port::Kind::choice || port.kind == Port::Kind::flag)
@@ -250,7 +271,8 @@ void choose_image(State& state) {
 void draw_popup(State& state) {
     if (state.popup.kind == Popup::Kind::none) return;
     const Popup::Kind kind = state.popup.kind;
-    const bool list = kind == Popup::Kind::choice || kind == Popup::Kind::file;
+    const bool list =
+        kind == Popup::Kind::choice || kind == Popup::Kind::file || kind == Popup::Kind::expose;
     const bool color = kind == Popup::Kind::color, opening = state.popup.opening;
     const float width = color ? 0 : std::max(state.popup.width, list ? 240.0F : 0.0F);
     const float padding = list || color ? 6 : 0;
