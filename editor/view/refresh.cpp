@@ -96,6 +96,8 @@ void forget_what_is_gone(State& state) {
         return !now.find(id) && id != Link::surface && id != Link::input && id != Card::outputs_id;
     });
     std::erase_if(view.boxes, [&](const BoxId& id) { return !find_box(now, id); });
+    std::string& preset = view.preview_request.preset;
+    if (!preset.empty() && !now.presets.find(preset)) preset.clear();
     if (!view.selected_wire) return;
     const auto& [node, port] = *view.selected_wire;
     if (!link_at(now, node, port)) view.selected_wire.reset();

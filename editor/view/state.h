@@ -42,6 +42,7 @@ struct Dialogs {
     BakeDialog bake_dialog;
     Start start;
     Help help;
+    InputsPanel inputs_panel;
     Problems problems;
     DropState dropped;
     Offer offer;

@@ -192,6 +192,21 @@ TEST_F(BakeOptionRows, WhatIsAskedForInTheDialogIsBakedAndRemembered) {
     EXPECT_EQ(usual_bake(state, state.view.preview_view.mesh).packs, kept.packs);
 }
 
+TEST_F(BakeOptionRows, ThePresetThatIsShownIsBaked) {
+    open(R"({"wrinkle": 1, "inputs": {"tint": {"type": "color", "default": [1, 0, 0]}},
+        "presets": {"Blue": {"tint": [0, 0, 0.25]}},
+        "nodes": {"mix": {"type": "vec3_mix", "in": {"a": {"from": "input.tint"}}}},
+        "outputs": {"color": {"from": "mix.vector"}}})");
+    play("key Shift+E\nclick preset\nclick preset:Blue\nkey Ctrl+B\nwait");
+    BakeChoices chosen = choices({"color"});
+    bake(chosen, "usual.png");
+    chosen.preset = state.bake_dialog.choices.preset;
+    EXPECT_EQ(what_is_written(chosen).find("Writes color.png with preset Blue"), 0U);
+    bake(chosen, "ours.png");
+    EXPECT_NE(text_of(folder.path() / "ours.png"), text_of(folder.path() / "usual.png"));
+    expect_the_command_bakes_it(chosen, "maps");
+}
+
 TEST_F(BakeOptionRows, WhatCannotBeIsSaidBeforeItIsTried) {
     play("key Ctrl+B\nwait");
     BakeChoices& chosen = state.bake_dialog.choices;

@@ -135,6 +135,9 @@ TEST(InputQueue, APressIsNeverAtAnotherPlaceThanItsMotion) {
     EXPECT_FLOAT_EQ(io.MousePos.x, 10);
     queue.apply(io);
     EXPECT_FLOAT_EQ(io.MousePos.x, 50);
+    EXPECT_TRUE(io.MouseDown[0]) << "a slider sees where the drag ends";
+    queue.apply(io);
+    EXPECT_FLOAT_EQ(io.MousePos.x, 50);
     EXPECT_FALSE(io.MouseDown[0]);
 }
 

@@ -13,6 +13,7 @@
 #include "compile/shader.h"
 #include "cpu/texture_store.h"
 #include "editor/model/document/folders.h"
+#include "editor/model/document/inputs.h"
 #include "editor/model/words.h"
 #include "editor/model/worker.h"
 #include "lower/material.h"
@@ -230,7 +231,9 @@ TaskOutcome bake_maps(const BakeJob& job, const Registry& registry, TaskProgress
 
 void start_bake(Session& session, const BakeChoices& choices) {
     session.keeping.settings.bake = settings_of(choices);
-    BakeJob job{session.model, session.document(), session.path.string(), choices};
+    BakeJob job{session.model,
+                with_preset_as_defaults(session.model, session.document(), choices.preset),
+                session.path.string(), choices};
     job.choices.into = place_of(session, choices);
     const auto work = [job = std::move(job), registry = session.registry](TaskProgress& progress) {
         return bake_maps(job, *registry, progress);

@@ -76,6 +76,7 @@ std::string call(const BakeChoices& choices, const fs::path& graph, const Stored
     const auto add = [&](const char* option, const std::string& value, bool wanted = true) {
         if (wanted) text += std::string(" ") + option + " " + shell_word(value);
     };
+    add("--preset", choices.preset, !choices.preset.empty());
     add("--mesh", choices.mesh);
     add("--map", maps, !maps.empty());
     for (const std::string& pack : packs)

@@ -38,6 +38,7 @@ inline constexpr uint32_t bake_sizes[] = {16,   32,   64,   128,   256,   512,  
 struct BakeChoices : BakeLayout {
     std::string mesh;               // a shape's name, or the path of an OBJ or glTF file
     std::vector<std::string> maps;  // names, in the order of the graph's maps
+    std::string preset;             // name in the graph; "": the defaults of its inputs
     bool object_space = false, green_down = false;
     const StoredAs* stored = stored_kinds().data();
     // A folder; or the file of a single map, if it has the extension of that format.

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "compile/shader.h"
+#include "editor/model/document/inputs.h"
 #include "editor/model/words.h"
 #include "graph/order.h"
 #include "lower/check.h"
@@ -101,7 +102,7 @@ Build build(const CompileJob& job) {
     result.problems.append(model.project_problems);
     if (!holds_nothing(document))
         check(project, registry, Types(project, registry), result.problems);
-    Document drawn = document;
+    Document drawn = with_preset_as_defaults(model, document, job.request.preset);
     if (!double_sided.empty() && !holds_nothing(document))
         follow_double_sided(drawn, double_sided, result.problems);
     const Project needed = project_to_compile(model, drawn, result.live);

@@ -21,6 +21,7 @@ struct PreviewRequest {
     std::string name;        // the output, the node, or a `blend` of compare_bump_blend: "udn"
     bool displaced = false;  // by the output `displacement`
     std::string double_sided = {};  // the mesh if one of its materials is double-sided
+    std::string preset = {};        // name in the graph; "": the defaults of its inputs
     bool operator==(const PreviewRequest&) const = default;
 };
 

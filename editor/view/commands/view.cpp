@@ -50,6 +50,17 @@ void toggle_side(State& state) {
     state.panes.maximised = Pane::none;
 }
 
+bool shows_inputs(const State& state) {
+    return state.inputs_panel.shown && shows_side(state);
+}
+
+// Shows the inputs instead of the code, and the side column if it is hidden.
+void turn_inputs(State& state) {
+    const bool shows = !shows_inputs(state);
+    state.inputs_panel.shown = shows;
+    if (shows && !shows_side(state)) toggle_side(state);
+}
+
 void maximise(State& state) {
     Pane& maximised = state.panes.maximised;
     maximised = maximised != Pane::none ? Pane::none : regions_of(state).at(ImGui::GetMousePos());
@@ -78,6 +89,7 @@ constexpr Command view_table[] = {
      },
      [](const State& s) { return s.view.node_previews; }},
     {"side", "Preview and code", "F6", always, toggle_side, shows_side},
+    {"inputs", "Inputs of the graph", "Shift+E", always, turn_inputs, shows_inputs},
     {"maximise", "Maximise the panel under the pointer", "F11", always, maximise, is_maximised},
     {"dark-theme", "Dark theme", "", always, use_theme<Theme::dark>, is_used<Theme::dark>},
     {"light-theme", "Light theme", "", always, use_theme<Theme::light>, is_used<Theme::light>},

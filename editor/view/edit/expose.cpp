@@ -27,6 +27,7 @@ void expose_port(State& state, const std::string& id, const Port& port) {
     state.status = why_not_exposed(*node, port);
     if (!state.status.empty()) return;
     Exposed exposed = expose(state.document(), *node, port);
+    state.inputs_panel.shown = true;
     state.commit("Expose " + id + "." + port.name + " as " + exposed.input,
                  std::move(exposed.document));
 }

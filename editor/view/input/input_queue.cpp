@@ -71,6 +71,9 @@ public:
     bool takes(const InputEvent& event) const {
         if (applied_ & rules[static_cast<size_t>(event.kind)].waits_for) return false;
         if (event.kind == InputEvent::Kind::key) return !struck_ && !keys_.contains(event.code);
+        // ImGui's sliders ignore a motion in the frame of the release.
+        if (event.kind == InputEvent::Kind::button && !event.down && (applied_ & moved))
+            return false;
         return event.kind != InputEvent::Kind::button || !buttons_.contains(event.code);
     }
     void note(const InputEvent& event) {

@@ -138,6 +138,7 @@ std::string what_is_written(const BakeChoices& choices) {
     for (const fs::path& file : files)
         names.push_back(file.filename().string());
     std::string text = "Writes " + (many ? counted(files.size(), "map") : listed(names));
+    if (!choices.preset.empty()) text += " with preset " + choices.preset;
     if (!choices.one_file()) text += " into " + choices.into.string();
     return text + (choices.udim ? ", and so on for each tile." : ".");
 }
@@ -145,6 +146,7 @@ std::string what_is_written(const BakeChoices& choices) {
 void open_bake_dialog(State& state) {
     state.bake_dialog = {};
     state.bake_dialog.choices = usual_bake(state, state.view.preview_view.mesh);
+    state.bake_dialog.choices.preset = state.view.preview_request.preset;
     state.bake_dialog.open = state.bake_dialog.opening = true;
 }
 

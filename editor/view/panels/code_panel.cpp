@@ -108,8 +108,8 @@ void draw_head(State& state) {
     const float width = ImGui::GetWindowWidth();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, at + ImVec2(width, code_head), theme::panel);
-    draw_text(list, state.fonts.bold(18), 18, at + ImVec2(12, 10), theme::text, "Code");
-    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(66, 13), theme::text_dim,
+    const float left = draw_side_titles(state);
+    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(left, 13), theme::text_dim,
               counted(state.code.text.starts.size(), "line"));
     const bool wide = width >= narrow;
     constexpr float choice = 108, buttons = 60, menu = 32;

@@ -84,7 +84,8 @@ std::string_view hint_of(const State& state, const Regions& regions) {
         case Pane::preview:
             return "Drag turns   Shift+drag moves   the right button turns the light";
         case Pane::code:
-            return "Click a line to select its node";
+            return state.inputs_panel.shown ? "Drag to change   ... types a value"
+                                            : "Click a line to select its node";
         case Pane::problems:
             return "Click a problem to show its node";
         case Pane::canvas:

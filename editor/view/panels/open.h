@@ -87,6 +87,13 @@ struct Help {
     bool waiting = false;    // a tooltip is due when the pointer has rested long enough
 };
 
+// State of the panel of the graph's inputs; PreviewRequest has the chosen preset.
+struct InputsPanel {
+    bool shown = false;  // instead of the code
+    std::string merge;   // merge key of the undo steps of the control in use
+    std::string text;    // content of the open text field
+};
+
 // State of the list of problems.
 struct Problems {
     size_t current = 0;    // index of the problem shown last

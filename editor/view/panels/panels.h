@@ -100,6 +100,27 @@ std::string percent(float part);  // "125 %" for 1.25
 // Writes a paragraph, wrapped at `wrap` (0: at the right border of the window).
 void write_paragraph(ImU32 color, const std::string& text, float wrap = 0);
 
+// Draws the titles of the panels that share the lower part of the side column, at the upper left
+// corner of the window; a click shows the panel. Returns the x position after them.
+float draw_side_titles(State& state);
+void draw_inputs(State& state);      // presets and inputs of the graph
+void draw_input_rows(State& state);  // a row for each input that is displayed
+
+// Popup of a panel, opened by ImGui::OpenPopup() and ended by the destructor; Escape closes it.
+// False if it is not shown.
+class PanelPopup {
+public:
+    explicit PanelPopup(const char* id);
+    PanelPopup(const PanelPopup&) = delete;
+    PanelPopup& operator=(const PanelPopup&) = delete;
+    ~PanelPopup();
+    explicit operator bool() const { return shown_; }
+    bool is_left() const { return left_; }  // by Escape, in this frame
+
+private:
+    bool shown_, left_ = false;
+};
+
 inline constexpr float strip_tall = 28;
 // Draws a one-line message with a mark at its left; returns false if the text is cut.
 bool draw_strip(const Fonts& fonts, ImVec2 at, float width, ImU32 ground, ImU32 mark,

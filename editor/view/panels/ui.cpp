@@ -38,6 +38,10 @@ void draw_graph_pane(State& state) {
     is_at_start(state) ? draw_start_page(state) : draw_canvas(state);
 }
 
+void draw_side_pane(State& state) {
+    state.inputs_panel.shown ? draw_inputs(state) : draw_code(state);
+}
+
 // Fills a rectangle of the window.
 struct DockedPanel {
     const char* window;
@@ -54,7 +58,7 @@ const DockedPanel docked_panels[] = {
     {"##canvas", &Regions::canvas, &theme::canvas, {0, 0}, draw_graph_pane},
     {"##problems", &Regions::problems, &theme::panel, {12, 5}, draw_problems},
     {"##preview", &Regions::preview, &theme::panel, {0, 0}, draw_preview},
-    {"##code", &Regions::code, &theme::code, {0, 0}, draw_code},
+    {"##code", &Regions::code, &theme::code, {0, 0}, draw_side_pane},
 };
 constexpr ImGuiWindowFlags docked_flags =
     ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoScrollWithMouse |

@@ -54,6 +54,18 @@ Dialog::~Dialog() {
     ImGui::PopStyleVar(2);
 }
 
+PanelPopup::PanelPopup(const char* id) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12, 12));
+    shown_ = ImGui::BeginPopup(id);
+    ImGui::PopStyleVar();
+    left_ = shown_ && is_pressed(ImGuiKey_Escape, false);
+    if (left_) ImGui::CloseCurrentPopup();
+}
+
+PanelPopup::~PanelPopup() {
+    if (shown_) ImGui::EndPopup();
+}
+
 void name_area(Interface& interface, const std::string& target, ImVec2 low, ImVec2 high) {
     interface.targets.add(target, {low.x, low.y, high.x, high.y});
 }
@@ -173,6 +185,7 @@ int choose(Interface& interface, const std::string& target, const std::string& s
               enabled ? theme::text_dim : theme::text_off);
     name_area(interface, target, low, high);
     if (!open) return -1;
+    if (is_pressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
     int picked = -1;
     for (int i = 0; i < static_cast<int>(items.size()); ++i) {
         const Item& item = items[static_cast<size_t>(i)];

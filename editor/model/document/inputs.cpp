@@ -1,0 +1,132 @@
+#include "editor/model/document/inputs.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "graph/condition.h"
+#include "graph/edit.h"
+#include "lower/literal.h"
+#include "lower/preset.h"
+
+namespace wrinkle::editor {
+namespace {
+
+const Extra* entry_of(const Document& document, const std::string& preset, std::string_view input) {
+    const Preset* found = preset.empty() ? nullptr : document.presets.find(preset);
+    if (!found) return nullptr;
+    const auto entry = std::ranges::find(found->values, input, &Extra::key);
+    return entry == found->values.end() ? nullptr : &*entry;
+}
+
+// Returns the number of a value in a condition; "" is 0.
+std::optional<double> operand(std::string_view word, const Port& port) {
+    if (word.empty() || word == "false") return 0;
+    if (word == "true") return 1;
+    const auto choice = std::ranges::find(port.choices, word);
+    if (choice != port.choices.end()) return static_cast<double>(choice - port.choices.begin());
+    double number = 0;
+    const auto end = std::from_chars(word.data(), word.data() + word.size(), number).ptr;
+    return end == word.data() + word.size() ? std::optional(number) : std::nullopt;
+}
+
+bool holds(double left, std::string_view op, double right) {
+    if (op == "==") return left == right;
+    if (op == "!=") return left != right;
+    if (op == "<") return left < right;
+    if (op == "<=") return left <= right;
+    return op == ">" ? left > right : left >= right;
+}
+
+}  // namespace
+
+bool is_in_preset(const Document& document, const std::string& preset, std::string_view input) {
+    return entry_of(document, preset, input) != nullptr;
+}
+
+json::Value value_of_input(const Document& document, const std::string& preset,
+                           const GraphInput& input) {
+    const Extra* entry = entry_of(document, preset, input.name);
+    return entry ? entry->value : input.default_value;
+}
+
+std::array<double, 4> numbers_of_input(const Document& document, const std::string& preset,
+                                       const GraphInput& input, const Port& port) {
+    std::array<double, 4> numbers = port.default_value;
+    const json::Value value = value_of_input(document, preset, input);
+    if (port.is_option())
+        numbers[0] = literal_option(value, port).value_or(static_cast<int32_t>(numbers[0]));
+    else
+        literal_numbers(value, port.type, numbers);
+    return numbers;
+}
+
+Document with_input_value(const Document& document, const std::string& preset,
+                          const std::string& input, json::Value value) {
+    const GraphInput* found = document.inputs.find(input);
+    if (!found) return document;
+    if (preset.empty()) {
+        GraphInput changed = *found;
+        changed.default_value = std::move(value);
+        return set_graph_input(document, std::move(changed));
+    }
+    const Preset* old = document.presets.find(preset);
+    if (!old) return document;
+    if (value == found->default_value) return without_input_value(document, preset, input);
+    Preset changed = *old;
+    const auto entry = std::ranges::find(changed.values, input, &Extra::key);
+    if (entry == changed.values.end())
+        changed.values.push_back({input, std::move(value)});
+    else
+        entry->value = std::move(value);
+    return set_preset(document, std::move(changed));
+}
+
+Document without_input_value(const Document& document, const std::string& preset,
+                             std::string_view input) {
+    if (!is_in_preset(document, preset, input)) return document;
+    Preset changed = *document.presets.find(preset);
+    std::erase_if(changed.values, [&](const Extra& value) { return value.key == input; });
+    return set_preset(document, std::move(changed));
+}
+
+Document with_copied_preset(const Document& document, const std::string& name,
+                            const std::string& from) {
+    Preset preset;
+    if (const Preset* source = document.presets.find(from)) preset.values = source->values;
+    preset.name = name;
+    return set_preset(document, std::move(preset));
+}
+
+std::string preset_name_problem(const Document& document, const std::string& name) {
+    if (name.empty()) return "Type a name for the preset.";
+    if (document.presets.find(name)) return "There is a preset " + name + " already.";
+    const std::string problem = id_problem(name, false);
+    return problem.empty() ? ""
+                           : "\"" + name + "\" cannot be the name of a preset: " + problem + ".";
+}
+
+bool is_displayed(const Model& model, const Document& document, const std::string& preset,
+                  const GraphInput& input) {
+    const auto condition = parse_condition(input.when);
+    if (!condition) return true;
+    const GraphInput* other = document.inputs.find(condition->input);
+    const Port* port = other ? port_of_input(model, other->name) : nullptr;
+    if (!port) return true;
+    const auto right = operand(condition->value, *port);
+    return !right ||
+           holds(numbers_of_input(document, preset, *other, *port)[0], condition->op, *right);
+}
+
+const Port* port_of_input(const Model& model, std::string_view input) {
+    const size_t index = model.project->top().inputs.index_of(input);
+    return index == Table<GraphInput>::npos ? nullptr : &model.types->graph_input(0, index);
+}
+
+Document with_preset_as_defaults(const Model& model, const Document& document,
+                                 const std::string& preset) {
+    if (preset.empty() || !document.presets.find(preset)) return document;
+    Diagnostics reported_by_check;
+    return with_preset(project_with(model, document), preset, reported_by_check).top();
+}
+
+}  // namespace wrinkle::editor

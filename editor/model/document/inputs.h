@@ -1,0 +1,45 @@
+// Values of the graph's inputs: the defaults, or those of a preset. In all functions `preset` is a
+// preset of the graph; "" means the defaults.
+#pragma once
+
+#include <string>
+
+#include "editor/model/document/model.h"
+
+namespace wrinkle::editor {
+
+// Returns true if the preset has a value for the input.
+bool is_in_preset(const Document& document, const std::string& preset, std::string_view input);
+// Returns the value of the preset; of an input that it does not name, the default.
+json::Value value_of_input(const Document& document, const std::string& preset,
+                           const GraphInput& input);
+// Returns the numbers of that value; a choice, a count or a flag uses only the first. `port` is the
+// input in Types.
+std::array<double, 4> numbers_of_input(const Document& document, const std::string& preset,
+                                       const GraphInput& input, const Port& port);
+
+// Sets the value in the preset. A preset does not name an input that has its default.
+Document with_input_value(const Document& document, const std::string& preset,
+                          const std::string& input, json::Value value);
+// Removes the input from the preset, so that it has its default.
+Document without_input_value(const Document& document, const std::string& preset,
+                             std::string_view input);
+
+// Adds a preset with the values of another one. `name` must be valid and free.
+Document with_copied_preset(const Document& document, const std::string& name,
+                            const std::string& from);
+// Returns the reason why a new preset cannot have that name, a sentence; "" if it can.
+std::string preset_name_problem(const Document& document, const std::string& name);
+
+// Returns true if the condition of display of the input holds; without a condition it does.
+bool is_displayed(const Model& model, const Document& document, const std::string& preset,
+                  const GraphInput& input);
+
+// Returns the port of an input of the document; nullptr if the model has none of that name.
+const Port* port_of_input(const Model& model, std::string_view input);
+
+// Returns the document with the preset's values as defaults.
+Document with_preset_as_defaults(const Model& model, const Document& document,
+                                 const std::string& preset);
+
+}  // namespace wrinkle::editor

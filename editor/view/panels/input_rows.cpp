@@ -1,0 +1,293 @@
+// Rows of the panel of inputs: label, control, reset, menu.
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/srgb.h"
+#include "editor/model/document/expose.h"
+#include "editor/model/document/field.h"
+#include "editor/model/document/inputs.h"
+#include "editor/view/drop/drop.h"
+#include "editor/view/look/draw.h"
+#include "editor/view/look/theme.h"
+#include "editor/view/look/tooltip.h"
+#include "editor/view/panels/panels.h"
+#include "json/parse.h"
+#include "json/write.h"
+#include "lower/literal.h"
+
+namespace wrinkle::editor {
+namespace {
+
+constexpr float input_row_tall = 30, row_icons = 56;
+
+// One input with its value in the chosen preset.
+struct InputRow {
+    const GraphInput& input;
+    const Port& port;
+    const std::string& preset;
+    std::array<double, 4> numbers;
+
+    std::string target() const { return "input:" + input.name; }
+};
+
+void begin_step(State& state, const InputRow& row) {
+    state.inputs_panel.merge =
+        "input " + row.input.name + " " + std::to_string(state.history.serial());
+}
+
+void set_input(State& state, const InputRow& row, json::Value value) {
+    state.commit("Set " + row.input.name,
+                 with_input_value(state.document(), row.preset, row.input.name, std::move(value)),
+                 state.inputs_panel.merge);
+}
+
+float to_step(const InputRow& row, float value) {
+    if (row.port.kind == Port::Kind::count) return std::round(value);
+    if (!row.input.step.is(json::Kind::number)) return value;
+    const double step = row.input.step.as_number();
+    return static_cast<float>(std::round(static_cast<double>(value) / step) * step);
+}
+
+float hard_clamped(const Port& port, float value) {
+    if (!port.has_hard_range()) return value;
+    return static_cast<float>(std::clamp(static_cast<double>(value), port.hard_min, port.hard_max));
+}
+
+json::Value number_literal(const InputRow& row, std::span<float> values) {
+    std::vector<json::Value> items;
+    for (const float value : values)
+        items.push_back(json::Value::single(hard_clamped(row.port, to_step(row, value))));
+    return items.size() == 1 ? items[0] : json::Value::array(items);
+}
+
+// Range of the control: the slider's, else the limits; std::nullopt if there is no finite one.
+std::optional<Range> control_range(const Port& port) {
+    const Range range = port.has_soft_range() ? Range{port.soft_min, port.soft_max}
+                                              : Range{port.hard_min, port.hard_max};
+    const double wide = range.most - range.least;
+    return wide > 0 && std::isfinite(wide) ? std::optional(range) : std::nullopt;
+}
+
+// Fills the part of a slider below its value, as fields of cards are filled; ImGui draws the text.
+void draw_filled_part(double value, const Range& range, float width) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high = low + ImVec2(width, ImGui::GetFrameHeight());
+    const double part = std::clamp((value - range.least) / (range.most - range.least), 0.0, 1.0);
+    const float x = low.x + width * static_cast<float>(part);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, high, theme::field, 4);
+    if (x - low.x < 2) return;
+    list.AddRectFilled(low, {x, high.y}, theme::accent_soft, 4);
+    list.AddRectFilled({low.x + 3, high.y - 2}, {x, high.y}, theme::accent);
+}
+
+// Format of ImGui for a number with the unit of the port.
+std::string number_format(const Port& port) {
+    std::string format = port.unit.empty() ? "%.4g" : "%.4g ";
+    for (const char c : port.unit == "x" ? "\u00D7" : port.unit)
+        format += c == '%' ? std::string("%%") : std::string(1, c);
+    return format;
+}
+
+// Slider over the range; one of a single number is filled. Returns true if it changed the values.
+bool draw_slider(std::span<float> values, const Range& range, const char* format, float width) {
+    const auto low = static_cast<float>(range.least), high = static_cast<float>(range.most);
+    const bool filled = values.size() == 1;
+    if (filled) draw_filled_part(static_cast<double>(values[0]), range, width);
+    for (const ImGuiCol each : {ImGuiCol_FrameBg, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive,
+                                ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive})
+        ImGui::PushStyleColor(each, filled ? 0 : ImGui::GetColorU32(each));
+    const bool changed = ImGui::SliderScalarN("##value", ImGuiDataType_Float, values.data(),
+                                              static_cast<int>(values.size()), &low, &high, format,
+                                              ImGuiSliderFlags_NoInput);
+    ImGui::PopStyleColor(5);
+    return changed;
+}
+
+void draw_number(State& state, const InputRow& row, float width) {
+    float numbers[4];
+    std::ranges::transform(row.numbers, numbers, [](double n) { return static_cast<float>(n); });
+    const int lanes = row.port.kind == Port::Kind::count ? 1 : lanes_of(row.port.type);
+    const std::span<float> values(numbers, static_cast<size_t>(lanes));
+    const std::string format = number_format(row.port);
+    const float speed = std::max(std::fabs(numbers[0]), 0.1F) / 100;
+    const auto range = control_range(row.port);
+    const bool changed =
+        range ? draw_slider(values, *range, format.c_str(), width)
+              : ImGui::DragScalarN("##value", ImGuiDataType_Float, numbers,
+                                   static_cast<int>(values.size()), speed, nullptr, nullptr,
+                                   format.c_str(), ImGuiSliderFlags_NoInput);
+    name_item(state, row.target());
+    if (ImGui::IsItemActivated()) begin_step(state, row);
+    if (changed) set_input(state, row, number_literal(row, values));
+}
+
+// The picker shows display values; the input is linear.
+void draw_input_color(State& state, const InputRow& row, float width) {
+    float color[3];
+    std::transform(row.numbers.begin(), row.numbers.begin() + 3, color,
+                   [](double linear) { return static_cast<float>(srgb_from_linear(linear)); });
+    constexpr ImGuiColorEditFlags shared =
+        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoAlpha;
+    if (ImGui::ColorButton("##value", {color[0], color[1], color[2], 1},
+                           shared | ImGuiColorEditFlags_NoTooltip,
+                           {width, ImGui::GetFrameHeight()})) {
+        begin_step(state, row);
+        ImGui::OpenPopup("##picker");
+    }
+    name_item(state, row.target());
+    const PanelPopup popup("##picker");
+    if (!popup) return;
+    if (popup.is_left()) return state.history.cancel(state.inputs_panel.merge);
+    ImGui::SetNextItemWidth(220);
+    const bool changed =
+        ImGui::ColorPicker3("##color", color,
+                            shared | ImGuiColorEditFlags_NoSidePreview |
+                                ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHex);
+    name_item(state, row.target() + ":picker");
+    for (float& each : color)
+        each = static_cast<float>(linear_from_srgb(static_cast<double>(each)));
+    if (changed) set_input(state, row, number_literal(row, color));
+}
+
+void draw_flag(State& state, const InputRow& row) {
+    bool on = row.numbers[0] != 0;
+    if (ImGui::Checkbox("##value", &on)) {
+        state.inputs_panel.merge.clear();
+        set_input(state, row, json::Value::boolean(on));
+    }
+    name_item(state, row.target());
+}
+
+// A list of words, of which one is the value: names of a choice or files of images.
+void draw_words(State& state, const InputRow& row, const std::string& shown,
+                const std::vector<std::string>& words, float width) {
+    std::vector<Item> items;
+    for (const std::string& word : words)
+        items.push_back({word, row.target() + ":" + word});
+    const int picked = choose(state, row.target(), shown, items, width);
+    if (picked < 0) return;
+    state.inputs_panel.merge.clear();
+    const json::Value old = value_of_input(state.document(), row.preset, row.input);
+    const std::string& word = words[static_cast<size_t>(picked)];
+    set_input(state, row, row.port.is_option() ? json::Value::string(word) : with_file(old, word));
+}
+
+void draw_input_control(State& state, const InputRow& row, float width) {
+    const Port& port = row.port;
+    ImGui::SetNextItemWidth(width);
+    if (port.kind == Port::Kind::flag) return draw_flag(state, row);
+    if (port.kind == Port::Kind::count) return draw_number(state, row, width);
+    if (port.kind == Port::Kind::choice) {
+        const auto index = static_cast<size_t>(row.numbers[0]);
+        const std::string shown = index < port.choices.size() ? port.choices[index] : "?";
+        return draw_words(state, row, shown, port.choices, width);
+    }
+    if (port.type == PortType::image_) {
+        const json::Value value = value_of_input(state.document(), row.preset, row.input);
+        const std::string file(literal_image(value).file);
+        return draw_words(state, row, file.empty() ? "choose..." : file,
+                          image_files(state.folder()), width);
+    }
+    if (port.type == PortType::color_) return draw_input_color(state, row, width);
+    if (lanes_of(port.type) > 0) return draw_number(state, row, width);
+    ImGui::TextDisabled("%s", std::string(name_of(port.type)).c_str());
+}
+
+// Sets the value to the typed JSON, or to a word.
+void type_value(State& state, const InputRow& row) {
+    const std::string& text = state.inputs_panel.text;
+    Diagnostics ignored;
+    const json::Parsed parsed = json::parse(text, "value", ignored);
+    const json::Value value =
+        parsed.complete && !ignored.has_errors() ? parsed.root : json::Value::string(text);
+    for (const LiteralProblem& problem : literal_problems(value, row.port)) {
+        state.status = row.input.name + " " + problem.message + ". " + sentence(problem.expected);
+        if (problem.severity == Severity::error) return;
+    }
+    state.inputs_panel.merge.clear();
+    set_input(state, row, value);
+    ImGui::CloseCurrentPopup();
+}
+
+void draw_row_menu(State& state, const InputRow& row) {
+    const std::string name = row.input.name;
+    if (icon_button(state, "more", row.target() + ":more",
+                    "Type the value, copy the name, remove")) {
+        const json::Value value = value_of_input(state.document(), row.preset, row.input);
+        state.inputs_panel.text = value.is(json::Kind::null) ? "" : json::one_line(value);
+        ImGui::OpenPopup("##input-menu");
+    }
+    const PanelPopup popup("##input-menu");
+    if (!popup) return;
+    if (ImGui::IsWindowAppearing()) focus_field(state);
+    ImGui::SetNextItemWidth(220);
+    const bool entered = ImGui::InputTextWithHint(
+        "##text", "Value", &state.inputs_panel.text,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    note_field(state);
+    name_item(state, row.target() + ":text");
+    if (entered) type_value(state, row);
+    if (button(state, "Copy the name", row.target() + ":copy")) {
+        ImGui::SetClipboardText(("input." + name).c_str());
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::SameLine();
+    if (button(state, "Remove", row.target() + ":remove")) {
+        state.commit("Remove input " + name, without_input(state.model, state.document(), name));
+        ImGui::CloseCurrentPopup();
+    }
+}
+
+void draw_input_row(State& state, const InputRow& row) {
+    const float wide = ImGui::GetContentRegionAvail().x, label_wide = std::floor(wide * 0.36F);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const std::string& label = row.input.label.empty() ? row.input.name : row.input.label;
+    ImGui::Dummy({label_wide, ImGui::GetFrameHeight()});
+    const bool hovered = ImGui::IsItemHovered();
+    ImFont* font = state.fonts.regular(16);
+    draw_text(*ImGui::GetWindowDrawList(), font, 16, at + ImVec2(0, 4), theme::text,
+              fitting(font, 16, label, label_wide - 8));
+    if (hovered)
+        show_tooltip(last_item(), state.fonts.bold(16), "input." + row.input.name, row.port.doc);
+    ImGui::SameLine(0, 0);
+    const std::string name = row.input.name;
+    const bool in_preset = is_in_preset(state.document(), row.preset, name);
+    draw_input_control(state, row, wide - label_wide - row_icons - 4);
+    ImGui::SetCursorScreenPos(at + ImVec2(wide - row_icons, 0));
+    if (in_preset) {
+        if (icon_button(state, "undo", row.target() + ":reset", "Back to the default"))
+            state.commit("Reset " + name, without_input_value(state.document(), row.preset, name));
+    }
+    ImGui::SetCursorScreenPos(at + ImVec2(wide - row_icons / 2, 0));
+    draw_row_menu(state, row);
+    ImGui::SetCursorScreenPos(at + ImVec2(0, input_row_tall));
+}
+
+}  // namespace
+
+void draw_input_rows(State& state) {
+    const Document document = state.document();  // a row may change it and its types
+    const std::shared_ptr<const Types> types = state.model.types;
+    const std::string preset = state.view.preview_request.preset;
+    std::string group;
+    bool first = true;
+    for (const GraphInput& input : document.inputs) {
+        const Port* port = port_of_input(state.model, input.name);
+        if (!port || !is_displayed(state.model, document, preset, input)) continue;
+        if (input.group != group) {
+            group = input.group;
+            if (!first) ImGui::Dummy({0, 6});
+            if (!group.empty()) ImGui::TextDisabled("%s", group.c_str());
+        }
+        first = false;
+        ImGui::PushID(input.name.c_str());
+        draw_input_row(state,
+                       {input, *port, preset, numbers_of_input(document, preset, input, *port)});
+        ImGui::PopID();
+    }
+}
+
+}  // namespace wrinkle::editor
