@@ -161,7 +161,7 @@ Shader Graph::compile(const CompileOptions& wanted) const noexcept {
                 make_shader(parts.project, parts.library->registry, options, problems).shader;
             result.ok = !problems.has_errors();
             if (result.ok) {
-                result.reflection = reflection_json(made);
+                result.reflection = reflection_json(made, parts.project, parts.library->registry);
                 result.source = std::move(made.source);
                 result.vertex = std::move(made.vertex);
                 result.fragment = std::move(made.fragment);

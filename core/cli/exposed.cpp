@@ -4,41 +4,11 @@
 #include "base/text.h"
 #include "graph/subgraph.h"
 #include "json/write.h"
+#include "lower/exposed.h"
 #include "registry/reference.h"
 
 namespace wrinkle::cli {
 namespace {
-
-// Returns the default as JSON; "" if the input has none.
-std::string default_of(const GraphInput& input, const Port& port) {
-    if (port.is_value() && lanes_of(port.type) > 0) return default_json(port);
-    const bool absent = input.default_value.is(json::Kind::null);
-    return absent ? "" : json::one_line(input.default_value);
-}
-
-std::string input_json(const GraphInput& input, const Port& port) {
-    std::string text = "{\"name\": " + json_quoted(input.name);
-    const auto add = [&](const char* key, const std::string& json) {
-        if (!json.empty()) text += ", " + json_quoted(key) + ": " + json;
-    };
-    const auto add_text = [&](const char* key, const std::string& word) {
-        if (!word.empty()) add(key, json_quoted(word));
-    };
-    add_text("type", input.type);
-    add("default", default_of(input, port));
-    if (!port.choices.empty()) add("choices", json::string_array(port.choices));
-    if (port.has_soft_range()) add("slider", range_json(port.soft_min, port.soft_max));
-    if (port.has_hard_range()) add("limits", range_json(port.hard_min, port.hard_max));
-    if (!input.step.is(json::Kind::null)) add("step", json::one_line(input.step));
-    add_text("unit", port.unit);
-    add_text("label", input.label);
-    add_text("group", input.group);
-    add_text("widget", input.widget);
-    add_text("when", input.when);
-    add_text("doc", port.doc);
-    add("built_in", port.is_option() ? "true" : "false");
-    return text + "}";
-}
 
 std::string preset_json(const Preset& preset) {
     const auto member = [](const Extra& value) {
@@ -73,7 +43,8 @@ std::string exposed_json(const Project& project, const Types& types) {
     std::string inputs;
     const Document& top = project.top();
     for (size_t i = 0; i < top.inputs.size(); ++i)
-        inputs += (i ? ",\n    " : "\n    ") + input_json(top.inputs[i], types.graph_input(0, i));
+        inputs +=
+            (i ? ",\n    " : "\n    ") + exposed_input(top.inputs[i], types.graph_input(0, i));
     return "\"exposed\": [" + inputs + "], \"presets\": [" + joined(top.presets, ",", preset_json) +
            "]";
 }
@@ -85,7 +56,7 @@ std::string exposed_text(const Project& project, const Types& types) {
         const GraphInput& input = top.inputs[i];
         const Port& port = types.graph_input(0, i);
         std::string line = "    " + padded(input.name, 16) + " " + padded(input.type, 7) + " " +
-                           padded(default_of(input, port), 12);
+                           padded(exposed_default(input, port), 12);
         for (const std::string& part : {port.doc, details(input, port)})
             if (!part.empty()) line += " " + part;
         text += printable(line.substr(0, line.find_last_not_of(' ') + 1)) + "\n";

@@ -13,6 +13,7 @@
 #include "ir/rewrite.h"
 #include "ir/tangent_space.h"
 #include "lower/check.h"
+#include "lower/exposed.h"
 #include "spirv/spirv.h"
 
 namespace wrinkle {
@@ -47,6 +48,25 @@ void warn_of_16_bits(const Reflection& reflection, const Compiled& compiled, con
         diagnostics.add(
             at_reader(warning, compiled.module.resources[sampler.resource], compiled, project));
     }
+}
+
+std::string uniform_of(const Reflection& reflection, const std::string& input) {
+    for (const UniformInfo& uniform : reflection.uniforms)
+        if (uniform.graph_input && uniform.port == input) return uniform.name;
+    return {};
+}
+
+// Returns a list with one input of the top graph per line.
+std::string inputs_json(const Reflection& reflection, const Project& project,
+                        const Registry& registry) {
+    const auto& inputs = project.top().inputs;
+    if (inputs.empty()) return "[]";
+    const Types types(project, registry);
+    std::string text = "[";
+    for (size_t i = 0; i < inputs.size(); ++i)
+        text += (i ? ",\n    " : "\n    ") + exposed_input(inputs[i], types.graph_input(0, i),
+                                                           uniform_of(reflection, inputs[i].name));
+    return text + "\n  ]";
 }
 
 }  // namespace
@@ -115,7 +135,8 @@ MadeShader make_shader(const Project& project, const Registry& registry, ShaderO
     return made;
 }
 
-std::string reflection_json(const Shader& shader) {
+std::string reflection_json(const Shader& shader, const Project& project,
+                            const Registry& registry) {
     std::string sums;
     const auto add = [&](const char* name, const std::string& text) {
         if (text.empty()) return;
@@ -126,6 +147,7 @@ std::string reflection_json(const Shader& shader) {
     add("fragment", shader.fragment);
     std::string text = to_json(shader.reflection);
     text.resize(text.rfind("\n}"));
+    text += ",\n  \"inputs\": " + inputs_json(shader.reflection, project, registry);
     return text + ",\n  \"sha256\": {" + sums + "}\n}\n";
 }
 

@@ -57,10 +57,11 @@ struct MadeShader {
 MadeShader make_shader(const Project& project, const Registry& registry, ShaderOptions options,
                        Diagnostics& diagnostics);
 
-// Returns the reflection as JSON with the hashes of the sources as the last key, "sha256":
-// {"function": "..."} or {"vertex": "...", "fragment": "..."}. With them, a program detects source
-// and reflection files of different runs.
-std::string reflection_json(const Shader& shader);
+// Returns the reflection as JSON with the inputs of the graph as "inputs" (lower/exposed.h), and
+// the hashes of the sources as the last key, "sha256": {"function": "..."} or {"vertex": "...",
+// "fragment": "..."}. With them, a program detects source and reflection files of different runs.
+// The shader must be that of the project.
+std::string reflection_json(const Shader& shader, const Project& project, const Registry& registry);
 
 // Loads the images that the module samples, for evaluation, baking and rendering. Reports a problem
 // at the first port that reads the image; `textures` reports each file only once.

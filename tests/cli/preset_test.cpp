@@ -1,5 +1,6 @@
 // Tests of --preset on every command that takes it, and of wrinkle inputs --exposed.
 #include "cli/support.h"
+#include "json/write.h"
 
 namespace wrinkle::test {
 namespace {
@@ -92,6 +93,43 @@ TEST_F(PresetTest, IsInTheReflectionAndTheDependencies) {
     EXPECT_EQ(several.code, 0) << several.err;
 }
 
+TEST_F(PresetTest, TheReflectionDescribesTheInputs) {
+    put("i.json", R"({"wrinkle": 1, "inputs": {
+    "wear": {"type": "float", "default": 0.25, "slider": [0, 0.5], "limits": [0, 1], "step": 0.125,
+             "unit": "m", "label": "Wear", "group": "Wear/Edges", "widget": "number"},
+    "amount": {"type": "float", "default": 2},
+    "idle": {"type": "vec2", "when": "input.wear > 0"},
+    "octaves": {"type": "count", "default": 3, "limits": [2, 5]}},
+  "presets": {"Old": {"wear": 0.75, "octaves": 4}},
+  "nodes": {"f": {"type": "fbm", "in": {"octaves": {"from": "input.octaves"}}},
+            "g": {"type": "gradient_from_height", "in": {"height": {"from": "f.height"}}},
+            "s": {"type": "gradient_scale", "in": {"gradient": {"from": "g.gradient"},
+                                                   "amount": {"from": "input.amount"}}}},
+  "outputs": {"roughness": {"from": "input.wear"}, "normal": {"from": "s.gradient"}}})");
+    const auto inputs = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words = {"compile", "i.json", "-o", "o.glsl", "--reflect", "r"};
+        words.insert(words.end(), more.begin(), more.end());
+        EXPECT_EQ(run(words).code, 0);
+        return parsed(get("r")).find("inputs");
+    };
+    const json::Value list = inputs({"--preset", "Old", "--name", "rust"});
+    ASSERT_EQ(list.size(), 4u);
+    EXPECT_EQ(json::one_line(list.at(0)),
+              R"({ "name": "wear", "type": "float", "default": 0.75, "slider": [0, 0.5], )"
+              R"("limits": [0, 1], "step": 0.125, "unit": "m", "label": "Wear", )"
+              R"("group": "Wear/Edges", "widget": "number", "uniform": "rust_input_wear", )"
+              R"("built_in": false })");
+    EXPECT_TRUE(says(get("o.glsl"), "uniform float rust_input_wear;"));
+    EXPECT_EQ(list.at(1).find("slider").at(0).as_number(), -2) << "that of the port it feeds";
+    EXPECT_EQ(list.at(1).find("unit").as_string(), "x");
+    EXPECT_FALSE(list.at(2).has("uniform")) << "nothing reads it";
+    EXPECT_EQ(list.at(2).find("when").as_string(), "input.wear > 0");
+    EXPECT_EQ(list.at(3).find("default").as_number(), 4);
+    EXPECT_TRUE(list.at(3).find("built_in").as_boolean());
+    EXPECT_FALSE(list.at(3).has("uniform"));
+    EXPECT_EQ(inputs({"--outputs", "roughness"}).size(), 4u);
+}
+
 TEST_F(PresetTest, IsPartOfTheKeyOfTheCache) {
     const auto reflected = [&](const std::string& preset) {
         std::vector<std::string> words = {"compile",   "g.json", "-o",      "o.glsl",
@@ -120,7 +158,7 @@ TEST_F(PresetTest, IsTakenByCheckAndBake) {
     EXPECT_EQ(baked("White", "c.png"), baked("White", "d.png"));
 }
 
-// Choices, counts and flags are not in the reflection: another value is another text.
+// Choices, counts and flags are not uniforms: another value is another text.
 TEST_F(PresetTest, OptionsAreBuiltIn) {
     put("o.json", R"({"wrinkle": 1, "inputs": {
     "octaves": {"type": "count", "default": 2}, "basis": {"type": "choice", "default": "value"}},
