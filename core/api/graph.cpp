@@ -1,6 +1,7 @@
 #include "api/parts.h"
 #include "base/text.h"
 #include "compile/inputs.h"
+#include "lower/exposed.h"
 
 namespace wrinkle::api {
 namespace {
@@ -142,6 +143,23 @@ std::vector<InputFile> Graph::inputs() const noexcept {
                                                            std::move(file.path)});
                            })
         .files;
+}
+
+std::vector<Preset> Graph::presets() const noexcept {
+    struct Listed {
+        std::vector<Preset> presets;
+        Problems problems;
+    };
+    return guarded<Listed>(parts_,
+                           [&](const Parts& parts, Listed& listed) {
+                               for (const wrinkle::Preset& preset : parts.project.top().presets) {
+                                   Preset& added = listed.presets.emplace_back();
+                                   added.name = preset.name;
+                                   for (auto& [input, json] : preset_values(preset))
+                                       added.values.push_back({input, json});
+                               }
+                           })
+        .presets;
 }
 
 Shader Graph::compile(const CompileOptions& wanted) const noexcept {

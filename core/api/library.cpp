@@ -2,6 +2,7 @@
 #include "base/limits.h"
 #include "emit/target.h"
 #include "lower/override.h"
+#include "lower/preset.h"
 #include "nodes/all.h"
 #include "registry/plugin_loader.h"
 
@@ -110,6 +111,14 @@ Graph Graph::with(const std::vector<std::string>& values) const noexcept {
         }
         parts.project = with_overrides(parts_->project, parts_->library->registry, overrides, 0,
                                        parts.problems);
+    }));
+}
+
+Graph Graph::with_preset(const std::string& name) const noexcept {
+    if (!parts_ || !parts_->whole) return *this;
+    return Graph(read_graph(parts_->library, [&](Graph::Parts& parts) {
+        parts.problems = parts_->problems;
+        parts.project = wrinkle::with_preset(parts_->project, name, parts.problems);
     }));
 }
 

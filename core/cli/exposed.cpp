@@ -11,11 +11,11 @@ namespace wrinkle::cli {
 namespace {
 
 std::string preset_json(const Preset& preset) {
-    const auto member = [](const Extra& value) {
-        return json_quoted(value.key) + ": " + json::one_line(value.value);
+    const auto member = [](const auto& value) {
+        return json_quoted(value.first) + ": " + value.second;
     };
     return "\n    {\"name\": " + json_quoted(preset.name) + ", \"inputs\": {" +
-           joined(preset.values, ", ", member) + "}}";
+           joined(preset_values(preset), ", ", member) + "}}";
 }
 
 std::string details(const GraphInput& input, const Port& port) {
@@ -63,12 +63,10 @@ std::string exposed_text(const Project& project, const Types& types) {
     }
     if (!top.presets.empty()) text += "presets\n";
     for (const Preset& preset : top.presets) {
-        const auto value = [](const Extra& each) {
-            return each.key + "=" + json::one_line(each.value);
-        };
-        text +=
-            printable("    " + padded(preset.name, 16) + " " + joined(preset.values, ", ", value)) +
-            "\n";
+        const auto value = [](const auto& each) { return each.first + "=" + each.second; };
+        text += printable("    " + padded(preset.name, 16) + " " +
+                          joined(preset_values(preset), ", ", value)) +
+                "\n";
     }
     return text;
 }

@@ -37,4 +37,11 @@ std::string exposed_input(const GraphInput& input, const Port& port, const std::
     return text + "}";
 }
 
+std::vector<std::pair<std::string, std::string>> preset_values(const Preset& preset) {
+    std::vector<std::pair<std::string, std::string>> values;
+    for (const Extra& each : preset.values)
+        values.emplace_back(each.key, json::one_line(each.value));
+    return values;
+}
+
 }  // namespace wrinkle

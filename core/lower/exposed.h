@@ -1,8 +1,11 @@
-// Inputs of the top graph for programs that show them, as JSON. `port` is the input in Types:
-// slider, limits, unit, choices and doc of an input that feeds one port can be those of that port.
+// Inputs and presets of the top graph for programs that show them, as JSON. `port` is the input in
+// Types: slider, limits, unit, choices and doc of an input that feeds one port can be those of that
+// port.
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "graph/document.h"
 #include "registry/registry.h"
@@ -16,5 +19,8 @@ std::string exposed_default(const GraphInput& input, const Port& port);
 // if the input is known while compiling. `uniform` is the name in a shader; "": no key.
 std::string exposed_input(const GraphInput& input, const Port& port,
                           const std::string& uniform = {});
+
+// Returns the values of a preset by name of the input.
+std::vector<std::pair<std::string, std::string>> preset_values(const Preset& preset);
 
 }  // namespace wrinkle

@@ -48,6 +48,7 @@ TEST(Border, HasNoExceptions) {
     static_assert(noexcept(graph.check())&& noexcept(graph.inputs()));
     static_assert(noexcept(graph.compile(options))&& noexcept(graph.evaluate(Points())));
     static_assert(noexcept(graph.with(std::vector<std::string>())));
+    static_assert(noexcept(graph.presets())&& noexcept(graph.with_preset(std::string())));
     static_assert(std::is_nothrow_move_constructible_v<Graph> &&
                   std::is_nothrow_copy_assignable_v<Library>);
     EXPECT_STREQ(version(), WRINKLE_VERSION);
@@ -151,12 +152,25 @@ TEST(Border, ValuesThatDoNotFit) {
     EXPECT_FALSE(tilt().with({"nothing"}).compile({}).ok);
 }
 
+TEST(Border, PresetsThatAreNone) {
+    EXPECT_TRUE(tilt().presets().empty());
+    for (const char* name : {"Steep", "", "gone.preset.json", "/dev/null/x.json"}) {
+        const Graph none = tilt().with_preset(name);
+        EXPECT_TRUE(has_errors(none.check())) << name;
+        EXPECT_FALSE(none.compile({}).ok) << name;
+        EXPECT_FALSE(none.evaluate(up()).ok) << name;
+    }
+    EXPECT_TRUE(says(tilt().with_preset("Steep").check(), "the graph has no preset 'Steep'"));
+}
+
 void expect_nothing(const Graph& graph) {
     expect_one(graph.check(), "there is no graph");
     expect_one(graph.compile({}).problems, "there is no graph");
     expect_one(graph.evaluate(up()).problems, "there is no graph");
     EXPECT_TRUE(graph.inputs().empty());
     expect_one(graph.with({"input.slope=1"}).check(), "there is no graph");
+    EXPECT_TRUE(graph.presets().empty());
+    expect_one(graph.with_preset("Steep").check(), "there is no graph");
 }
 
 TEST(Border, WhatWasMovedFromHoldsNothing) {

@@ -304,6 +304,50 @@ TEST(SameText, WithOtherValues) {
     EXPECT_EQ(loaded.compile({}).source, before);
 }
 
+// Both ways of a host: the preset by its name, and its values one by one.
+TEST(SameText, WithAPresetOfTheGraph) {
+    const std::string graph = graphs + "/painted_metal.json";
+    const Graph loaded = library().load(graph);
+    const std::vector<Preset> presets = loaded.presets();
+    ASSERT_EQ(presets.size(), 2u);
+    EXPECT_EQ(presets[0].name, "New");
+    EXPECT_EQ(presets[1].name, "Old");
+    ASSERT_EQ(presets[0].values.size(), 3u);
+    EXPECT_EQ(presets[0].values[2].input, "paint");
+    EXPECT_EQ(presets[0].values[2].json, "\"#a01818\"");
+    for (const Preset& preset : presets) {
+        const Shader shader = loaded.with_preset(preset.name).compile({});
+        const Said said = run_wrinkle({"compile", graph, "--preset", preset.name});
+        ASSERT_EQ(said.code, 0) << said.err;
+        EXPECT_EQ(shader.source, said.out) << to_text(shader.problems);
+        EXPECT_NE(shader.reflection, loaded.compile({}).reflection);
+        std::vector<std::string> values;
+        for (const Preset::Value& value : preset.values)
+            values.push_back("input." + value.input + "=" + value.json);
+        const Shader set = loaded.with(values).compile({});
+        EXPECT_EQ(set.source, shader.source) << to_text(set.problems);
+        EXPECT_EQ(set.reflection, shader.reflection);
+    }
+}
+
+TEST(SameText, WithAPresetFile) {
+    const TemporaryFolder folder;
+    const std::string graph = folder.put("tilt.json", tilt_graph());
+    const std::string file = folder.put("steep.preset.json", R"({ "wrinkle_preset": 1,
+  "graph": "tilt.json", "inputs": { "slope": 3 } })");
+    const Graph steep = library().load(graph).with_preset(file);
+    EXPECT_EQ(steep.compile({}).reflection,
+              library().load(graph).with({"input.slope=3"}).compile({}).reflection);
+    std::string lines;
+    for (const InputFile& input : steep.inputs())
+        lines += input.path + "\n";
+    EXPECT_NE(lines.find("steep.preset.json"), std::string::npos) << "a preset is an input";
+    const std::string other = folder.put("other.preset.json", R"({ "wrinkle_preset": 1,
+  "graph": "else.json", "inputs": { "slop": 3 } })");
+    EXPECT_EQ(to_text(library().load(graph).with_preset(other).check()),
+              run_wrinkle({"check", graph, "--preset", other}).err);
+}
+
 TEST(SameText, WithANodeOfAPlugin) {
     const TemporaryFolder folder;
     const std::string graph = folder.put("r.json", R"({ "wrinkle": 1, "nodes": {

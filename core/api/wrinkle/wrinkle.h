@@ -123,6 +123,16 @@ struct InputFile {
     std::string path;  // relative if the path of the graph is
 };
 
+// Values of inputs of a graph under one name.
+struct Preset {
+    struct Value {
+        std::string input;
+        std::string json;  // "0.8", "[1, 0, 0]", "\"#a01818\""
+    };
+    std::string name;
+    std::vector<Value> values;  // inputs that differ from their defaults
+};
+
 class WRINKLE_API Graph {
 public:
     Graph() noexcept;  // empty handle
@@ -142,6 +152,14 @@ public:
     // Returns the graph with other values: each "NODE.PORT=VALUE" or "input.NAME=VALUE", as for
     // --set. An invalid value is a problem of the returned graph.
     Graph with(const std::vector<std::string>& values) const noexcept;
+
+    // Returns the presets of the graph, in its order.
+    std::vector<Preset> presets() const noexcept;
+
+    // Returns the graph with the values of a preset as defaults of its inputs, as for --preset:
+    // `name` is a preset of the graph, or a file that ends in ".json". A missing preset, another
+    // graph's and a value that does not fit are problems of the returned graph.
+    Graph with_preset(const std::string& name) const noexcept;
 
     Shader compile(const CompileOptions& options) const noexcept;
     Evaluated evaluate(const Points& points, const EvaluateOptions& options = {}) const noexcept;
