@@ -117,22 +117,29 @@ static CellAt brick_at(const Bricks& in, vec2 p) {
     return {brick.cell, way, size, named("edge", radius - outside), footprint(p)};
 }
 
-// Four bricks and a square with sides of a length, of the area of a block.
-static Float pinwheel_mean(const Edges& edges, Float squares, Float stretchers) {
-    const Float side = squares - 1, block = squares + 1;
-    const Float open = saturate(1 - edges.groove() / max(side, 0.5));
-    return (4 * squares * stretchers + side * side * open * open) / (block * block);
+// Returns the mean over the area of the bond of a quantity of each size of brick.
+template <class Of>
+static auto mean_over(const Bricks& in, Of of) {
+    const Bond bond = in.bond;
+    if (bond == Bond::spanish) {  // four bricks around a square, in a block
+        const Float squares = named("squares", floor(in.aspect + 0.5));
+        const Float side = squares - 1, block = squares + 1;
+        return (4 * squares * of(vec2(squares, 1)) + side * side * of(vec2(max(side, 0.5)))) /
+               (block * block);
+    }
+    const auto stretchers = of(vec2(in.aspect, 1));
+    if (bond != Bond::english && bond != Bond::flemish) return stretchers;
+    const double headers = bond == Bond::english ? 0.5 : 1.0 / 3;
+    return mix(stretchers, of(vec2(0.5 * in.aspect, 1)), headers);
 }
 
-static Float mean_of(const Bricks& in, const Edges& edges) {
+static Float filtered_height(const Bricks& in, vec2 p, const CellAt& at) {
+    const Edges edges{in.mortar, in.bevel, at.width};
+    const Float mean = mean_over(in, [&](vec2 size) { return edges.mean(size); });
+    const vec2 lying = mean_over(in, [&](vec2 size) { return edges.grooves(size); });
     const Bond bond = in.bond;
-    if (bond == Bond::spanish) {
-        const Float squares = named("squares", floor(in.aspect + 0.5));
-        return pinwheel_mean(edges, squares, edges.mean(squares));
-    }
-    const Float stretchers = edges.mean(in.aspect);
-    if (bond != Bond::english && bond != Bond::flemish) return stretchers;
-    return mix(stretchers, edges.mean(0.5 * in.aspect), bond == Bond::english ? 0.5 : 1.0 / 3);
+    const vec2 grooves = bond < Bond::herringbone ? lying : 0.5 * (lying + lying.yx());
+    return edges.tile(at.edge + 0.5 * in.mortar, mean) + lost_slope(p, edges.lost(grooves));
 }
 
 static constinit Node bricks_list[] = {
@@ -165,10 +172,9 @@ static constinit Node bricks_list[] = {
                 .count("seed", 0, 0, 65535, seed_doc),
             0.008, "1 on a brick, 0 in the mortar"))
         .body([](Bricks in) {
-            const CellAt at = brick_at(in, named("p", in.uv * in.scale));
-            const Edges edges{in.mortar, in.bevel, at.width};
-            const Float value = edges.tile(at.edge + 0.5 * in.mortar, mean_of(in, edges));
-            return std::tuple_cat(relief_of(value, in.amplitude),
+            const vec2 p = named("p", in.uv * in.scale);
+            const CellAt at = brick_at(in, p);
+            return std::tuple_cat(relief_of(filtered_height(in, p, at), in.amplitude),
                                   cell_values(at, in.uv, in.scale, in.seed));
         })};
 constinit std::span<Node> bricks_nodes = bricks_list;

@@ -6,6 +6,9 @@
 //               smoothstep from 0.25 to 0.75 cells (M. Mikkelsen's filtered noise). A layer of
 //               noise is multiplied by it; a pattern with a non-zero mean fades to its mean.
 // spread(p)     extent of the pixel per axis: the box around it, for exact box filters.
+// lost_slope    reports the slopes in p that a filter removed, by their variance, to
+//               normal_variance(): a height of 0 to add to the filtered one, outside of functions
+//               and loops.
 // box_width(x)  width of the box that has the variance of a number over the pixel, if it changes
 //               linearly: the length of its screen differentials, whatever the pixel's rotation.
 // All are detached: they weight a slope but do not contribute to it. Zero differentials give a zero
@@ -27,6 +30,21 @@ inline sdk::Float fade(sdk::Float footprint) {
 // That of the pattern at p * scale, for the footprint of p.
 inline sdk::Float fade(sdk::Float footprint, sdk::Float scale) {
     return fade(footprint * detach(abs(scale)));
+}
+
+// The share of the variance of slopes that a factor `fade` removes.
+inline sdk::Float lost_share(sdk::Float fade) {
+    return 1 - fade * fade;
+}
+// The variance is that of each component; the covariance is (xx, yy, xy).
+inline sdk::Float lost_slope(sdk::vec3 p, sdk::Float variance) {
+    return with_slope(0, p, with_covariance(sdk::vec3(0), detach(variance)));
+}
+inline sdk::Float lost_slope(sdk::vec2 p, sdk::vec3 covariance) {
+    return with_slope(0, p, with_covariance(sdk::vec2(0), detach(covariance)));
+}
+inline sdk::Float lost_slope(sdk::vec2 p, sdk::Float variance) {
+    return lost_slope(p, sdk::vec3(variance, variance, 0));
 }
 
 template <class V>

@@ -24,20 +24,21 @@ static constexpr auto fractal(const char* id, const char* title, const char* doc
         .choice("basis", basis_names, "The noise that is added up");
 }
 
-// Measured spatial means of |noise| and (1 - |noise|)^2; octaves fade to them.
+// Measured: the spatial means of |noise| and (1 - |noise|)^2, to which octaves fade, and the slope
+// variance per axis of an octave of ridges.
 struct Means {
-    double absolute, ridge;
+    double absolute, ridge, ridge_slope;
 };
 static Means means_of(Basis basis) {
-    if (basis == Basis::simplex) return {0.311, 0.530};
-    if (basis == Basis::value) return {0.330, 0.500};
-    return {0.220, 0.633};
+    if (basis == Basis::simplex) return {0.311, 0.530, 6.08};
+    if (basis == Basis::value) return {0.330, 0.500, 1.16};
+    return {0.220, 0.633, 1.45};
 }
 
 // The sum of |noise| over octaves, 0 to about 1.
 static Float billows(const Fractal& fractal, Basis basis) {
     const Noise noise = noise_function(basis);
-    return mean_of_octaves("billows", fractal, [&](const Octave& at) {
+    return mean_of_octaves("billows", fractal, slope_variance(basis), [&](const Octave& at) {
         return mix(means_of(basis).absolute, abs(noise(at.p)), at.fade);
     });
 }
@@ -46,7 +47,7 @@ static Float billows(const Fractal& fractal, Basis basis) {
 // saturated.
 static Float ridges(const Fractal& fractal, Basis basis) {
     const Noise noise = noise_function(basis);
-    return mean_of_octaves("ridges", fractal, [&](const Octave& at) {
+    return mean_of_octaves("ridges", fractal, means_of(basis).ridge_slope, [&](const Octave& at) {
         const Float fold = 1 - abs(noise(at.p));
         return mix(means_of(basis).ridge, fold * fold, at.fade) * saturate(at.previous * 2);
     });

@@ -115,9 +115,37 @@ Noise noise_function(Basis basis) {
     }
 }
 
+// Measured.
+double slope_variance(Basis basis) {
+    if (basis == Basis::simplex) return 2.98;
+    return basis == Basis::value ? 0.587 : 0.497;
+}
+
+Float lost_octaves(const Fractal& fractal, Float width) {
+    const auto body = [](Float width, Float scale, Int octaves, Float lacunarity, Float gain) {
+        using State = std::tuple<Int, Float, Float, Float, Float>;
+        const auto add = [&](Int k, Float frequency, Float weight, Float total, Float lost) {
+            const Float slope = frequency * weight;
+            return std::tuple{k < octaves,
+                              k + 1,
+                              frequency * lacunarity,
+                              weight * gain,
+                              total + weight,
+                              lost + slope * slope * lost_share(fade(width, frequency))};
+        };
+        const auto [k, frequency, weight, total, lost] =
+            loop("octaves(k, frequency, weight, total, lost)", most_octaves,
+                 State{0, scale, 1, 0, 0}, add);
+        return lost / (total * total);
+    };
+    return function("lost_octaves(width, scale, octaves, lacunarity, gain)", body)(
+        width, fractal.scale, fractal.octaves, fractal.lacunarity, fractal.gain);
+}
+
 Float fbm(const Fractal& fractal, Basis basis) {
     const Noise noise = noise_function(basis);
-    return mean_of_octaves("fbm", fractal, [&](const Octave& at) { return noise(at.p) * at.fade; });
+    return mean_of_octaves("fbm", fractal, slope_variance(basis),
+                           [&](const Octave& at) { return noise(at.p) * at.fade; });
 }
 
 // One octave.
@@ -127,7 +155,10 @@ static auto single(Basis basis, vec3 point, Float scale, Float amplitude) {
         function("filtered_noise(point, width, scale)", [&](vec3 point, Float width, Float scale) {
             return noise(point * scale) * fade(width, scale);
         });
-    return relief_of(filtered(point, footprint(point), scale), amplitude);
+    const Float width = footprint(point);
+    const Float lost = slope_variance(basis) * lost_share(fade(width, scale));
+    const Float value = filtered(point, width, scale) + lost_slope(point * scale, lost);
+    return relief_of(value, amplitude);
 }
 
 static constinit Node noise_list[] = {

@@ -28,6 +28,7 @@ struct Noise {
 enum class Basis { gradient, simplex, value };
 inline constexpr const char* basis_names[] = {"gradient", "simplex", "value"};
 Noise noise_function(Basis basis);
+double slope_variance(Basis basis);  // mean square of one component of the slope
 
 inline constexpr int most_octaves = 8;
 
@@ -47,10 +48,16 @@ struct Octave {
     sdk::Float fade, previous;
 };
 
+// Returns the slope variance per axis that the fades remove from the weighted mean of octaves, if
+// it is 1 for each of them on unit cells.
+sdk::Float lost_octaves(const Fractal& fractal, sdk::Float width);
+
 // Returns the weighted mean of height(Octave) over the octaves, in the range of one layer, from a
 // function `name` of the generated code.
+// `slope_variance` is that of one octave on unit cells, per axis.
 template <class Height>
-sdk::Float mean_of_octaves(const char* name, const Fractal& fractal, Height height) {
+sdk::Float mean_of_octaves(const char* name, const Fractal& fractal, double slope_variance,
+                           Height height) {
     using namespace sdk;
     const auto body = [&](vec3 point, Float width, Float scale, Int octaves, Float lacunarity,
                           Float gain) {
@@ -73,8 +80,10 @@ sdk::Float mean_of_octaves(const char* name, const Fractal& fractal, Height heig
     };
     const std::string signature =
         name + std::string("(point, width, scale, octaves, lacunarity, gain)");
-    return function(signature.c_str(), body)(fractal.point, footprint(fractal.point), fractal.scale,
-                                             fractal.octaves, fractal.lacunarity, fractal.gain);
+    const Float width = footprint(fractal.point);
+    const Float mean = function(signature.c_str(), body)(
+        fractal.point, width, fractal.scale, fractal.octaves, fractal.lacunarity, fractal.gain);
+    return mean + lost_slope(fractal.point, lost_octaves(fractal, width) * slope_variance);
 }
 
 // Fractional Brownian motion: the weighted mean of octaves of noise, each fading to 0.

@@ -52,7 +52,8 @@ static constinit Node pattern_list[] = {
             const Float across = named("across", 0.5 - abs(y));
             const Edges edges{mortar, bevel, footprint(p)};
             const Float inside = named("inside", min(along, across));
-            return relief_of(edges.tile(inside, edges.mean(aspect)), amplitude);
+            const Float lost = lost_slope(p, edges.lost(edges.grooves(vec2(aspect, 1))));
+            return relief_of(edges.tile(inside, edges.mean(vec2(aspect, 1))) + lost, amplitude);
         }),
 
     cell_outputs(
@@ -80,10 +81,11 @@ static constinit Node pattern_list[] = {
             const Float edge = named("edge", dot(side, vec2(0.5, sin_60())));
             const Float inside = named("inside", 0.5 - max(side.x(), edge));
             const Edges edges{mortar, bevel, footprint(p)};
-            const Float tops = saturate(1 - edges.groove());
             const CellAt at{cell, way, vec2(1, 1.1547005383792517), inside, edges.footprint};
-            return std::tuple_cat(relief_of(edges.tile(inside, tops * tops), amplitude),
-                                  cell_values(at, uv, scale, seed));
+            const Float lost = lost_slope(p, edges.lost(edges.grooves(vec2(1))));
+            return std::tuple_cat(
+                relief_of(edges.tile(inside, edges.mean(vec2(1))) + lost, amplitude),
+                cell_values(at, uv, scale, seed));
         }),
 
     // The bump of M. Bailey's Surface Local Coordinates: in the middle of each square cell of
@@ -101,7 +103,10 @@ static constinit Node pattern_list[] = {
             const vec2 p = named("p", uv * density), way = named("way", p - floor(p) - 0.5);
             const vec2 side = named("side", abs(way));
             const Float value = saturate(named("rise", 1 - 2 * max(side.x(), side.y()) / base));
-            return relief_of(mix(mean_height(base * base * (1.0 / 3)), value, fade(footprint(p))),
+            const Float near = fade(footprint(p));
+            // Slopes of 2 / base, on base^2 of the area, half of it along each axis.
+            const Float lost = lost_slope(p, 2 * lost_share(near));
+            return relief_of(mix(mean_height(base * base * (1.0 / 3)), value, near) + lost,
                              amplitude);
         }),
 
@@ -138,7 +143,11 @@ static constinit Node pattern_list[] = {
             const Float disc = (2.0 / 3) * (1 - rim * rim * rim) / square - rim;
             const Float mean = pi() * radius * radius * disc / (1 - rim);
             const Float width = footprint(p), edge = radius - length(way);
-            return std::tuple_cat(relief_of(mix(mean_height(mean), value, fade(width)), amplitude),
+            const Float near = fade(width);
+            // Half the integral of the square of the cap's slope over the disc.
+            const Float slopes = -0.5 * pi() * (square + log(1 - square)) / ((1 - rim) * (1 - rim));
+            const Float lost = lost_slope(p, slopes * lost_share(near));
+            return std::tuple_cat(relief_of(mix(mean_height(mean), value, near) + lost, amplitude),
                                   cell_values({cell, way, vec2(1), edge, width}, uv, scale, seed));
         })};
 constinit std::span<Node> pattern_nodes = pattern_list;

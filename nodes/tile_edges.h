@@ -18,9 +18,21 @@ struct Edges {
         const sdk::Float covered = named("covered", (0.5 * (width + groove()) - inside) / width);
         return 1 - clamp(covered, 0, named("deepest", min(1, groove() / width)));
     }
-    // The mean over a tile of this length and of height 1.
-    sdk::Float mean(sdk::Float length) const {
-        return saturate(1 - groove()) * saturate(1 - groove() / length);
+    // The share of a tile of this width and height that has no groove.
+    sdk::Float mean(sdk::vec2 size) const {
+        return saturate(1 - groove() / size.y()) * saturate(1 - groove() / size.x());
+    }
+    // Its grooves per length across x and across y, without the corners where they cross.
+    sdk::vec2 grooves(sdk::vec2 size) const {
+        return {saturate(1 - groove() / size.y()) / size.x(),
+                saturate(1 - groove() / size.x()) / size.y()};
+    }
+    // Returns the slope covariance (xx, yy, xy) that the filters remove from tiles of these
+    // grooves. Close up, each groove has two slopes of 1 / bevel.
+    sdk::vec3 lost(sdk::vec2 grooves) const {
+        const sdk::Float width = max(bevel, footprint), near = fade(footprint);
+        const sdk::Float retained = near * near * min(1, groove() / width) / width;
+        return sdk::vec3(2 * (1 / bevel - retained) * grooves, 0);
     }
     // The tile's height, fading to the mean as a pixel covers a tile.
     sdk::Float tile(sdk::Float inside, sdk::Float mean) const {

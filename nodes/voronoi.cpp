@@ -100,7 +100,8 @@ static constinit Node voronoi_list[] = {
             const CellAt at{found.cell, -found.own, vec2(1), named("edge", edge), footprint(p)};
             const Edges edges{in.mortar, in.bevel, at.width};
             const Float tops = saturate(1 - 0.97 * edges.groove());
-            const Float value = edges.tile(at.edge, tops * tops);
+            const Float value = edges.tile(at.edge, tops * tops) +
+                                lost_slope(p, edges.lost(edges.grooves(vec2(1))));
             return std::tuple_cat(relief_of(value, in.amplitude),
                                   std::tuple{length(found.own), length(found.second)},
                                   cell_values(at, in.uv, in.scale, in.seed));

@@ -20,15 +20,27 @@ static Float number(int wave, int which) {
     return unit_float(hash(Int(wave), Int(which)));
 }
 
+static vec2 direction_of(const Waves& in, int wave) {
+    const Float angle = radians(in.direction + in.spread * (number(wave, 0) - 0.5));
+    return {cos(angle), sin(angle)};
+}
+
 // Both take 2 pi times a fraction, since sines of large angles are inexact.
 static Float plane_wave(const Waves& in, vec2 p, int wave) {
-    const Float angle = radians(in.direction + in.spread * (number(wave, 0) - 0.5));
-    return sin(fract(dot(p, vec2(cos(angle), sin(angle))) + number(wave, 1) - in.phase) * two_pi());
+    const Float along = dot(p, direction_of(in, wave));
+    return sin(fract(along + number(wave, 1) - in.phase) * two_pi());
 }
 // A cosine, unlike a sine, is smooth at the centre of the rings.
 static Float ring_wave(const Waves& in, vec2 p, Float frequency, int wave) {
     const vec2 centre(number(wave, 0), number(wave, 1));
     return cos(fract(length(p - centre * frequency) - in.phase) * two_pi());
+}
+
+// Returns the covariance of the slopes of a wave of amplitude 1 and wavelength 2 pi.
+static vec3 lost_wave(const Waves& in, int wave) {
+    if (in.shape != 0) return {0.25, 0.25, 0};
+    const vec2 d = direction_of(in, wave);
+    return 0.5 * vec3(d * d, d.x() * d.y());
 }
 
 static constinit Node waves_list[] = {
@@ -50,16 +62,20 @@ static constinit Node waves_list[] = {
            0.01, "The sum, -1 to 1")
         .body([](Waves in) {
             Float sum = 0, total = 0, frequency = in.scale, weight = 1;
+            vec3 lost(0);
             for (int wave = 0; wave < in.count; ++wave) {
                 const vec2 p = in.uv * frequency;
                 const Float height =
                     in.shape == 0 ? plane_wave(in, p, wave) : ring_wave(in, p, frequency, wave);
-                sum += height * (weight * fade(footprint(p)));
+                const Float near = fade(footprint(p)), slope = weight * frequency * two_pi();
+                sum += height * (weight * near);
+                lost += lost_wave(in, wave) * (slope * slope * lost_share(near));
                 total += weight;
                 frequency *= in.lacunarity;
                 weight *= in.gain;
             }
-            return relief_of(sum / total, in.amplitude);
+            const Float value = (sum + lost_slope(in.uv, lost)) / total;
+            return relief_of(value, in.amplitude);
         })};
 constinit std::span<Node> waves_nodes = waves_list;
 

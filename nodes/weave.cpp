@@ -66,26 +66,28 @@ static Threads threads_at(Weave weave, vec2 p, Float width) {
             named("weft", thread(p.yx(), width, -at(from_x, y), -at(from_x + 1, y)))};
 }
 
-// Measured over a period and fitted: the mean of the higher thread's height, and the share of the
-// plane where it is the warp.
+// Measured over a period and fitted: the mean of the higher thread's height, the share of the plane
+// where it is the warp, and the variances of its slope across warp and weft threads.
 struct ClothMeans {
     Float height, warp;
+    vec2 slopes;
 };
 static ClothMeans means_of(Weave weave, Float width) {
-    const auto fitted = [&](double a, double b, double warp) {
-        return ClothMeans{width * (a + b * width), 0.5 + warp * (width * width)};
+    const auto fitted = [&](double a, double b, double warp, vec2 steep, vec2 flat) {
+        return ClothMeans{width * (a + b * width), 0.5 + warp * (width * width),
+                          steep / width - flat};
     };
     switch (weave) {
         case Weave::plain:
-            return fitted(0.917, -0.271, 0);
+            return fitted(0.917, -0.271, 0, vec2(3.26), vec2(1.99));
         case Weave::twill:
-            return fitted(0.9134, -0.2483, 0);
+            return fitted(0.9134, -0.2483, 0, vec2(3.28), vec2(1.79));
         case Weave::twill_3_1:
-            return fitted(0.9131, -0.2479, 0.187);
+            return fitted(0.9131, -0.2479, 0.187, {4.56, 1.94}, {2.18, 1.29});
         case Weave::satin_5:
-            return fitted(0.9107, -0.2419, 0.225);
+            return fitted(0.9107, -0.2419, 0.225, {4.84, 1.68}, {2.27, 1.15});
         default:
-            return fitted(0.9068, -0.2323, 0.281);
+            return fitted(0.9068, -0.2323, 0.281, {5.18, 1.29}, {2.23, 0.95});
     }
 }
 
@@ -133,8 +135,9 @@ static constinit Node weave_list[] = {
             const Threads threads = threads_at(weave, p, in.width);
             const ClothMeans means = means_of(weave, in.width);
             const Float width = footprint(p), near = fade(width);
+            const Float lost = lost_slope(p, vec3(means.slopes * lost_share(near), 0));
             const Float value =
-                mix(mean_height(means.height), max(threads.warp, threads.weft), near);
+                mix(mean_height(means.height), max(threads.warp, threads.weft), near) + lost;
             const Visible visible = visible_at(threads, means.warp, near);
             const Bool warp = visible.warp;
             const vec2 lane = named("lane", floor(p)), way = named("way", p - lane - 0.5);
