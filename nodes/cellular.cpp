@@ -122,7 +122,8 @@ static vec3 lost_strokes(const Scratches& in, Float width) {
     const Float total = area * ((6.0 / 5) * (8.0 / 15)) / (in.width * in.width);
     const Float spread = radians(in.spread), twice = 2 * radians(in.direction);
     const Float along = select(spread > 0.01, sin(spread) / spread, 1);  // mean of cos(2 angle)
-    const Float lost = 0.5 * total * lost_share(fade(width / (4 * in.width), in.scale));
+    const Float lost =
+        0.5 * total * min(area, 1) * lost_share(fade(width / (4 * in.width), in.scale));
     return lost * vec3(1 - along * cos(twice), 1 + along * cos(twice), -along * sin(twice));
 }
 

@@ -8,7 +8,9 @@
 // spread(p)     extent of the pixel per axis: the box around it, for exact box filters.
 // lost_slope    reports the slopes in p that a filter removed, by their variance, to
 //               normal_variance(): a height of 0 to add to the filtered one, outside of functions
-//               and loops.
+//               and loops. Of a pattern with flat parts it is the variance times the share of the
+//               area that slopes, because the highlight of flat parts is narrow: one lobe of all
+//               the variance would be too wide.
 // box_width(x)  width of the box that has the variance of a number over the pixel, if it changes
 //               linearly: the length of its screen differentials, whatever the pixel's rotation.
 // All are detached: they weight a slope but do not contribute to it. Zero differentials give a zero

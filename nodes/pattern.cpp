@@ -105,7 +105,7 @@ static constinit Node pattern_list[] = {
             const Float value = saturate(named("rise", 1 - 2 * max(side.x(), side.y()) / base));
             const Float near = fade(footprint(p));
             // Slopes of 2 / base, on base^2 of the area, half of it along each axis.
-            const Float lost = lost_slope(p, 2 * lost_share(near));
+            const Float lost = lost_slope(p, 2 * base * base * lost_share(near));
             return relief_of(mix(mean_height(base * base * (1.0 / 3)), value, near) + lost,
                              amplitude);
         }),
@@ -144,9 +144,10 @@ static constinit Node pattern_list[] = {
             const Float mean = pi() * radius * radius * disc / (1 - rim);
             const Float width = footprint(p), edge = radius - length(way);
             const Float near = fade(width);
+            const Float sloped = pi() * radius * radius;
             // Half the integral of the square of the cap's slope over the disc.
             const Float slopes = -0.5 * pi() * (square + log(1 - square)) / ((1 - rim) * (1 - rim));
-            const Float lost = lost_slope(p, slopes * lost_share(near));
+            const Float lost = lost_slope(p, slopes * sloped * lost_share(near));
             return std::tuple_cat(relief_of(mix(mean_height(mean), value, near) + lost, amplitude),
                                   cell_values({cell, way, vec2(1), edge, width}, uv, scale, seed));
         })};

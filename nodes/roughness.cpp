@@ -37,8 +37,8 @@ static constinit Node roughness_list[] = {
     gradient_family(
         "bump_roughness", "Roughness of bump",
         "Keeps a highlight as wide as the bump makes it where the bump is too fine for the "
-        "picture: the slopes that mips leave out become roughness. Of normal maps read in three "
-        "channels, and of slope moments maps; heights and noises leave out nothing.")
+        "picture: the slopes that mips and filters leave out become roughness. Of normal maps read "
+        "in three channels, slope moments maps, noises and most patterns; not of height maps.")
         .in<Gradient>("gradient", "The bump that is resolved, all of it")
         .in<Float>("roughness", 0.5, "Of the surface by itself, perceptual: its square is alpha",
                    slider(0, 1), limits(0, 1))

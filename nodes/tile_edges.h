@@ -32,7 +32,8 @@ struct Edges {
     sdk::vec3 lost(sdk::vec2 grooves) const {
         const sdk::Float width = max(bevel, footprint), near = fade(footprint);
         const sdk::Float retained = near * near * min(1, groove() / width) / width;
-        return sdk::vec3(2 * (1 / bevel - retained) * grooves, 0);
+        const sdk::Float sloped = min(2 * bevel * (grooves.x() + grooves.y()), 1);
+        return sdk::vec3(2 * sloped * (1 / bevel - retained) * grooves, 0);
     }
     // The tile's height, fading to the mean as a pixel covers a tile.
     sdk::Float tile(sdk::Float inside, sdk::Float mean) const {

@@ -135,7 +135,8 @@ static constinit Node weave_list[] = {
             const Threads threads = threads_at(weave, p, in.width);
             const ClothMeans means = means_of(weave, in.width);
             const Float width = footprint(p), near = fade(width);
-            const Float lost = lost_slope(p, vec3(means.slopes * lost_share(near), 0));
+            const Float gap = 1 - in.width, sloped = 1 - gap * gap;
+            const Float lost = lost_slope(p, vec3(means.slopes * sloped * lost_share(near), 0));
             const Float value =
                 mix(mean_height(means.height), max(threads.warp, threads.weft), near) + lost;
             const Visible visible = visible_at(threads, means.warp, near);

@@ -1,5 +1,5 @@
-// Test of normal variance: a bumped metal ball under a directional light, rendered so small that
-// its weave is finer than a pixel, against a large rendering that is downsampled.
+// Tests of normal variance: bumped metal balls under a directional light, rendered so small that
+// the bump is finer than a pixel, against large renderings that are downsampled.
 #include <cmath>
 
 #include "cli/support.h"
@@ -8,35 +8,43 @@
 namespace wrinkle::test {
 namespace {
 
-constexpr uint32_t side = 48, finer = 16;
-
 // The metal is dark enough that its highlights are not clipped.
-constexpr const char* dark_metal = R"({"wrinkle": 1, "nodes": {
-    "tile": {"type": "uv_transform", "in": {"scale": [24, 24]}},
-    "weave": {"type": "tangent_normal_map", "in": {"image": "weave_normal.png",
-              "uv": {"from": "tile.uv"}}},
-    "rough": {"type": "bump_roughness", "in": {"gradient": {"from": "weave.gradient"},
+std::string dark_metal(const std::string& bump, const std::string& normal) {
+    return R"({"wrinkle": 1, "nodes": {)" + bump + R"(,
+    "rough": {"type": "bump_roughness", "in": {"gradient": {"from": ")" +
+           normal + R"("},
               "roughness": 0.3}},
     "metal": {"type": "add", "in": {"a": 0.5, "b": 0.5}},
     "dark": {"type": "combine_vec3", "in": {"x": 0.03, "y": 0.03, "z": 0.03}}},
-  "outputs": {"normal": {"from": "weave.gradient"}, "roughness": {"from": "rough.roughness"},
+  "outputs": {"normal": {"from": ")" +
+           normal + R"("}, "roughness": {"from": "rough.roughness"},
               "metalness": {"from": "metal.result"}, "color": {"from": "dark.vector"}}})";
+}
 
 double linear(float shown) {
     return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4);
 }
 
-// Linear red values; each is the mean of block x block pixels.
-std::vector<double> light_of(const fs::path& picture, uint32_t block) {
+// The linear red values of a square image.
+std::vector<double> light_of(const fs::path& picture) {
     Diagnostics diagnostics;
     const auto image = load_image(picture, diagnostics);
-    EXPECT_TRUE(image && image->width == side * block) << to_text(diagnostics);
-    std::vector<double> light(size_t{side} * side, 0);
-    for (uint32_t y = 0; y < image->height; ++y)
+    EXPECT_TRUE(image) << to_text(diagnostics);
+    std::vector<double> light;
+    for (uint32_t y = 0; image && y < image->height; ++y)
         for (uint32_t x = 0; x < image->width; ++x)
-            light[y / block * size_t{side} + x / block] +=
-                linear(image->texel(x, y)[0]) / (block * block);
+            light.push_back(linear(image->texel(x, y)[0]));
     return light;
+}
+
+// An image of `side` pixels: means of blocks of a larger one.
+std::vector<double> reduced(const std::vector<double>& light, uint32_t side) {
+    const auto size = static_cast<uint32_t>(std::lround(std::sqrt(light.size())));
+    const uint32_t block = size / side;
+    std::vector<double> means(size_t{side} * side, 0);
+    for (size_t i = 0; i < light.size(); ++i)
+        means[i / size / block * side + i % size / block] += light[i] / (block * block);
+    return means;
 }
 
 double distance(const std::vector<double>& a, const std::vector<double>& b) {
@@ -46,23 +54,58 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
     return std::sqrt(sum);
 }
 
-using FarHighlight = CliTest;
-
-TEST_F(FarHighlight, IsThatOfTheBumpSeenInFull) {
-    put("g.json", dark_metal);
-    fs::copy_file(WRINKLE_SOURCE_DIR "/graphs/textures/weave_normal.png",
-                  folder / "weave_normal.png");
-    const auto light = [&](uint32_t block, const std::string& amount) {
-        const std::string size = std::to_string(side * block);
+class FarHighlight : public CliTest {
+protected:
+    // The ball of g.json, with bump_roughness times `amount`.
+    std::vector<double> light(uint32_t side, const std::string& amount) {
+        const std::string size = std::to_string(side);
         const Ran ran = run({"render", "g.json", "-o", "g.png", "--size", size + "x" + size,
                              "--set", "rough.amount=" + amount, "--light", "sun", "--tone",
                              "linear", "--background", "plain"});
         EXPECT_EQ(ran.code, 0) << ran.err;
-        return light_of(folder / "g.png", block);
-    };
-    const auto right = light(finer, "0");
-    const double with = distance(light(1, "1"), right), without = distance(light(1, "0"), right);
+        return light_of(folder / "g.png");
+    }
+};
+
+TEST_F(FarHighlight, IsThatOfTheBumpSeenInFull) {
+    put("g.json", dark_metal(R"("tile": {"type": "uv_transform", "in": {"scale": [24, 24]}},
+        "weave": {"type": "tangent_normal_map", "in": {"image": "weave_normal.png",
+                  "uv": {"from": "tile.uv"}}})",
+                             "weave.gradient"));
+    fs::copy_file(WRINKLE_SOURCE_DIR "/graphs/textures/weave_normal.png",
+                  folder / "weave_normal.png");
+    const auto right = reduced(light(768, "0"), 48);
+    const double with = distance(light(48, "1"), right);
+    const double without = distance(light(48, "0"), right);
     EXPECT_LT(with * 3, without) << with << " " << without;
+}
+
+// Four distances: a pixel of the smallest image has many cells, of the largest less than one. There
+// the bump itself is visible, and its roughness must not add an error.
+TEST_F(FarHighlight, OfProceduralBumpsAtFourDistances) {
+    const struct {
+        const char *type, *in;
+        double closer[4];  // how many times closer to the truth than without bump_roughness
+    } bumps[] = {
+        {"fbm", R"("scale": 20, "amplitude": 0.03)", {4, 2, 2, 1.4}},
+        {"weave", R"("scale": 120, "amplitude": 0.003)", {2.5, 2.5, 0.9, 0.85}},
+        {"hexagons", R"("scale": 60, "amplitude": 0.002)", {2, 1.3, 0.9, 0.9}},
+    };
+    for (const auto& bump : bumps) {
+        const std::string node =
+            R"("n": {"type": ")" + std::string(bump.type) + R"(", "in": {)" + bump.in + "}}";
+        put("g.json", dark_metal(node + R"(, "g": {"type": "gradient_from_height",
+                                           "in": {"height": {"from": "n.height"}}})",
+                                 "g.gradient"));
+        const auto large = light(768, "0");
+        for (size_t i = 0; i < 4; ++i) {
+            const uint32_t side = 24U << i;
+            const auto right = reduced(large, side);
+            const double with = distance(light(side, "1"), right);
+            const double without = distance(light(side, "0"), right);
+            EXPECT_LT(with * bump.closer[i], without) << bump.type << " at " << side;
+        }
+    }
 }
 
 }  // namespace
