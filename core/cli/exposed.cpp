@@ -34,6 +34,10 @@ std::string details(const GraphInput& input, const Port& port) {
     if (port.has_hard_range()) add(range(port.hard_min, port.hard_max));
     if (!input.when.empty()) add("when " + input.when);
     if (port.is_option()) add("built in");
+    const auto quoted = [](const json::Member& name) {
+        return json_quoted(name.value.as_string());
+    };
+    if (input.renamed.size() > 0) add("was " + joined(input.renamed.children(), ", ", quoted));
     return parts.empty() ? "" : "(" + joined(parts, ", ") + ")";
 }
 

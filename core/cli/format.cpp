@@ -41,8 +41,18 @@ NodeUpgrade upgrade_of(const Node& node, const NodeType& type) {
     return upgrade;
 }
 
+// Returns the document with nodes that call the inputs of their sub-graphs by current names.
+Document with_current_names(const Document& document) {
+    Diagnostics not_read;  // such a sub-graph's node stays
+    const std::filesystem::path folder = std::filesystem::path(document.file).parent_path();
+    Document changed = load_project(document, folder, {}, not_read).top();
+    changed.edited = !changed.nodes.same(document.nodes);
+    return changed;
+}
+
 // Upgrades every node to the newest version of its type.
-Document upgraded(const Document& document, const Registry& registry) {
+Document upgraded(const Document& read, const Registry& registry) {
+    const Document document = with_current_names(read);
     std::vector<NodeUpgrade> upgrades;
     for (const NodePtr& node : document.nodes) {
         const NodeType* type = registry.find(node->type);

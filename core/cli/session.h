@@ -38,10 +38,9 @@ Nodes load_nodes(const CommonOptions& options, Diagnostics& diagnostics);
 Project open_project(const std::string& file, const CommonOptions& options,
                      Diagnostics& diagnostics);
 
-// NAME.test.json is a regression test (cli/test_case.h) and NAME.preset.json a set of values; both
-// are in the folder of the graph NAME.json, so `*.json` matches them too.
+// NAME.test.json is a regression test (cli/test_case.h) and NAME.preset.json a preset
+// (lower/preset.h); both are in the folder of the graph NAME.json, so `*.json` matches them too.
 inline constexpr std::string_view test_suffix = ".test.json";
-inline constexpr std::string_view preset_suffix = ".preset.json";
 
 // If `file` is named like a test or a preset, reports an error and returns true.
 bool report_no_graph(const std::string& file, Diagnostics& diagnostics);

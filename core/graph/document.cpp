@@ -92,7 +92,9 @@ Diagnostic diagnose_port(const Document& document, const Node& node, std::string
     const Input* input = node.find(port);
     if (!input) return diagnostic;
     diagnostic.pointer = pointer_to({"nodes", node.id, "in", port});
-    if (input->value.has_location()) diagnostic.where = input->value.location();
+    if (!input->value.has_location()) return diagnostic;
+    diagnostic.where = input->value.location();
+    if (!document.edited) diagnostic.pointer = input->value.pointer();  // a former name as written
     return diagnostic;
 }
 

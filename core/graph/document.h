@@ -5,7 +5,7 @@
 // changes, so snapshots are compared by pointer. It does not know node types: ports, literal values
 // and types are stored as written and checked in core/lower. Unknown keys are stored verbatim.
 // Locations refer to the text as read: an edited part has no location and is reported at its node,
-// else at the file. JSON pointers use the current names.
+// else at the file. JSON pointers into an edited document use the current names.
 #pragma once
 
 #include <memory>
@@ -96,6 +96,7 @@ struct GraphInput {
     std::string widget;  // name of a control, unchecked
     std::string when;    // condition of display (graph/condition.h), unchecked
     std::string doc;
+    json::Value renamed;  // array of former names (graph/renamed.h)
     std::vector<Extra> unknown;
     json::Value source;
 };
@@ -118,6 +119,7 @@ void each_key(AnyInput& input, Visit visit) {
     visit("widget", input.widget);
     visit("when", input.when);
     visit("doc", input.doc);
+    visit("renamed", input.renamed);
 }
 
 // Returns the keys that are present, in the same order.

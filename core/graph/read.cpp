@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "graph/order.h"
 #include "graph/reader.h"
+#include "graph/renamed.h"
 #include "json/parse.h"
 
 namespace wrinkle {
@@ -27,6 +28,7 @@ public:
         for (const json::Member& member : root.children())
             if (!read_member(member, document))
                 document.unknown.push_back({std::string(member.key), member.value});
+        document.presets = with_current_presets(document);
         if (!root.has("wrinkle") && !root.cut_off())
             report_.at(root, "", "the file does not say that it is a graph",
                        "expected \"wrinkle\": 1");
@@ -71,6 +73,15 @@ private:
                                                  "nodes", reading::read_node);
         if (member.key == "layout") reading::read_layout(value, document, report_);
         return true;
+    }
+
+    static Table<Preset> with_current_presets(const Document& document) {
+        const FormerNames names(document.inputs);
+        if (names.empty()) return document.presets;
+        std::vector<Preset> presets;
+        for (const Preset& preset : document.presets)
+            presets.push_back(with_current_names(preset, names));
+        return document.presets.with_same_keys(std::move(presets));
     }
 
     bool read_format(const Value& value) {

@@ -11,7 +11,7 @@ namespace {
 using json::Kind;
 using json::Value;
 
-constexpr size_t max_choices = 256;
+constexpr size_t max_choices = 256, max_renamed = 32;
 
 bool is_single(const Value& value) {
     return value.is(Kind::number) &&
@@ -47,11 +47,11 @@ bool read_step(const Value& value, const std::string& name, Report& report) {
                   "expected a number greater than 0", report);
 }
 
-bool read_choices(const Value& value, const std::string& name, Report& report) {
+bool read_names(const Value& value, const std::string& name, size_t most, Report& report) {
     if (!report.expect(value, Kind::array, name, "")) return false;
-    if (value.size() == 0 || value.size() > max_choices)
+    if (value.size() == 0 || value.size() > most)
         return refuse(value, name + " has " + std::to_string(value.size()) + " names",
-                      "expected 1 to " + std::to_string(max_choices), report);
+                      "expected 1 to " + std::to_string(most), report);
     std::set<std::string_view> seen;
     for (const json::Member& choice : value.children()) {
         if (!report.expect(choice.value, Kind::string, "a name in " + name, "")) return false;
@@ -61,6 +61,16 @@ bool read_choices(const Value& value, const std::string& name, Report& report) {
                           name + (word.empty() ? " has an empty name" : " repeats a name"),
                           "expected different names", report);
     }
+    return true;
+}
+
+bool read_renamed(const Value& value, const std::string& name, Report& report) {
+    if (!read_names(value, name, max_renamed, report)) return false;
+    for (const json::Member& former : value.children())
+        if (const std::string problem = id_problem(former.value.as_string(), false);
+            !problem.empty())
+            return refuse(former.value, "a name in " + name + " " + problem,
+                          "expected former names of the input", report);
     return true;
 }
 
@@ -85,7 +95,8 @@ private:
     std::string name() const { return json_quoted(member_.key); }
     bool has_form() const {
         const auto& [key, value] = member_;
-        if (key == "choices") return read_choices(value, name(), report_);
+        if (key == "choices") return read_names(value, name(), max_choices, report_);
+        if (key == "renamed") return read_renamed(value, name(), report_);
         if (key == "step") return read_step(value, name(), report_);
         return key == "default" || read_range(value, name(), report_);
     }

@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "graph/depth_first.h"
 #include "graph/named_files.h"
+#include "graph/renamed.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
@@ -24,9 +25,28 @@ public:
         for (size_t f = 0; f < project_.files.size(); ++f)
             read_subgraphs(f);
         check_uses();
+        for (File& file : project_.files)
+            use_current_names(file);
     }
 
 private:
+    // Ports of sub-graph nodes get the current names of the inputs.
+    void use_current_names(File& file) {
+        std::vector<NodePtr> nodes(file.document.nodes.begin(), file.document.nodes.end());
+        bool changed = false;
+        for (size_t n = 0; n < nodes.size(); ++n) {
+            if (file.subgraphs[n] == File::none) continue;
+            const NodePtr before = nodes[n];
+            nodes[n] = with_current_names(before, names_of(file.subgraphs[n]));
+            changed |= nodes[n] != before;
+        }
+        if (changed) file.document.nodes = file.document.nodes.with_same_keys(std::move(nodes));
+    }
+
+    const FormerNames& names_of(uint32_t f) {
+        return names_.try_emplace(f, project_.files[f].document.inputs).first->second;
+    }
+
     void read_subgraphs(size_t f) {
         const Table<NodePtr> nodes = project_.files[f].document.nodes;
         std::vector<uint32_t> subgraphs(nodes.size(), File::none);
@@ -101,6 +121,7 @@ private:
     Diagnostics& diagnostics_;
     NamedFiles named_{project_};
     std::map<fs::path, uint32_t> known_;
+    std::map<uint32_t, FormerNames> names_;  // by file
 };
 
 }  // namespace

@@ -94,9 +94,7 @@ public:
                            : diagnose(document_, std::move(message), std::move(expected));
             };
             if (index == Table<GraphInput>::npos)
-                report(here(subject + "does not exist",
-                            did_you_mean(value.key, keys_of(document_.inputs),
-                                         "the graph has " + join(keys_of(document_.inputs)))));
+                no_input(value.key, subject, here);
             else if (is_typed(document_.inputs[index]))
                 literal(
                     value.value, types_.graph_input(file_, index), [&] { return subject; }, "",
@@ -142,6 +140,17 @@ private:
             return std::ranges::any_of(preset.values,
                                        [&](const Extra& each) { return each.value.same(value); });
         });
+    }
+
+    // Reports a preset's value for `key`, which no input has as its name.
+    template <class Diagnose>
+    void no_input(const std::string& key, const std::string& subject, Diagnose here) {
+        if (only_count()) return;
+        const std::string twice = set_twice(key, document_.inputs);
+        const std::vector<std::string> names = keys_of(document_.inputs);
+        report(twice.empty() ? here(subject + "does not exist",
+                                    did_you_mean(key, names, "the graph has " + join(names)))
+                             : here(subject + twice, set_once));
     }
 
     static bool is_typed(const GraphInput& input) {
@@ -197,7 +206,9 @@ private:
 
     void unknown_port(const Node& node, const NodeType& type, const Input& input) {
         if (only_count()) return;
-        std::string expected;
+        const Project::File* inner = project_.subgraph(file_, node.id);
+        const std::string twice = inner ? set_twice(input.port, inner->document.inputs) : "";
+        std::string expected = twice.empty() ? "" : set_once;
         for (const Rename& rename : type.renames)
             if (rename.old_name == input.port)
                 expected = "since version " + std::to_string(rename.version) + " it is '" +
@@ -206,7 +217,9 @@ private:
         if (expected.empty())
             expected = did_you_mean(input.port, names,
                                     names.empty() ? "it has no inputs" : "it has " + join(names));
-        report(diagnose_port(document_, node, input.port, "unknown port " + in_quotes(input.port),
+        const std::string name = in_quotes(input.port);
+        report(diagnose_port(document_, node, input.port,
+                             twice.empty() ? "unknown port " + name : "port " + name + " " + twice,
                              std::move(expected)));
     }
 
@@ -371,6 +384,7 @@ void check(const Project& project, const Registry& registry, const Types& types,
             if (!options.reachable_only || reached[f][i]) checker.node(i);
         for (size_t i = 0; i < document.inputs.size(); ++i)
             checker.graph_input(i);
+        check_renamed(document, diagnostics);
         for (const Preset& preset : document.presets)
             checker.preset(preset);
         for (const Output& output : document.outputs)

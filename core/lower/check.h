@@ -14,6 +14,8 @@ namespace wrinkle {
 
 struct Document;
 struct GraphInput;
+template <class T>
+class Table;
 class NamedFiles;
 
 struct CheckOptions {
@@ -36,5 +38,13 @@ void warn_of_projection(const Document& document, const Node& node, const NodeTy
 // the input in Types. Part of check().
 void check_keys(const Document& document, const GraphInput& input, const Port& port,
                 Diagnostics& diagnostics);
+
+// Reports former names of inputs that are names of other inputs, now or formerly. Part of check().
+void check_renamed(const Document& document, Diagnostics& diagnostics);
+
+// Returns "is a former name of 'wear', which is set too" for a value under a former name that has
+// not become a value of the input; "" for another name. `set_once` is the remedy.
+std::string set_twice(std::string_view name, const Table<GraphInput>& inputs);
+inline constexpr auto set_once = "remove one of them";
 
 }  // namespace wrinkle

@@ -1,10 +1,12 @@
 // Checks of the keys of a graph input against its type and the other inputs.
 #include <algorithm>
 #include <array>
+#include <unordered_map>
 
 #include "base/text.h"
 #include "graph/condition.h"
 #include "graph/document.h"
+#include "graph/renamed.h"
 #include "lower/check.h"
 #include "lower/literal.h"
 
@@ -77,6 +79,16 @@ private:
     Diagnostics& diagnostics_;
 };
 
+// Located at the name if it is part of the text as read, else at the input.
+Diagnostic diagnose_former(const Document& document, const GraphInput& input,
+                           const json::Value& former, const std::string& what,
+                           const std::string& remedy) {
+    const std::string message = "input '" + input.name + "': \"renamed\" has '" +
+                                std::string(former.as_string()) + "', which is " + what;
+    return former.has_location() ? diagnose(former, "", message, remedy)
+                                 : diagnose_key(document, input, "renamed", message, remedy);
+}
+
 }  // namespace
 
 void check_keys(const Document& document, const GraphInput& input, const Port& port,
@@ -87,6 +99,31 @@ void check_keys(const Document& document, const GraphInput& input, const Port& p
     checker.widget();
     checker.group();
     checker.when();
+}
+
+void check_renamed(const Document& document, Diagnostics& diagnostics) {
+    std::unordered_map<std::string_view, std::string_view> owners;
+    for (const GraphInput& input : document.inputs)
+        for (const json::Member& former : input.renamed.children()) {
+            const std::string_view name = former.value.as_string();
+            const auto [owner, is_new] = owners.emplace(name, input.name);
+            std::string what, remedy = "remove it from \"renamed\"";
+            if (name == input.name)
+                what = "its present name";
+            else if (document.inputs.find(name))
+                what = "the name of another input", remedy += ", or give that input another name";
+            else if (!is_new)
+                what = "also a former name of '" + std::string(owner->second) + "'",
+                remedy = set_once;
+            else
+                continue;
+            diagnostics.add(diagnose_former(document, input, former.value, what, remedy));
+        }
+}
+
+std::string set_twice(std::string_view name, const Table<GraphInput>& inputs) {
+    const std::string current(FormerNames(inputs).current(name));
+    return current.empty() ? "" : "is a former name of '" + current + "', which is set too";
 }
 
 }  // namespace wrinkle

@@ -32,6 +32,7 @@ std::string exposed_input(const GraphInput& input, const Port& port, const std::
     add_text("widget", input.widget);
     add_text("when", input.when);
     add_text("doc", port.doc);
+    if (!input.renamed.is(json::Kind::null)) add("renamed", json::one_line(input.renamed));
     add_text("uniform", uniform);
     add("built_in", port.is_option() ? "true" : "false");
     return text + "}";

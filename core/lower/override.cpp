@@ -6,6 +6,7 @@
 
 #include "base/text.h"
 #include "graph/edit.h"
+#include "graph/renamed.h"
 #include "json/parse.h"
 #include "lower/literal.h"
 #include "lower/types.h"
@@ -85,6 +86,12 @@ std::string array_to_type(const Override& change, const Port& port) {
     return "; type " + change.text.substr(0, equals) + "=" + array + "]";
 }
 
+// Returns the current name of an input that may be called by a former one.
+std::string input_name(const Document& document, const std::string& name) {
+    const std::string current(FormerNames(document.inputs).current(name));
+    return current.empty() ? name : current;
+}
+
 struct Applier {
     Project project;
     const Registry& registry;
@@ -116,7 +123,8 @@ struct Applier {
     }
 
     void graph_input(const Override& change, const json::Value& value) {
-        const size_t index = document().inputs.index_of(change.target.port);
+        const std::string name = input_name(document(), change.target.port);
+        const size_t index = document().inputs.index_of(name);
         if (index == Table<GraphInput>::npos)
             return refuse(change, "the graph has no input '" + change.target.port + "'",
                           did_you_mean(change.target.port, keys_of(document().inputs)));
@@ -132,14 +140,17 @@ struct Applier {
         if (index == Table<NodePtr>::npos)
             return refuse(change, "there is no node '" + target.node + "'",
                           did_you_mean(target.node, keys_of(document().nodes)));
-        const NodeType* type = Types(project, registry).of(0, index);
+        const Types types(project, registry);  // owner of the types of sub-graphs
+        const NodeType* type = types.of(0, index);
         if (!type) return;  // check() names the unknown type
-        const uint32_t found = type->find_input(target.port);
+        const Project::File* inner = project.subgraph(0, target.node);
+        const std::string name = inner ? input_name(inner->document, target.port) : target.port;
+        const uint32_t found = type->find_input(name);
         if (found == NodeType::none)
             return refuse(change, "node '" + target.node + "' has no port '" + target.port + "'",
                           did_you_mean(target.port, port_names(*type, false)));
         if (fits(change, value, type->ports[found]))
-            document() = set_value(document(), target.node, target.port, value);
+            document() = set_value(document(), target.node, name, value);
     }
 };
 

@@ -3,7 +3,7 @@
 //
 // VALUE is JSON; a bare word is a string ("--set noise.kind=ridged"). A:B:N is a sweep: N numbers
 // from A to B, N >= 2. A wire at the port is replaced. A node inside a sub-graph cannot be set;
-// give its graph an input.
+// give its graph an input. An input may be called by a former name.
 #pragma once
 
 #include <optional>

@@ -3,7 +3,9 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "graph/edit.h"
+#include "graph/renamed.h"
 #include "json/parse.h"
+#include "lower/check.h"
 #include "lower/literal.h"
 
 namespace wrinkle {
@@ -106,10 +108,35 @@ json::Value moved_image(const json::Value& image, const std::string& preset,
     return json::Value::object(members);
 }
 
+// Reports a value of a preset file for `key`, which no input has as its name.
+Diagnostic no_input(const Document& top, const std::string& key, const json::Value& value) {
+    const std::string twice = set_twice(key, top.inputs);
+    if (!twice.empty()) return diagnose(value, "", "input '" + key + "' " + twice, set_once);
+    return diagnose(
+        value, "", "the graph has no input '" + key + "'",
+        did_you_mean(key, keys_of(top.inputs), "it has " + joined(keys_of(top.inputs), ", ")));
+}
+
 }  // namespace
 
 bool is_preset_file(const Project& project, const std::string& name) {
     return name.ends_with(".json") && !project.top().presets.find(name);
+}
+
+Preset preset_of_file(const Project& project, const std::string& file, Diagnostics& diagnostics) {
+    const Document& top = project.top();
+    Preset preset =
+        with_current_names(PresetReader(project, diagnostics).read(file), FormerNames(top.inputs));
+    std::erase_if(preset.values, [&](const Extra& value) {
+        if (top.inputs.find(value.key)) return false;
+        const bool only_counted = diagnostics.dropped() > 0;
+        diagnostics.add(only_counted ? Diagnostic{} : no_input(top, value.key, value.value));
+        return true;
+    });
+    for (auto& [key, value] : preset.values)
+        if (port_type_named(top.inputs.find(key)->type) == PortType::image_)
+            value = moved_image(value, file, project.files[0].path);
+    return preset;
 }
 
 Project with_preset(const Project& project, const std::string& name, Diagnostics& diagnostics) {
@@ -125,20 +152,14 @@ Project with_preset(const Project& project, const std::string& name, Diagnostics
                                                             : "it has " + joined(names, ", "))));
         return changed;
     }
-    const Preset preset = in_file ? PresetReader(project, diagnostics).read(name) : *known;
+    const Preset preset = in_file ? preset_of_file(project, name, diagnostics) : *known;
     if (in_file) changed.preset_files.push_back(name);
     for (const auto& [key, value] : preset.values) {
         const GraphInput* input = top.inputs.find(key);
-        if (input) {
-            GraphInput set = *input;
-            const bool moves = in_file && port_type_named(input->type) == PortType::image_;
-            set.default_value = moves ? moved_image(value, name, project.files[0].path) : value;
-            top = set_graph_input(top, std::move(set));
-        } else if (in_file) {  // check() reports those of the graph
-            diagnostics.add(diagnose(value, "", "the graph has no input '" + key + "'",
-                                     did_you_mean(key, keys_of(top.inputs),
-                                                  "it has " + joined(keys_of(top.inputs), ", "))));
-        }
+        if (!input) continue;  // check() reports it
+        GraphInput set = *input;
+        set.default_value = value;
+        top = set_graph_input(top, std::move(set));
     }
     return changed;
 }

@@ -87,6 +87,9 @@ std::string graph_input_schema() {
     text += R"(, "step": {"type": "number", "exclusiveMinimum": 0})";
     text += R"(, "choices": {"type": "array", "items": {"type": "string", "minLength": 1},)"
             R"( "minItems": 1, "maxItems": 256, "uniqueItems": true})";
+    text +=
+        R"(, "renamed": {"type": "array", "items": {"type": "string", "pattern": "^[^.$][^.]*$",)"
+        R"( "maxLength": 128}, "minItems": 1, "maxItems": 32, "uniqueItems": true})";
     return text + "}}";
 }
 

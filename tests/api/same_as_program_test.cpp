@@ -348,6 +348,30 @@ TEST(SameText, WithAPresetFile) {
               run_wrinkle({"check", graph, "--preset", other}).err);
 }
 
+// Values under the former name of an input are those of the input.
+TEST(SameText, WithARenamedInput) {
+    const TemporaryFolder folder;
+    std::string text = tilt_graph();
+    const std::string type = "\"type\": \"float\"", declared = "\"slope\": {";
+    ASSERT_NE(text.find(declared), text.npos) << text;
+    text.insert(text.find(type, text.find(declared)), "\"renamed\": [\"tilt\"], ");
+    text.insert(text.rfind('}'), R"(, "presets": { "Steep": { "tilt": 3 } })");
+    const std::string graph = folder.put("tilt.json", text);
+    const std::string file = folder.put("steep.preset.json", R"({ "wrinkle_preset": 1,
+  "graph": "tilt.json", "inputs": { "tilt": 3 } })");
+    const Graph loaded = library().load(graph);
+    const std::string steep = loaded.with({"input.slope=3"}).compile({}).reflection;
+    EXPECT_NE(steep, loaded.compile({}).reflection);
+    EXPECT_EQ(loaded.with({"input.tilt=3"}).compile({}).reflection, steep);
+    EXPECT_EQ(loaded.with_preset("Steep").compile({}).reflection, steep);
+    EXPECT_EQ(loaded.with_preset(file).compile({}).reflection, steep);
+    EXPECT_NE(steep.find("\"renamed\": [\"tilt\"]"), steep.npos) << steep;
+    const std::vector<Preset> presets = loaded.presets();
+    ASSERT_EQ(presets.size(), 1u);
+    EXPECT_EQ(presets[0].values[0].input, "slope");
+    EXPECT_TRUE(says(loaded.with({"input.tild=3"}).check(), "no input 'tild'"));
+}
+
 TEST(SameText, WithANodeOfAPlugin) {
     const TemporaryFolder folder;
     const std::string graph = folder.put("r.json", R"({ "wrinkle": 1, "nodes": {

@@ -17,6 +17,13 @@ constexpr const char* painted = R"({
 }
 )";
 
+// Returns the graph after its input "age" was renamed; the preset still has the former name.
+std::string with_renamed(std::string text) {
+    const std::string limits = "\"limits\": [0, 1]", preset = "\"wear\": 0.75";
+    text.replace(text.find(limits), limits.size(), limits + ", \"renamed\": [\"age\"]");
+    return text.replace(text.find(preset), preset.size(), "\"age\": 0.75");
+}
+
 class PresetTest : public CliTest {
 protected:
     void SetUp() override {
@@ -47,6 +54,89 @@ TEST_F(PresetTest, ComesBeforeEverySet) {
               "\"roughness\": 0.875, \"color\": [0, 0, 0]");
     EXPECT_EQ(values({"--set", "input.wear=2"}), "\"roughness\": 1, \"color\": [0.5, 0.25, 0.125]")
         << "limits clamp";
+}
+
+// A graph whose input had another name: every way to give the value, and what is listed.
+TEST_F(PresetTest, AFormerNameIsTheInput) {
+    put("g.json", with_renamed(painted));
+    put("p.preset.json", R"({"wrinkle_preset": 1, "graph": "g.json", "inputs": {"age": 0.875}})");
+    EXPECT_EQ(values({"--set", "input.age=0.5"}), values({"--set", "input.wear=0.5"}));
+    EXPECT_TRUE(says(values({"--set", "input.age=0.5"}), "\"roughness\": 0.5"));
+    EXPECT_TRUE(says(values({"--preset", "Old"}), "\"roughness\": 0.75"));
+    EXPECT_TRUE(says(values({"--preset", "p.preset.json"}), "\"roughness\": 0.875"));
+    EXPECT_TRUE(says(run({"inputs", "--exposed", "g.json"}).out,
+                     "(\"Wear\", group \"Wear/Edges\", 0 to 1, was \"age\")"));
+    const Ran ran = run({"compile", "g.json", "-o", "o.glsl", "--reflect", "o.refl"});
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    const json::Value wear = parsed(get("o.refl")).find("inputs").at(0);
+    EXPECT_EQ(wear.find("renamed").at(0).as_string(), "age");
+    EXPECT_EQ(wear.find("uniform").as_string(), "g_input_wear");
+    EXPECT_TRUE(says(run({"inputs", "--json", "g.json"}).out, "\"renamed\": [\"age\"]"));
+    put("top.json", R"({"wrinkle": 1, "nodes": {"m": {"type": "graph:g.json", "in": {"age": 0.5}}},
+  "outputs": {"roughness": {"from": "m.roughness"}}})");
+    EXPECT_TRUE(says(run({"eval", "top.json", "--at", "{}"}).out, "\"roughness\": 0.5"));
+    put("g.test.json", R"({"cases": [{"name": "a", "set": ["input.age=0.5"], "points": [{}],
+  "expect": [{"roughness": 0.5}]}]})");
+    EXPECT_EQ(run({"test", "g.test.json"}).out, "1 passed, 0 failed\n");
+}
+
+// The file of a graph that uses a former name stays until `upgrade` or an edit brings it up to date.
+TEST_F(PresetTest, FormatAndUpgradeWriteTheNamesThatTheyKnow) {
+    put("g.json", with_renamed(painted));
+    put("top.json", R"({
+  "wrinkle": 1,
+  "nodes": {
+    "m": { "type": "graph:g.json", "in": { "age": 0.50 } }
+  },
+  "outputs": {
+    "roughness": { "from": "m.roughness" }
+  }
+}
+)");
+    const std::string before = get("top.json");
+    EXPECT_EQ(run({"format", "g.json", "top.json"}).code, 0);
+    EXPECT_TRUE(says(get("g.json"), "\"Old\": { \"wear\": 0.75 }"));
+    EXPECT_EQ(get("top.json"), before) << "format reads no other file";
+    EXPECT_EQ(run({"upgrade", "--check", "top.json"}).code, 1);
+    EXPECT_EQ(run({"upgrade", "top.json"}).code, 0);
+    EXPECT_TRUE(says(get("top.json"), "\"in\": { \"wear\": 0.50 }"));
+    EXPECT_EQ(run({"upgrade", "--check", "top.json"}).code, 0);
+}
+
+// Every command names the fault and its line.
+TEST_F(PresetTest, DamagedFormerNamesAreNamed) {
+    std::string many = "\"a\"";
+    for (int i = 0; i < 100'000; ++i)
+        many += ",\"a" + std::to_string(i) + "\"";
+    const std::pair<std::string, std::string> rows[] = {
+        {"\"age\"", "\"renamed\" is a string (expected an array)"},
+        {"null", "\"renamed\" is null (expected an array)"},
+        {"[1]", "a name in \"renamed\" is a number (expected a string)"},
+        {"[{\"from\": \"a.b\"}]", "a name in \"renamed\" is an object (expected a string)"},
+        {"[\"age\", \"age\"]", "\"renamed\" repeats a name (expected different names)"},
+        {"[\"tint\"]",
+         "\"renamed\" has 'tint', which is the name of another input (remove it "
+         "from \"renamed\", or give that input another name)"},
+        {"[\"" + std::string(1 << 20, 'x') + "\"]", "is longer than 128 characters"},
+        {"[" + many + "]", "\"renamed\" has 100001 names (expected 1 to 32)"},
+        {"[\"\\u001b[2J\"]", "a name in \"renamed\" contains a control character"},
+    };
+    const std::vector<std::vector<std::string>> commands = {
+        {"check", "g.json"},
+        {"compile", "g.json", "-o", "o.glsl"},
+        {"eval", "g.json", "--at", "{}", "--set", "input.wear=1"}};
+    const std::string limits = "\"limits\": [0, 1]";
+    for (const auto& [list, problem] : rows) {
+        std::string text = painted;
+        text.replace(text.find(limits), limits.size(), limits + ", \"renamed\": " + list);
+        put("g.json", text);
+        for (const std::vector<std::string>& words : commands) {
+            const Ran ran = run(words);
+            EXPECT_EQ(ran.code, 1) << words[0] << list.substr(0, 40);
+            EXPECT_TRUE(says(ran.err, problem)) << words[0] << ran.err.substr(0, 400);
+            EXPECT_TRUE(says(ran.err, "g.json:4:")) << ran.err.substr(0, 400);
+        }
+    }
 }
 
 TEST_F(PresetTest, FaultsAreNamed) {

@@ -15,6 +15,11 @@ std::vector<std::string> graph_samples() {
     std::vector<std::string> samples;
     for (const auto& path : test::sample_graphs())
         samples.push_back(test::bytes_of(path));
+    samples.push_back(R"({"wrinkle": 1, "inputs": {
+  "wear": {"type": "float", "renamed": ["age", "years"]}, "rust": {"type": "float"}},
+  "presets": {"Old": {"age": 0.5}, "New": {"wear": 0, "rust": 1}},
+  "nodes": {"n": {"type": "add", "in": {"a": {"from": "input.wear"}, "b": {"from": "input.rust"}}}},
+  "outputs": {"roughness": {"from": "n.result"}}})");
     return samples;
 }
 

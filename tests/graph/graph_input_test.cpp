@@ -22,7 +22,8 @@ const std::string exposed = R"({
       "group": "Wear/Edges",
       "widget": "slider",
       "when": "input.kind == old",
-      "doc": "How worn"
+      "doc": "How worn",
+      "renamed": ["age", "old wear"]
     },
     "kind": { "type": "choice", "default": "old", "choices": ["old", "new"], "label": "Kind" }
   },
@@ -92,6 +93,19 @@ TEST(GraphInputs, AValueOfAnotherFormIsNamedAndKept) {
          "2:41: error: a name in \"choices\" is a number (expected a string)"},
         {R"("choices": ["a", "a"])",
          "2:41: error: \"choices\" repeats a name (expected different names)"},
+        {R"("renamed": "age")", "2:35: error: \"renamed\" is a string (expected an array)"},
+        {R"("renamed": { "age": 1 })", "2:35: error: \"renamed\" is an object (expected an array)"},
+        {R"("renamed": [])", "2:35: error: \"renamed\" has 0 names (expected 1 to 32)"},
+        {R"("renamed": ["age", null])",
+         "2:43: error: a name in \"renamed\" is null (expected a string)"},
+        {R"("renamed": [["age"]])",
+         "2:36: error: a name in \"renamed\" is an array (expected a string)"},
+        {R"("renamed": ["age", "age"])",
+         "2:43: error: \"renamed\" repeats a name (expected different names)"},
+        {R"("renamed": [""])",
+         "2:36: error: \"renamed\" has an empty name (expected different names)"},
+        {R"("renamed": ["age", "a.b"])",
+         "2:43: error: a name in \"renamed\" contains a '.' (expected former names of the input)"},
         {R"("choices": [""])",
          "2:36: error: \"choices\" has an empty name (expected different names)"},
     };
@@ -100,6 +114,22 @@ TEST(GraphInputs, AValueOfAnotherFormIsNamedAndKept) {
         const Document document = read_quietly(input_with(keys));
         EXPECT_NE(canonical_text(document).find(keys), std::string::npos) << keys;
     }
+}
+
+TEST(GraphInputs, FormerNamesAreFewAndShort) {
+    const auto problems = [](const std::string& names) {
+        return problems_of(input_with("\"renamed\": [" + names + "]"));
+    };
+    std::string names = "\"a0\"";
+    for (int i = 1; i < 32; ++i)
+        names += ", \"a" + std::to_string(i) + "\"";
+    EXPECT_EQ(problems(names), "");
+    EXPECT_EQ(problems(names + ", \"b\""),
+              "g.json:2:35: error: \"renamed\" has 33 names (expected 1 to 32)\n");
+    EXPECT_EQ(problems("\"" + std::string(128, 'x') + "\""), "");
+    EXPECT_EQ(problems("\"" + std::string(129, 'x') + "\""),
+              "g.json:2:36: error: a name in \"renamed\" is longer than 128 characters (expected "
+              "former names of the input)\n");
 }
 
 TEST(GraphInputs, NumbersThatAreNoneEndTheText) {

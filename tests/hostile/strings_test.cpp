@@ -15,7 +15,8 @@ const std::string graph = R"({
   "$schema": "schema.json",
   "wrinkle": 1,
   "name": "A material",
-  "inputs": { "strength": { "type": "float", "default": 1, "doc": "How strong" } },
+  "inputs": { "strength": { "type": "float", "default": 1, "doc": "How strong", "renamed": ["force"] } },
+  "presets": { "Strong": { "force": 2 } },
   "nodes": {
     "base": { "type": "tangent_normal_map", "in": { "image": "base.png" } },
     "detail": {
@@ -27,7 +28,7 @@ const std::string graph = R"({
         "scale": "surface"
       }
     },
-    "inner": { "type": "graph:inner.json", "in": { "amount": { "from": "input.strength" } } },
+    "inner": { "type": "graph:inner.json", "in": { "size": { "from": "input.strength" } } },
     "noise": { "type": "gradient_noise", "version": 1, "in": { "scale": 12 } },
     "sum": { "type": "gradient_add", "in": { "a": { "from": "base.gradient" }, "b": { "from": "detail.gradient" } } },
     "more": { "type": "gradient_add", "in": { "a": { "from": "sum.gradient" }, "b": { "from": "inner.bump" } } },
@@ -47,7 +48,7 @@ const std::string graph = R"({
 const std::string inner = R"({
   "wrinkle": 1,
   "name": "Inside",
-  "inputs": { "amount": { "type": "float", "default": 1, "doc": "Its amount" } },
+  "inputs": { "amount": { "type": "float", "default": 1, "doc": "Its amount", "renamed": ["size"] } },
   "nodes": {
     "dots": { "type": "domes", "in": { "amplitude": { "from": "input.amount" } } }
   },
@@ -255,7 +256,7 @@ TEST_F(HostileStrings, AsNamesThatAreUsedEverywhereChangeOnlyCommentsAndIdentifi
             put("graph.json", renamed(graph, name, payload));
         });
     put("graph.json", graph);
-    for (const std::string name : {"amount", "dots", "bump"})
+    for (const std::string name : {"amount", "size", "dots", "bump"})
         attack_position("inner name " + name, [&](const std::string& payload) {
             put("inner.json", renamed(inner, name, payload));
             put("graph.json", renamed(graph, name, payload));

@@ -150,7 +150,7 @@ public:
     std::vector<InputFile> inputs() const noexcept;
 
     // Returns the graph with other values: each "NODE.PORT=VALUE" or "input.NAME=VALUE", as for
-    // --set. An invalid value is a problem of the returned graph.
+    // --set; NAME may be a former name. An invalid value is a problem of the returned graph.
     Graph with(const std::vector<std::string>& values) const noexcept;
 
     // Returns the presets of the graph, in its order.
