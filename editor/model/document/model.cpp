@@ -18,6 +18,17 @@ bool is_of(const Diagnostic& problem, const Project& part) {
     });
 }
 
+// A known key among the unknown ones has a value of another form.
+void report_unread_keys(const Document& document, const GraphInput& input, Diagnostics& problems) {
+    each_key(input, [&](std::string_view key, const auto&) {
+        if (std::ranges::find(input.unknown, key, &Extra::key) == input.unknown.end()) return;
+        const std::string quoted = "\"" + std::string(key) + "\"";
+        problems.add(diagnose_key(document, input, key,
+                                  "input '" + input.name + "': " + quoted + " could not be read",
+                                  "remove it, or give it the form of docs/graph-format.md"));
+    });
+}
+
 }  // namespace
 
 const NodeType* Model::type_of(std::string_view node) const {
@@ -81,6 +92,8 @@ void report_unread(const Document& document, Diagnostics& problems) {
             if (input.kind == Input::Kind::broken)
                 problems.add(diagnose_port(document, *node, input.port,
                                            "port '" + input.port + "' could not be read", wanted));
+    for (const GraphInput& input : document.inputs)
+        report_unread_keys(document, input, problems);
     for (const Output& output : document.outputs)
         if (output.from.kind != Input::Kind::link)
             problems.add(diagnose(document, output,
