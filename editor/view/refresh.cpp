@@ -1,6 +1,7 @@
 #include "editor/view/refresh.h"
 
 #include "editor/model/document/change.h"
+#include "editor/model/document/renamed.h"
 #include "editor/view/canvas/boxes.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/edit/edits.h"
@@ -47,6 +48,7 @@ void request_build(State& state) {
 
 void rebuild_model(State& state) {
     state.model = make_model(state.document(), state.folder(), *state.registry, state.root());
+    use_current_names(state);
 }
 
 void begin(State& state) {

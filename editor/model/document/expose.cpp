@@ -6,6 +6,7 @@
 #include "editor/model/document/field.h"
 #include "editor/model/document/wiring.h"
 #include "graph/edit.h"
+#include "graph/renamed.h"
 #include "json/parse.h"
 #include "lower/literal.h"
 #include "registry/reference.h"
@@ -37,10 +38,14 @@ std::string type_word(const Port& port) {
 }
 
 std::string free_input_name(const Document& document, const Node& node, const Port& port) {
-    if (!document.inputs.find(port.name)) return port.name;
+    const FormerNames former(document.inputs);
+    const auto is_taken = [&](const std::string& name) {
+        return document.inputs.find(name) || !former.current(name).empty();
+    };
+    if (!is_taken(port.name)) return port.name;
     const std::string stem = node.id + "_" + port.name;
     std::string name = stem;
-    for (size_t n = 2; document.inputs.find(name); ++n)
+    for (size_t n = 2; is_taken(name); ++n)
         name = stem + std::to_string(n);
     return name;
 }

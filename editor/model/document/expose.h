@@ -19,8 +19,8 @@ struct Exposed {
     std::string input;  // name of the new input
 };
 // Adds an input of the graph that feeds the port. Its default is the port's value; slider, unit and
-// choices are the port's. It is named after the port, if that name is taken after node and port.
-// The port must be exposable.
+// choices are the port's. It is named after the port, if that name is or was taken after node and
+// port. The port must be exposable.
 Exposed expose(const Document& document, const Node& node, const Port& port);
 
 // Removes an input of the graph. Ports that read it get its default as their value, if it fits.

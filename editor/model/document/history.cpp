@@ -65,6 +65,22 @@ bool History::commit(std::string name, Document document, const std::string& mer
     return true;
 }
 
+void History::replace_nodes(const std::function<NodePtr(const NodePtr&)>& change) {
+    std::vector<NodePtr> nodes(now_.nodes.begin(), now_.nodes.end());
+    std::ranges::transform(nodes, nodes.begin(), change);
+    if (!std::ranges::equal(nodes, now_.nodes))
+        now_.nodes = now_.nodes.with_same_keys(std::move(nodes));
+    for (Step& step : steps_) {
+        std::ranges::transform(step.nodes.before, step.nodes.before.begin(), change);
+        std::ranges::transform(step.nodes.after, step.nodes.after.begin(), change);
+    }
+}
+
+const Table<GraphInput>* History::inputs_at(uint64_t serial) const {
+    const auto step = std::ranges::find(steps_, serial, &Step::serial);
+    return step == steps_.end() ? nullptr : &step->rest.inputs;
+}
+
 void History::cancel(const std::string& merge) {
     if (merge.empty() || steps_[at_].merge != merge) return;
     undo();

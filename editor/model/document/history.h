@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ public:
 
     // Returns false without effect if the document is equal to the current one.
     bool commit(std::string name, Document document, const std::string& merge = {});
+    // Replaces the nodes of all states by `change(node)`, which keeps their ids; no step is made.
+    void replace_nodes(const std::function<NodePtr(const NodePtr&)>& change);
     // Removes the newest step if it has this key; it cannot be redone.
     void cancel(const std::string& merge);
 
@@ -45,6 +48,8 @@ public:
     size_t size() const { return steps_.size(); }
     size_t at() const { return at_; }
     const std::string& name(size_t step) const { return steps_[step].name; }
+    // Returns the inputs of the graph in the state with this serial; nullptr if it is gone.
+    const Table<GraphInput>* inputs_at(uint64_t serial) const;
     // Returns true if commits with the same key can still merge into the current step.
     bool merging() const { return !steps_[at_].merge.empty() && !can_redo(); }
 

@@ -8,6 +8,7 @@
 #include "editor/model/document/expose.h"
 #include "editor/model/document/field.h"
 #include "editor/model/document/inputs.h"
+#include "editor/model/document/renamed.h"
 #include "editor/view/drop/drop.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
@@ -212,24 +213,49 @@ void type_value(State& state, const InputRow& row) {
     ImGui::CloseCurrentPopup();
 }
 
+void type_name(State& state, const InputRow& row) {
+    const std::string name = state.inputs_panel.name;
+    if (name != row.input.name) {
+        state.status = input_name_problem(state.document(), row.input.name, name);
+        if (!state.status.empty()) return;
+        rename_input(state, row.input.name, name);
+    }
+    ImGui::CloseCurrentPopup();
+}
+
+// Returns true if the text was entered.
+bool draw_menu_field(State& state, const char* title, std::string& text,
+                     const std::string& target) {
+    constexpr float title_wide = 60, field_wide = 200;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextDisabled("%s", title);
+    ImGui::SameLine(title_wide);
+    ImGui::SetNextItemWidth(field_wide);
+    ImGui::PushID(title);
+    const bool entered = ImGui::InputText(
+        "##text", &text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::PopID();
+    note_field(state);
+    name_item(state, target);
+    return entered;
+}
+
 void draw_row_menu(State& state, const InputRow& row) {
     const std::string name = row.input.name;
     if (icon_button(state, "more", row.target() + ":more",
-                    "Type the value, copy the name, remove")) {
+                    "Type the value, rename, copy the name, remove")) {
         const json::Value value = value_of_input(state.document(), row.preset, row.input);
         state.inputs_panel.text = value.is(json::Kind::null) ? "" : json::one_line(value);
+        state.inputs_panel.name = name;
         ImGui::OpenPopup("##input-menu");
     }
     const PanelPopup popup("##input-menu");
     if (!popup) return;
     if (ImGui::IsWindowAppearing()) focus_field(state);
-    ImGui::SetNextItemWidth(220);
-    const bool entered = ImGui::InputTextWithHint(
-        "##text", "Value", &state.inputs_panel.text,
-        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    note_field(state);
-    name_item(state, row.target() + ":text");
-    if (entered) type_value(state, row);
+    if (draw_menu_field(state, "Value", state.inputs_panel.text, row.target() + ":text"))
+        type_value(state, row);
+    if (draw_menu_field(state, "Name", state.inputs_panel.name, row.target() + ":name"))
+        type_name(state, row);
     if (button(state, "Copy the name", row.target() + ":copy")) {
         ImGui::SetClipboardText(("input." + name).c_str());
         ImGui::CloseCurrentPopup();

@@ -92,6 +92,7 @@ struct InputsPanel {
     bool shown = false;  // instead of the code
     std::string merge;   // merge key of the undo steps of the control in use
     std::string text;    // content of the open text field
+    std::string name;    // content of the field of the input's name
 };
 
 // State of the list of problems.
