@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "editor/model/words.h"
 #include "graph/condition.h"
 #include "graph/edit.h"
 #include "lower/literal.h"
@@ -103,6 +104,29 @@ std::string preset_name_problem(const Document& document, const std::string& nam
     const std::string problem = id_problem(name, false);
     return problem.empty() ? ""
                            : "\"" + name + "\" cannot be the name of a preset: " + problem + ".";
+}
+
+PresetOfFile with_preset_file(const Model& model, const Document& document,
+                              const std::filesystem::path& file) {
+    PresetOfFile result{document, file.filename().string(), {}};
+    result.name.resize(result.name.size() - preset_suffix.size());
+    Diagnostics problems;
+    Preset preset = preset_of_file(project_with(model, document), file.string(), problems);
+    preset.name = result.name;
+    for (const Extra& value : preset.values)
+        if (const Port* port = port_of_input(model, value.key))
+            for (const LiteralProblem& problem : literal_problems(value.value, *port))
+                if (problem.severity == Severity::error)
+                    problems.add(diagnose(value.value, "",
+                                          "input '" + value.key + "' " + problem.message,
+                                          problem.expected));
+    if (const std::string problem = id_problem(preset.name, false); !problem.empty())
+        problems.error("the name of the preset " + problem, "expected another name of the file");
+    if (problems.has_errors())
+        result.problem = first_error(problems);
+    else
+        result.document = set_preset(document, std::move(preset));
+    return result;
 }
 
 bool is_displayed(const Model& model, const Document& document, const std::string& preset,

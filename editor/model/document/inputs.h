@@ -31,6 +31,16 @@ Document with_copied_preset(const Document& document, const std::string& name,
 // Returns the reason why a new preset cannot have that name, a sentence; "" if it can.
 std::string preset_name_problem(const Document& document, const std::string& name);
 
+struct PresetOfFile {
+    Document document;  // with the preset, instead of another one of its name
+    std::string name;
+    std::string problem;  // a sentence; "": none
+};
+// Adds the preset of a file NAME.preset.json under NAME. It must be a preset of this graph, and all
+// of its values must fit.
+PresetOfFile with_preset_file(const Model& model, const Document& document,
+                              const std::filesystem::path& file);
+
 // Returns true if the condition of display of the input holds; without a condition it does.
 bool is_displayed(const Model& model, const Document& document, const std::string& preset,
                   const GraphInput& input);

@@ -5,6 +5,7 @@
 
 #include "base/file.h"
 #include "editor/model/document/field.h"
+#include "editor/model/document/inputs.h"
 #include "editor/model/document/texture_import.h"
 #include "editor/view/canvas/canvas.h"
 #include "editor/view/canvas/layout.h"
@@ -16,6 +17,7 @@
 #include "editor/view/panels/panels.h"
 #include "editor/view/panels/search.h"
 #include "editor/view/refresh.h"
+#include "lower/preset.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
@@ -201,6 +203,17 @@ fs::path canonical_or_same(const fs::path& file) {
     return error ? file : found;
 }
 
+void load_preset(State& state, const fs::path& file) {
+    PresetOfFile loaded = with_preset_file(state.model, state.document(), file);
+    if (!loaded.problem.empty()) {
+        state.status = loaded.problem;
+        return;
+    }
+    state.commit("Load preset " + loaded.name, std::move(loaded.document));
+    state.view.preview_request.preset = loaded.name;
+    state.inputs_panel.shown = true;
+}
+
 void handle(State& state, const FileDrop& drop) {
     std::vector<std::string> images;
     std::error_code ignored;
@@ -209,6 +222,7 @@ void handle(State& state, const FileDrop& drop) {
             import_folder(state, file);
             return;
         }
+        if (file.ends_with(preset_suffix)) return load_preset(state, file);
         const Kind kind = kind_of_name(file);
         if (kind == Kind::graph) return request_action(state, {PendingAction::Kind::open, file});
         PreviewView& preview = state.view.preview_view;

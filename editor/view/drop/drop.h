@@ -12,6 +12,7 @@ namespace wrinkle::editor {
 //   an image on a node with one   replaces the node's image
 //   a mesh, or an HDR image on the preview   sets the preview's mesh or environment
 //   a graph                       is opened
+//   a preset file                 becomes a preset of the graph, and is chosen
 //   a folder                      its textures become a new graph (document/texture_import.h)
 //
 // The second of several images is layered over the first. An image outside the graph's folder must
