@@ -58,9 +58,9 @@ Document set_type(const Document&, std::string_view id, std::string_view type, i
 Document set_output(const Document&, std::string_view name, const Link& from);
 Document remove_output(const Document&, std::string_view name);
 Document set_graph_input(const Document&, GraphInput input);  // adds or replaces by name
-// Also updates its wires, its values in presets, and conditions that name it. Its place is the same.
-// `is_known`: other files may use the old name, so it becomes a former name (graph/renamed.h). A
-// name that is a former name of another input is invalid.
+// Also updates its wires, its values in presets, and conditions that name it; its position in the
+// table is unchanged. `is_known`: other files may use the old name, so it becomes a former name
+// (graph/renamed.h). A name that is a former name of another input is invalid.
 Document rename_graph_input(const Document&, std::string_view name, std::string_view new_name,
                             bool is_known);
 // Also removes its wires, its values in presets, and conditions that name it.

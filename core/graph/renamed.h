@@ -26,7 +26,7 @@ private:
     std::unordered_map<std::string_view, std::string_view> current_;
 };
 
-// Return the preset, or the node of a sub-graph, with current names. An entry keeps a former name
+// Return the preset, or the node of a sub-graph, with current names. A former name is unchanged
 // if there is an entry for the same input before it or with the current name. A node without a
 // change is the same node.
 Preset with_current_names(Preset preset, const FormerNames& names);

@@ -3,8 +3,8 @@
 // "type": "graph:weave.json" names a file relative to the file that contains it; after
 // canonicalisation it must be inside the root. Files that are missing, outside the root or contain
 // themselves are errors at the node that names them; that node has no sub-graph here, so the files
-// form an acyclic graph. Shared files are stored once: iterate over files, not over uses. Nodes call
-// the inputs of their sub-graphs by current names (graph/renamed.h).
+// form an acyclic graph. Shared files are stored once: iterate over files, not over uses. Nodes
+// call the inputs of their sub-graphs by current names (graph/renamed.h).
 #pragma once
 
 #include <filesystem>

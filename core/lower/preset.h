@@ -3,8 +3,8 @@
 //   {"wrinkle_preset": 1, "graph": "painted_metal.json", "inputs": {"wear": 0.8}}
 //
 // "graph" and the paths of images are relative to the preset file. A color is an array of linear
-// values or "#rrggbb", display-encoded. Inputs that a preset does not name are unchanged. An input may
-// be called by a former name.
+// values or "#rrggbb", display-encoded. Inputs that a preset does not name are unchanged. An input
+// may be called by a former name.
 #pragma once
 
 #include <filesystem>

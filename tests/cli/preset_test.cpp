@@ -56,7 +56,7 @@ TEST_F(PresetTest, ComesBeforeEverySet) {
         << "limits clamp";
 }
 
-// A graph whose input had another name: every way to give the value, and what is listed.
+// An input that had another name: every way to give its value, and the lists of inputs.
 TEST_F(PresetTest, AFormerNameIsTheInput) {
     put("g.json", with_renamed(painted));
     put("p.preset.json", R"({"wrinkle_preset": 1, "graph": "g.json", "inputs": {"age": 0.875}})");
@@ -80,7 +80,7 @@ TEST_F(PresetTest, AFormerNameIsTheInput) {
     EXPECT_EQ(run({"test", "g.test.json"}).out, "1 passed, 0 failed\n");
 }
 
-// The file of a graph that uses a former name stays until `upgrade` or an edit brings it up to date.
+// The file of a graph that uses a former name is unchanged until `upgrade` or an edit.
 TEST_F(PresetTest, FormatAndUpgradeWriteTheNamesThatTheyKnow) {
     put("g.json", with_renamed(painted));
     put("top.json", R"({

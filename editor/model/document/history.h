@@ -32,7 +32,8 @@ public:
 
     // Returns false without effect if the document is equal to the current one.
     bool commit(std::string name, Document document, const std::string& merge = {});
-    // Replaces the nodes of all states by `change(node)`, which keeps their ids; no step is made.
+    // Replaces the nodes of all states by `change(node)`, which does not change ids. No step is
+    // made.
     void replace_nodes(const std::function<NodePtr(const NodePtr&)>& change);
     // Removes the newest step if it has this key; it cannot be redone.
     void cancel(const std::string& merge);

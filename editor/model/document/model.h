@@ -38,8 +38,8 @@ Model make_model(const Document& document, const std::filesystem::path& folder,
 
 // Returns the same project with another top document, for compilation.
 Project project_with(const Model& model, const Document& document);
-// Reports ports, outputs and keys of the graph's inputs that could not be read: check() assumes that
-// they are reported.
+// Reports ports, outputs and keys of the graph's inputs that could not be read: check() assumes
+// that they are reported.
 void report_unread(const Document& document, Diagnostics& problems);
 // Returns the part of the project that the outputs need, and reports the problems of its wires and
 // sub-graphs. If there are errors, it must not be compiled.

@@ -17,7 +17,7 @@ std::string input_name_problem(const Document& document, const std::string& inpu
 void rename_input(Session& session, const std::string& input, const std::string& name);
 
 // Gives the nodes of sub-graphs, in all states of the history, the current names of the inputs, as
-// the model has them. It is no step: the graph can be saved as it was read.
+// the model has them. No step is made, and the graph can be saved as it was read.
 void use_current_names(Session& session);
 
 }  // namespace wrinkle::editor
