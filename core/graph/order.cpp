@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "graph/depth_first.h"
+#include "graph/renamed.h"
 
 namespace wrinkle {
 namespace {
@@ -99,8 +100,13 @@ private:
                                            ids_.remedy(link.node, "expected the id of a node")));
         else
             diagnostics_.add(
-                diagnose_here("the graph has no input '" + link.port + "'",
-                              inputs_.remedy(link.port, "declare it under \"inputs\"")));
+                diagnose_here("the graph has no input '" + link.port + "'", remedy(link.port)));
+    }
+
+    std::string remedy(const std::string& input) {
+        const std::string current(FormerNames(document_.inputs).current(input));
+        return current.empty() ? inputs_.remedy(input, "declare it under \"inputs\"")
+                               : "it is called '" + current + "' now";
     }
 
     void report_cycles() {

@@ -12,7 +12,7 @@ template <class Entry>
 bool replace_names(std::vector<Entry>& entries, std::string Entry::*name,
                    const FormerNames& names) {
     const auto is_former = [&](const Entry& entry) { return !names.current(entry.*name).empty(); };
-    if (names.empty() || std::ranges::none_of(entries, is_former)) return false;
+    if (std::ranges::none_of(entries, is_former)) return false;
     std::set<std::string> taken;
     for (const Entry& entry : entries)
         taken.insert(entry.*name);
@@ -46,6 +46,7 @@ Preset with_current_names(Preset preset, const FormerNames& names) {
 }
 
 NodePtr with_current_names(const NodePtr& node, const FormerNames& names) {
+    if (names.empty()) return node;
     std::vector<Input> inputs = node->inputs;
     if (!replace_names(inputs, &Input::port, names)) return node;
     Node copy = *node;

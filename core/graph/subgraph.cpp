@@ -32,15 +32,16 @@ public:
 private:
     // Ports of sub-graph nodes get the current names of the inputs.
     void use_current_names(File& file) {
-        std::vector<NodePtr> nodes(file.document.nodes.begin(), file.document.nodes.end());
-        bool changed = false;
+        const Table<NodePtr>& nodes = file.document.nodes;
+        std::vector<NodePtr> changed;  // empty: none so far
         for (size_t n = 0; n < nodes.size(); ++n) {
             if (file.subgraphs[n] == File::none) continue;
-            const NodePtr before = nodes[n];
-            nodes[n] = with_current_names(before, names_of(file.subgraphs[n]));
-            changed |= nodes[n] != before;
+            NodePtr node = with_current_names(nodes[n], names_of(file.subgraphs[n]));
+            if (node == nodes[n]) continue;
+            if (changed.empty()) changed.assign(nodes.begin(), nodes.end());
+            changed[n] = std::move(node);
         }
-        if (changed) file.document.nodes = file.document.nodes.with_same_keys(std::move(nodes));
+        if (!changed.empty()) file.document.nodes = nodes.with_same_keys(std::move(changed));
     }
 
     const FormerNames& names_of(uint32_t f) {

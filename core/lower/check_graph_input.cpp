@@ -56,8 +56,11 @@ public:
                           "expected \"input.NAME\", \"!input.NAME\" or \"input.NAME > 0\"");
         if (document_.inputs.find(condition->input)) return;
         const std::vector<std::string> names = keys_of(document_.inputs);
+        const std::string current(FormerNames(document_.inputs).current(condition->input));
         report("when", "names the input '" + condition->input + "', which does not exist",
-               did_you_mean(condition->input, names, "the graph has " + joined(names, ", ")));
+               current.empty()
+                   ? did_you_mean(condition->input, names, "the graph has " + joined(names, ", "))
+                   : "it is called '" + current + "' now");
     }
 
 private:

@@ -76,6 +76,13 @@ TEST(FormerNames, OfAnInputThatThePresetSetsStay) {
               (std::vector<std::string>{"tint", "age", "wear"}));
 }
 
+TEST(FormerNames, InWiresOfTheGraphItselfAreErrorsWithTheRemedy) {
+    EXPECT_EQ(problems_of(replaced(worn, "{ \"from\": \"input.wear\" },",
+                                   "{ \"from\": \"input.years\" },")),
+              "g.json:12:40: error: node 'n': the graph has no input 'years' (it is called 'wear' "
+              "now)\n");
+}
+
 TEST(FormerNames, OfPortsOfSubgraphsBecomeCurrentOnes) {
     const test::TemporaryFolder folder;
     folder.put("worn.json", worn);

@@ -108,6 +108,15 @@ TEST_F(Renamed, ANameOfTwoInputsIsAnError) {
               "name of 'wear' (remove one of them)\n");
 }
 
+TEST_F(Renamed, ConditionsHaveTheCurrentName) {
+    EXPECT_EQ(
+        checked(graph("", R"("a": {"from": "input.wear"})",
+                      R"("inputs": {"wear": {"type": "float", "renamed": ["age"]},
+"k": {"type": "float", "when": "input.age > 0"}}, )")),
+        "top.json:2:32: error: input 'k': \"when\" names the input 'age', which does not exist "
+        "(it is called 'wear' now)\n");
+}
+
 TEST_F(Renamed, AValueUnderBothNamesIsAnError) {
     const std::string out = R"("a": {"from": "input.wear"})";
     EXPECT_EQ(checked(graph("", out, worn + R"("presets": {"Old": {"age": 0.5, "wear": 1}}, )")),
