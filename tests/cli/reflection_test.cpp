@@ -22,10 +22,11 @@ protected:
     Keys written_keys() {
         put("map.png", "");
         put("g.json", R"({"wrinkle": 1, "inputs": {
-                "deep": {"type": "float", "default": 1, "slider": [0, 1], "limits": [0, 2],
-                         "step": 0.1, "unit": "x", "label": "Depth", "group": "Bump",
-                         "widget": "slider", "when": "input.bent == both", "doc": "Of the bump"},
-                "bent": {"type": "choice", "choices": ["one", "both"], "default": "one"}},
+                "deep": {"type": "float", "default": 1, "slider": [0, 2], "limits": [0, 3],
+                         "step": 0.1, "unit": "x", "label": "Deep", "group": "Relief",
+                         "widget": "slider", "when": "input.mode == a", "doc": "How deep",
+                         "renamed": ["depth"]},
+                "mode": {"type": "choice", "default": "a", "choices": ["a", "b"]}},
             "nodes": {
                 "map": {"type": "tangent_normal_map",
                         "in": {"image": "map.png", "uv": {"from": "surface.uv1"}}},
