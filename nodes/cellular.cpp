@@ -114,19 +114,6 @@ static Float stroke_at(vec2 p, Int index, Float density, vec2 size, vec2 angles)
     return select(named("drawn", unit_float(hash(more)) < density), depth, 0.0);
 }
 
-// Returns the covariance that the fade removes. Over the area of a stroke, the mean square slope of
-// the profile is 6 / (5 width^2), across the stroke, and that of the taper 8 / 15; directions are
-// spread evenly over an angle.
-static vec3 lost_strokes(const Scratches& in, Float width) {
-    const Float area = 1.5 * in.length * in.width * in.density * Float(in.layers);
-    const Float total = area * ((6.0 / 5) * (8.0 / 15)) / (in.width * in.width);
-    const Float spread = radians(in.spread), twice = 2 * radians(in.direction);
-    const Float along = select(spread > 0.01, sin(spread) / spread, 1);  // mean of cos(2 angle)
-    const Float lost =
-        0.5 * total * min(area, 1) * lost_share(fade(width / (4 * in.width), in.scale));
-    return lost * vec3(1 - along * cos(twice), 1 + along * cos(twice), -along * sin(twice));
-}
-
 // Returns the depth of the deepest stroke. As with points, the search returns the stroke's index,
 // and only that stroke is differentiated.
 static Float strokes(const Scratches& in) {
@@ -150,11 +137,8 @@ static Float strokes(const Scratches& in) {
             const Float depth = named("stroke", stroke(p, found, density, size, angles));
             return mix(mean, depth, fade(width / (4 * size.y()), scale));
         });
-    const Float width = footprint(in.uv);
-    const Float depth =
-        deepest(in.uv, width, in.scale, in.layers, in.density, vec2(in.length, in.width),
-                vec2(radians(in.direction), radians(in.spread)));
-    return depth + lost_slope(in.uv * in.scale, lost_strokes(in, width));
+    return deepest(in.uv, footprint(in.uv), in.scale, in.layers, in.density,
+                   vec2(in.length, in.width), vec2(radians(in.direction), radians(in.spread)));
 }
 
 static constinit Node cellular_list[] = {

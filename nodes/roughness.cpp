@@ -31,6 +31,28 @@ static vec2 slope_with_moments(const SlopeMomentsMap& in) {
     return with_covariance(mean, covariance * minified);
 }
 
+struct PrincipalAxis {
+    vec3 direction;  // in which the variance is greatest, across the unit normal
+    Float least, most;
+};
+
+// The eigenvectors of the covariance of the unit normal, by the half of the angle of its deviator.
+static PrincipalAxis principal_axis(Gradient gradient) {
+    const vec3 normal = resolve(gradient);
+    const vec3 other = select(abs(normal.x()) < 0.6, vec3(1, 0, 0), vec3(0, 1, 0));
+    const vec3 x = named("x", normalize(cross(normal, other)));
+    const vec3 covariance = named("covariance", normal_covariance(gradient, x));
+    const Float mean = 0.5 * (covariance.x() + covariance.y());
+    const Float along = 0.5 * (covariance.x() - covariance.y());
+    const Float radius = named("radius", length(vec2(along, covariance.z())));
+    const Float cosine = named("cosine", select(radius > 0, along / radius, 1));
+    const Float side = select(covariance.z() < 0, -1, 1);
+    const vec3 y = cross(normal, x);
+    const vec3 direction =
+        x * sqrt(max(0.5 + 0.5 * cosine, 0)) + y * (side * sqrt(max(0.5 - 0.5 * cosine, 0)));
+    return {direction, max(mean - radius, 0), mean + radius};
+}
+
 static constinit Node roughness_list[] = {
     // A GGX lobe of width alpha corresponds to a slope variance of alpha^2 / 2 per axis. Variances
     // add; the sum over both axes is used here.
@@ -46,11 +68,19 @@ static constinit Node roughness_list[] = {
                    slider(0, 2), limits(0, 4), unit("x"))
         .out<Float>("roughness", "Perceptual roughness, 0 to 1")
         .out<Float>("variance", "Of the unit normal within a pixel, both ways added")
+        .out<Float>("anisotropy",
+                    "How much wider the highlight is along the tangent, for the output "
+                    "`specular_roughness_anisotropy`")
+        .out<vec3>("tangent", "Where slopes vary most, in object space, for the output `tangent`")
         .body([](Gradient g, Float roughness, Float amount) {
             const Float variance = normal_variance(g);
             const Float alpha = roughness * roughness;
             const Float wider = min(alpha * alpha + variance * amount, 1);
-            return std::tuple{sqrt(sqrt(wider)), variance};
+            const auto [tangent, least, most] = principal_axis(g);
+            const Float narrow = alpha * alpha + 2 * amount * least;
+            const Float wide = alpha * alpha + 2 * amount * most;
+            const Float anisotropy = 1 - sqrt(select(wide > 0, narrow / wide, 1));
+            return std::tuple{sqrt(sqrt(wider)), variance, anisotropy, tangent};
         }),
 
     slope_ports(

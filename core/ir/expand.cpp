@@ -245,6 +245,9 @@ Id Expander::opaque(const Module& source, Id id, std::span<const Id> mapped) {
             return detach(resolved(source, id, gradients.at(mapped[0]))).id;
         case Op::normal_variance_:
             return variance->of(resolved(source, id, gradients.at(mapped[0]))).id;
+        case Op::normal_covariance_:
+            return variance->along(resolved(source, id, gradients.at(mapped[0])), value(mapped[1]))
+                .id;
         case Op::with_covariance_:
             return variance ? variance->varying(value(mapped[0]), value(mapped[1])).id : mapped[0];
         default:

@@ -92,12 +92,29 @@ Value NormalVariance::of(Value normal) {
     return sum ? named("variance", max(sum / dot(bumped, bumped), 0)) : number(normal, 0);
 }
 
+Value NormalVariance::along(Value normal, Value x) {
+    const Inst unit = (*target_)[normal.id];
+    const Value none = vec3(number(normal, 0), number(normal, 0), number(normal, 0));
+    if (unit.op != Op::normalize_) return none;
+    const Value bumped{target_, unit.arg[0]}, y = named("across", cross(normal, x));
+    Value sum;
+    for (const auto& [a, b, weight] : covariance_terms(bumped)) {
+        const Value ax = dot(a, x), ay = dot(a, y), bx = dot(b, x), by = dot(b, y);
+        const Value term = vec3(ax * bx, ay * by, (ax * by + ay * bx) * 0.5);
+        sum = sum_of(sum, term * weight);
+    }
+    return sum ? named("covariance", sum / dot(bumped, bumped)) : none;
+}
+
 bool wants_normal_variance(const Module& source) {
-    if (!source.has(Op::normal_variance_)) return false;
+    const auto wants = [](Op op) {
+        return op == Op::normal_variance_ || op == Op::normal_covariance_;
+    };
+    if (!source.has(Op::normal_variance_) && !source.has(Op::normal_covariance_)) return false;
     // Values that no output needs do not count.
     const std::vector<bool> needed = reachable(source);
     for (Id id = 1; id < source.size(); ++id)
-        if (needed[id] && source[id].op == Op::normal_variance_) return true;
+        if (needed[id] && wants(source[id].op)) return true;
     return false;
 }
 

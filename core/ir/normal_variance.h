@@ -34,6 +34,9 @@ public:
     // Returns the trace of the covariance of a normal returned by GradientAlgebra::resolve(), in
     // [0, ...).
     Value of(Value normal);
+    // Returns that covariance along x and cross(normal, x): (xx, yy, xy). `x` is a unit vector
+    // across the normal.
+    Value along(Value normal, Value x);
 
 private:
     std::optional<Value> variance_lost_to_filtering(Value normal, double factor);

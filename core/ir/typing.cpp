@@ -109,6 +109,7 @@ constexpr Signature signatures[] = {
     {Op::gradient_vector_, {T::gradient_}, T::vec3_},
     {Op::resolve_, {T::gradient_}, T::vec3_},
     {Op::normal_variance_, {T::gradient_}, T::float_},
+    {Op::normal_covariance_, {T::gradient_, T::vec3_}, T::vec3_},
 };
 
 constexpr auto signature_of = [] {

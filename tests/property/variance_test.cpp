@@ -60,8 +60,18 @@ void set_deviations(Surroundings& around, const std::array<double, 4>& z) {
          spread * second.xx * z[2], spread * (second.yx * z[2] + second.yy * z[3])});
 }
 
-double variance_of_resolved(const Expanded& material, Surroundings around) {
-    dvec3 mean(0);
+// The mean of the resolved unit normals n, and that of n n^T.
+struct Moments {
+    dvec3 first;
+    glm::dmat3 second;
+
+    double covariance(dvec3 a, dvec3 b) const {
+        return glm::dot(a, second * b) - glm::dot(a, first) * glm::dot(b, first);
+    }
+};
+
+Moments moments_of_resolved(const Expanded& material, Surroundings around) {
+    Moments moments{dvec3(0), glm::dmat3(0)};
     for (size_t i = 0; i < 625; ++i) {
         const std::array<size_t, 4> k{i % 5, i / 5 % 5, i / 25 % 5, i / 125};
         double weight = 1;
@@ -71,23 +81,36 @@ double variance_of_resolved(const Expanded& material, Surroundings around) {
             z[j] = nodes[k[j]].at;
         }
         set_deviations(around, z);
-        mean += material.vector(0, around) * weight;
+        const dvec3 normal = material.vector(0, around);
+        moments.first += normal * weight;
+        moments.second += glm::outerProduct(normal, normal) * weight;
     }
-    return 1 - glm::dot(mean, mean);
+    return moments;
 }
 
 void expect_said_is_seen(Layering bump) {
     Material seen, said;
     seen.output("normal", seen.resolve(bump(seen, slopes(seen, false))));
-    said.output("variance", op(Op::normal_variance_, bump(said, slopes(said, true))));
+    const Value gradient = bump(said, slopes(said, true)), normal = said.resolve(gradient);
+    const Value x = op(Op::normalize_, cross(normal, said.vector(dvec3(0.3, 0.9, -0.4))));
+    said.output("variance", op(Op::normal_variance_, gradient));
+    said.output("normal", normal);
+    said.output("x", x);
+    said.output("covariance", op(Op::normal_covariance_, gradient, x));
     const Expanded resolved(seen), stated(said);
     for (const Surface& surface : {sphere(), torus(), tilted_plane()})
         for (const Sample& sample : samples(3, 5)) {
             Surroundings around = point_at(surface, sample.st, sample.pixel);
             set_deviations(around, {});
-            const double wanted = variance_of_resolved(resolved, around);
-            ASSERT_GT(wanted, 1e-6) << surface.name;
-            EXPECT_NEAR(stated.number(0, around) / wanted, 1, 0.01) << surface.name;
+            const Moments wanted = moments_of_resolved(resolved, around);
+            const double variance = 1 - glm::dot(wanted.first, wanted.first);
+            ASSERT_GT(variance, 1e-6) << surface.name;
+            EXPECT_NEAR(stated.number(0, around) / variance, 1, 0.01) << surface.name;
+            const dvec3 along = stated.vector(2, around), covariance = stated.vector(3, around);
+            const dvec3 across = glm::cross(stated.vector(1, around), along);
+            EXPECT_NEAR(covariance.x, wanted.covariance(along, along), 0.01 * variance);
+            EXPECT_NEAR(covariance.y, wanted.covariance(across, across), 0.01 * variance);
+            EXPECT_NEAR(covariance.z, wanted.covariance(along, across), 0.01 * variance);
         }
 }
 

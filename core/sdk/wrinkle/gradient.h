@@ -100,6 +100,11 @@ inline vec3 with_covariance(vec3 value, Float variance) {
 inline Float normal_variance(Gradient gradient) {
     return Float(emit(WR_OP_normal_variance, {gradient.id}));
 }
+// Returns that covariance along x and cross(n, x), n the bump's unit normal: (xx, yy, xy), where
+// xx + yy = normal_variance(). `x` is a unit vector across n.
+inline vec3 normal_covariance(Gradient gradient, vec3 x) {
+    return vec3(emit(WR_OP_normal_covariance, {gradient.id, x.id}));
+}
 // Returns the unit normal in object space.
 inline vec3 resolve(Gradient gradient) {
     return vec3(emit(WR_OP_resolve, {gradient.id}));

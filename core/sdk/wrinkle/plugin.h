@@ -273,7 +273,10 @@ extern "C" {
      * pictures that its slopes are read from and from with_covariance */ \
     X(normal_variance,          141, 1, special, "",    0,  2) \
     /* a record of channels; extra: the host's own number of it */ \
-    X(material,                 142, 0, leaf,    "",    0,  2)
+    X(material,                 142, 0, leaf,    "",    0,  2) \
+    /* gradient, vec3 x across its unit normal n -> vec3: that covariance along x and cross(n, x), \
+     * both of length 1: (xx, yy, xy) */ \
+    X(normal_covariance,        143, 2, special, "",    0,  2)
 
 /* Methods of a frame, and the scale that goes with them (reference: Mikkelsen 2020 and 2010):
  * X(name, number) */
