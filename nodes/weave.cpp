@@ -91,14 +91,29 @@ static ClothMeans means_of(Weave weave, Float width) {
     }
 }
 
+// The share of the warp where threads are lost. The diagonals of a twill are four threads wide and
+// stay longer: the first harmonic, measured and fitted as the means are.
+struct Share {
+    Float far, near;  // near is the weight of the threads
+};
+static Share share_of(Weave weave, vec2 p, Float width, Float mean, Float footprint) {
+    if (weave != Weave::twill && weave != Weave::twill_3_1) return {mean, fade(footprint)};
+    const bool even = weave == Weave::twill;
+    const Float strength = even ? width * (0.061 + 0.37 * width) : width * (0.043 + 0.262 * width);
+    const Float diagonal = named("diagonal", 0.25 * (p.y() - p.x()));
+    const Float way = fract(diagonal + (even ? 0.125 : 0.25));
+    const Float wave = named("wave", fade(box_width(diagonal)) * cos(two_pi() * way));
+    return {mean + strength * wave, fade(footprint, 0.75)};
+}
+
 struct Visible {
     Float over;  // 1 on the warp, 0 on the weft; filtered
     Bool warp;
 };
-static Visible visible_at(const Threads& threads, Float mean, Float near) {
+static Visible visible_at(const Threads& threads, const Share& share) {
     const Float apart = named("apart", threads.warp - threads.weft);
     const Float width = named("edge_width", max(box_width(apart), 1e-6));
-    return {mix(mean, saturate(0.5 + apart / width), near), detach(apart) >= 0};
+    return {mix(share.far, saturate(0.5 + apart / width), share.near), detach(apart) >= 0};
 }
 
 template <class Declaration>
@@ -139,7 +154,8 @@ static constinit Node weave_list[] = {
             const Float lost = lost_slope(p, vec3(means.slopes * sloped * lost_share(near), 0));
             const Float value =
                 mix(mean_height(means.height), max(threads.warp, threads.weft), near) + lost;
-            const Visible visible = visible_at(threads, means.warp, near);
+            const Visible visible =
+                visible_at(threads, share_of(weave, p, in.width, means.warp, width));
             const Bool warp = visible.warp;
             const vec2 lane = named("lane", floor(p)), way = named("way", p - lane - 0.5);
             const Float number = select(warp, lane.x(), lane.y());

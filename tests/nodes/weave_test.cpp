@@ -131,6 +131,41 @@ TEST(Weave, FadesToItsMeans) {
         }
 }
 
+// Where a pixel covers a thread the diagonals of a twill remain: `over` is near the mean over the
+// pixel of `over` close up, whose threads are lost.
+TEST(Weave, KeepsTheDiagonalsOfTwills) {
+    constexpr int n = 16;
+    constexpr double box = 1;
+    const auto places = random_cells(200, 20, 9);
+    const std::string scale = std::to_string(box / pixel);
+    for (const char* weave : {"twill", "twill_3_1"}) {
+        for (const char* width : {"0.7", "1"}) {
+            const std::string in = of_weave(weave) + ", \"width\": " + width;
+            std::vector<Point> at = places, all;
+            for (Point& p : at)
+                p = {p[0] * pixel / box, p[1] * pixel / box};
+            for (const Point& p : places)
+                for (int k = 0; k < n * n; ++k)
+                    all.push_back({p[0] + ((k % n + 0.5) / n - 0.5) * box,
+                                   p[1] + ((k / n + 0.5) / n - 0.5) * box});
+            const auto fine = read_weave(in, "over", all);
+            const auto far =
+                values({one("weave", "\"scale\": " + scale + ", " + in), "n.over"}, at);
+            std::vector<double> means(places.size(), 0);
+            double mean = 0, error = 0, deviation = 0;
+            for (size_t i = 0; i < all.size(); ++i)
+                means[i / (n * n)] += fine[i][0] / (n * n);
+            for (const double m : means)
+                mean += m / static_cast<double>(means.size());
+            for (size_t i = 0; i < means.size(); ++i) {
+                error += std::pow(far[i][0] - means[i], 2);
+                deviation += std::pow(means[i] - mean, 2);
+            }
+            EXPECT_LT(std::sqrt(error), 0.6 * std::sqrt(deviation)) << weave << width;
+        }
+    }
+}
+
 // The edge of `over` has the width of a pixel.
 TEST(Weave, CoversAPixelByBothThreads) {
     size_t between = 0;

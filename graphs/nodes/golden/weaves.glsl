@@ -17,6 +17,7 @@ uniform float weaves_input_roughness;
 uniform float weaves_input_anisotropy;
 const float weaves_pi = 3.1415927;       // half a turn, in radians
 const float weaves_min_area = 1e-36;     // smaller areas and squared lengths are zero
+const float weaves_two_pi = 6.2831855;   // a turn, in radians
 const float weaves_two_24 = 16777216.0;  // the upper 24 bits to [0, 1)
 
 vec2 wrinkle_weaves_warp_side(float column, float row) {
@@ -83,17 +84,25 @@ WrinkleMaterial_weaves wrinkle_weaves(WrinkleSurface_weaves s) {
     vec2 twill_weft_slope = vec2(dot(twill_2.xy, twill_p_dx.yx), dot(twill_2.xy, twill_p_dy.yx));
     vec2 twill_warp_slope = vec2(dot(twill.xy, duv0_dx), dot(twill.xy, duv0_dy)) * 32.0;
     vec2 twill_choice = twill.z < twill_2.z ? twill_weft_slope : twill_warp_slope;
-    float twill_detail = 1.0 - smoothstep(0.25, 0.75, max(length(twill_p_dx), length(twill_p_dy)));
+    float twill_width = max(length(twill_p_dx), length(twill_p_dy));
+    float twill_detail = 1.0 - smoothstep(0.25, 0.75, twill_width);
+    vec2 twill_vector = vec2(twill_p_dx.y, twill_p_dy.y);
+    float twill_width_2 = length((twill_vector - vec2(twill_p_dx.x, twill_p_dy.x)) * 0.25);
+    float twill_fade = 1.0 - smoothstep(0.25, 0.75, twill_width_2);
+    float twill_diagonal = 0.25 * (twill_p.y - twill_p.x);
+    float twill_product = 0.3546 * (twill_fade *
+            cos(weaves_two_pi * fract(twill_diagonal + 0.125)));
     float twill_apart = twill.z - twill_2.z;
     float twill_quotient = twill_apart / max(length(twill_warp_slope - twill_weft_slope), 1e-06);
     float twill_clamped = clamp(0.5 + twill_quotient, 0.0, 1.0);
-    float twill_over = mix(0.5, twill_clamped, twill_detail);
+    float twill_fade_2 = 1.0 - smoothstep(0.25, 0.75, twill_width * 0.75);
+    float twill_over = mix(0.5 + twill_product, twill_clamped, twill_fade_2);
     bool twill_test = twill_apart >= 0.0;
     vec2 twill_cell = vec2(twill_test ? twill_lane.x : twill_lane.y, float(!twill_test));
     vec2 twill_direction = twill_test ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
     vec3 twill_along_u = s.tangent.xyz * (twill_direction.y * inverse_normal_length);
-    float twill_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
-    vec3 twill_tangent = twill_along_u + bitangent * (twill_direction.x * twill_product);
+    float twill_product_2 = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
+    vec3 twill_tangent = twill_along_u + bitangent * (twill_direction.x * twill_product_2);
     vec2 quarter_uv = s.uv0 * 2.0;  // quarter: UV transform
     vec2 tile_cell = floor(quarter_uv);  // tile: Tile UV
     float index_result = tile_cell.y * 2.0 + tile_cell.x;  // index: Multiply and add
@@ -108,16 +117,18 @@ WrinkleMaterial_weaves wrinkle_weaves(WrinkleSurface_weaves s) {
     vec2 twill_3_1_vector = vec2(dot(twill_3_1.xy, duv0_dx), dot(twill_3_1.xy, duv0_dy));
     vec2 twill_3_1_warp_slope = twill_3_1_vector * 32.0;
     vec2 twill_3_1_choice = twill_3_1_test ? twill_3_1_weft_slope : twill_3_1_warp_slope;
+    float twill_3_1_product = 0.25092 *
+            (twill_fade * cos(weaves_two_pi * fract(twill_diagonal + 0.25)));
     float twill_3_1_apart = twill_3_1.z - twill_3_1_2.z;
     float twill_3_1_edge_width = max(length(twill_3_1_warp_slope - twill_3_1_weft_slope), 1e-06);
     float twill_3_1_clamped = clamp(0.5 + twill_3_1_apart / twill_3_1_edge_width, 0.0, 1.0);
-    float twill_3_1_over = mix(0.65147, twill_3_1_clamped, twill_detail);
+    float twill_3_1_over = mix(0.65147 + twill_3_1_product, twill_3_1_clamped, twill_fade_2);
     bool twill_3_1_test_2 = twill_3_1_apart >= 0.0;
     float twill_3_1_choice_2 = twill_3_1_test_2 ? twill_lane.x : twill_lane.y;
     vec2 twill_3_1_cell = vec2(twill_3_1_choice_2, float(!twill_3_1_test_2));
     vec2 twill_3_1_direction = twill_3_1_test_2 ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
     vec3 twill_3_1_along_u = s.tangent.xyz * (twill_3_1_direction.y * inverse_normal_length);
-    vec3 twill_3_1_along_v = bitangent * (twill_3_1_direction.x * twill_product);
+    vec3 twill_3_1_along_v = bitangent * (twill_3_1_direction.x * twill_product_2);
     vec3 twill_3_1_tangent = twill_3_1_along_u + twill_3_1_along_v;
     // bump_1: Mix bumps
     vec2 bump_1_product = twill_choice * twill_detail * 0.006 * (1.0 - is_twill_3_1_result);
@@ -143,7 +154,7 @@ WrinkleMaterial_weaves wrinkle_weaves(WrinkleSurface_weaves s) {
     vec2 satin_5_cell = vec2(satin_5_choice_2, float(!satin_5_test));
     vec2 satin_5_direction = satin_5_test ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
     vec3 satin_5_along_u = s.tangent.xyz * (satin_5_direction.y * inverse_normal_length);
-    vec3 satin_5_tangent = satin_5_along_u + bitangent * (satin_5_direction.x * twill_product);
+    vec3 satin_5_tangent = satin_5_along_u + bitangent * (satin_5_direction.x * twill_product_2);
     // bump_2: Mix bumps
     vec2 bump_2_product = (bump_1_product + bump_1_product_2) * (1.0 - is_satin_5_result);
     vec2 bump_2_product_2 = satin_5_choice * twill_detail * 0.006 * is_satin_5_result;
@@ -169,7 +180,7 @@ WrinkleMaterial_weaves wrinkle_weaves(WrinkleSurface_weaves s) {
     vec2 satin_8_cell = vec2(satin_8_choice_2, float(!satin_8_test));
     vec2 satin_8_direction = satin_8_test ? vec2(0.0, 1.0) : vec2(1.0, 0.0);
     vec3 satin_8_along_u = s.tangent.xyz * (satin_8_direction.y * inverse_normal_length);
-    vec3 satin_8_tangent = satin_8_along_u + bitangent * (satin_8_direction.x * twill_product);
+    vec3 satin_8_tangent = satin_8_along_u + bitangent * (satin_8_direction.x * twill_product_2);
     // bump_3: Mix bumps
     vec2 bump_3_product = satin_8_choice * twill_detail * 0.006 * is_satin_8_result;
     vec2 bump_3_sum = bump_2_sum * (1.0 - is_satin_8_result) + bump_3_product;
