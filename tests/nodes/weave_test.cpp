@@ -132,8 +132,8 @@ TEST(Weave, FadesToItsMeans) {
 }
 
 // Where a pixel covers a thread the diagonals of a twill remain: `over` is near the mean over the
-// pixel of `over` close up, whose threads are lost.
-TEST(Weave, KeepsTheDiagonalsOfTwills) {
+// pixel of `over` close up.
+TEST(Weave, HasTheDiagonalsOfTwillsFarAway) {
     constexpr int n = 16;
     constexpr double box = 1;
     const auto places = random_cells(200, 20, 9);
