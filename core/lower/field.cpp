@@ -41,20 +41,23 @@ Dependents dependents(const Module& m, Id value, Id input) {
         const bool screen = op == Op::ddx_ || op == Op::ddy_;
         ++found.count;
         found.implicit = found.implicit || screen || op == Op::sample_;
-        found.of_numbers = found.of_numbers && (screen || !is_opaque(op));
+        const bool annotation = op == Op::with_covariance_;
+        found.of_numbers = found.of_numbers && (screen || annotation || !is_opaque(op));
     }
     return found;
 }
 
 }  // namespace
 
-// Replaces implicit samples and derivatives by those along the function's parameters.
+// Replaces implicit samples and derivatives by those along the function's parameters. Covariances
+// are dropped: those of function results are not followed (ir/jacobian_by_source.h).
 Id FieldReads::with_footprint(void* directions, Module& target, const Module& source, Id id,
                               std::span<const Id> mapped) {
     auto& [x, y] = *static_cast<Directions*>(directions);
     const Inst inst = source[id];
     if (inst.op == Op::ddx_) return x.jvp_or_zero(mapped[0]);
     if (inst.op == Op::ddy_) return y.jvp_or_zero(mapped[0]);
+    if (inst.op == Op::with_covariance_) return mapped[0];
     if (inst.op != Op::sample_) return no_id;
     const Id uv = mapped[0], dx = x.jvp_or_zero(uv);
     return target.add(Op::sample_grad_, {uv, dx, y.jvp_or_zero(uv)}, inst.extra);

@@ -64,10 +64,12 @@ std::vector<Id> screen_changes(const Module& module, Id value) {
     return changes;
 }
 
-// Replaces an implicit sample with another uv by one with the differentials of its old uv.
+// Replaces an implicit sample with another uv by one with the differentials of its old uv. A region
+// has no covariances.
 Id with_differentials(void*, Module& target, const Module& source, Id id,
                       std::span<const Id> mapped) {
     const Inst inst = source[id];
+    if (inst.op == Op::with_covariance_) return mapped[0];
     if (inst.op != Op::sample_ || mapped[0] == inst.arg[0]) return poison;
     const Id dx = target.add(Op::ddx_, {inst.arg[0]});
     const Id dy = target.add(Op::ddy_, {inst.arg[0]});
