@@ -191,6 +191,17 @@ private:
         }
     }
 
+    // Maps the values of lower levels to themselves: a captured loop has parameters of the level of
+    // this body, which are other ones.
+    void map_captured(const Loop& loop, ModuleCloner& body) const {
+        walk(region(loop).results, [&](Id id, std::vector<Id>& open) {
+            if (m_[id].level < region(loop).level)
+                body.map(id, id);
+            else
+                append_dependencies(m_, id, false, open);
+        });
+    }
+
     // Writes the joined loop and maps the results of the old loops to its results.
     void join(const Group& group, const State& state, ModuleCloner& cloner) {
         Region joined = region(*group.loops[0]);
@@ -208,7 +219,7 @@ private:
         }
         std::map<const Loop*, ModuleCloner> bodies;
         for (const Loop* loop : group.loops)
-            bodies.try_emplace(loop, m_, m_, false);
+            map_captured(*loop, bodies.try_emplace(loop, m_, m_, false).first->second);
         const auto parameter = [&](uint32_t at) {
             return m_.region_parameter(joined.level, at, joined.params[at]);
         };

@@ -123,6 +123,26 @@ TEST_F(CompactTest, MembersThatNothingReadsAreDropped) {
 }
 
 // The inner value of the second loop is the result of the first.
+// The body of the second loop reads the result of the first one, whose parameters are on the same
+// level. Only those of the second loop move when its unread member is dropped.
+TEST_F(CompactTest, ALoopThatABodyReadsStaysAsItIs) {
+    const std::array three{Type::float_, Type::float_, Type::float_};
+    const auto a = m.begin_region(RegionKind::loop, "first(k, step, sum)", three);
+    const auto first =
+        m.end_region(std::array{add(Op::lt_, {a[0], n(5)}), add(Op::add_, {a[0], n(1)}),
+                                add(Op::add_, {a[1], x}), add(Op::add_, {a[2], a[1]})},
+                     8);
+    const Id inner = m.apply(first, std::array{n(0), n(1), n(0)})[2];
+    const auto b = m.begin_region(RegionKind::loop, "second(k, unread, sum)", three);
+    const Id term = add(Op::sin_, {add(Op::mul_, {inner, b[0]})});
+    const auto second =
+        m.end_region(std::array{add(Op::lt_, {b[0], n(3)}), add(Op::add_, {b[0], n(1)}),
+                                add(Op::add_, {b[1], n(1)}), add(Op::add_, {b[2], term})},
+                     8);
+    const Module result = compacted({m.apply(second, std::array{n(0), n(0), n(0)})[2]});
+    EXPECT_EQ(count(result, Op::loop_), 2u);
+}
+
 TEST_F(CompactTest, ALoopIsNotJoinedWithOneThatItDependsOn) {
     const auto s = m.begin_region(RegionKind::loop, "", std::array{Type::float_, Type::float_});
     const auto use =
