@@ -123,8 +123,8 @@ TEST_F(CompactTest, MembersThatNothingReadsAreDropped) {
 }
 
 // The inner value of the second loop is the result of the first.
-// The body of the second loop reads the result of the first one, whose parameters are on the same
-// level. Only those of the second loop move when its unread member is dropped.
+// The body of the second loop reads the result of the first one; their parameters are on one level.
+// Only those of the second loop move when its unread member is dropped.
 TEST_F(CompactTest, ALoopThatABodyReadsStaysAsItIs) {
     const std::array three{Type::float_, Type::float_, Type::float_};
     const auto a = m.begin_region(RegionKind::loop, "first(k, step, sum)", three);
