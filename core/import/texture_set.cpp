@@ -82,7 +82,7 @@ std::optional<std::vector<fs::path>> images_of(const std::vector<fs::path>& inpu
         return images_of_folder(inputs[0], diagnostics);
     std::vector<fs::path> images = inputs;
     std::ranges::sort(images);
-    images.erase(std::ranges::unique(images).begin(), images.end());
+    images.erase(std::unique(images.begin(), images.end()), images.end());
     if (images.size() > max_folder_files) {
         diagnostics.error("more than " + std::to_string(max_folder_files) + " images are named");
         return {};
