@@ -30,8 +30,10 @@ namespace {
 constexpr int length = 30;
 #if defined(__SANITIZE_ADDRESS__)
 constexpr auto hang = std::chrono::seconds(60);  // about ten times the usual time
+constexpr size_t stride = 3;                     // every third chain, for the same reason
 #else
 constexpr auto hang = std::chrono::seconds(5);
+constexpr size_t stride = 1;
 #endif
 
 bool all_chains() {
@@ -67,9 +69,11 @@ std::vector<Case> cases(bool all, Wiring wiring) {
     for (const NodeType& type : registry().list())
         if (kinds.insert(kind_of(type)).second) first.insert(&type);
     std::vector<Case> found;
+    size_t pairs = 0;
     for (const NodeType& a : registry().list())
         for (const NodeType& b : registry().list()) {
             if (!all && &a != &b && !(first.contains(&a) && first.contains(&b))) continue;
+            if (!all && pairs++ % stride != 0) continue;
             Case each{link(a, b, wiring), link(b, a, wiring)};
             if (!each.there.inputs.empty() && !each.back.inputs.empty())
                 found.push_back(std::move(each));
