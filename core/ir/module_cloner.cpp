@@ -20,7 +20,8 @@ bool is_of_globals(const Module& module, Id value) {
     bool all = true;
     walk({&value, 1}, [&](Id id, std::vector<Id>& open) {
         if (is_global(module, id)) return;
-        all = all && info(module[id].op).rule != Rule::leaf && !is_sample(module[id].op);
+        const Op op = module[id].op;
+        all = all && info(op).rule != Rule::leaf && !is_sample(op) && !is_opaque(op);
         if (all) append_dependencies(module, id, false, open);
     });
     return all;

@@ -76,6 +76,12 @@ TEST_F(RegionTest, ParametersOfTheUserAreNotCaptured) {
     EXPECT_NEAR(value(m.apply(use, std::array{f})[0]), 1.2, 1e-15);
 }
 
+// The normal that a flat bump resolves to is that of the surface: it reads an input.
+TEST_F(RegionTest, ResolvedNormalsAreCaptured) {
+    const Id normal = m.add(Op::resolve_, {add(Op::gradient_zero_, {})}, 1);
+    EXPECT_EQ(line(m.swizzle(normal, "z"), n(0)).captured.size(), 1u);
+}
+
 TEST_F(RegionTest, AFunctionWhoseResultIsKnownNeedsNoCall) {
     const std::array types{Type::float_, Type::vec3_};
     const auto x = m.begin_region(RegionKind::function, "known", types);
