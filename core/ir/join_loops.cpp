@@ -191,17 +191,6 @@ private:
         }
     }
 
-    // Maps the values of lower levels to themselves: a captured loop has parameters of the level of
-    // this body, which are other ones.
-    void map_captured(const Loop& loop, ModuleCloner& body) const {
-        walk(region(loop).results, [&](Id id, std::vector<Id>& open) {
-            if (m_[id].level < region(loop).level)
-                body.map(id, id);
-            else
-                append_dependencies(m_, id, false, open);
-        });
-    }
-
     // Writes the joined loop and maps the results of the old loops to its results.
     void join(const Group& group, const State& state, ModuleCloner& cloner) {
         Region joined = region(*group.loops[0]);
@@ -218,8 +207,12 @@ private:
             if (!names.empty()) joined.param_names.push_back(names[members[0].index]);
         }
         std::map<const Loop*, ModuleCloner> bodies;
-        for (const Loop* loop : group.loops)
-            map_captured(*loop, bodies.try_emplace(loop, m_, m_, false).first->second);
+        for (const Loop* loop : group.loops) {
+            ModuleCloner& body = bodies.try_emplace(loop, m_, m_, false).first->second;
+            // A captured loop has parameters of the same level, which are other ones.
+            for (const Id captured : region_body(m_, region(*loop)).captured)
+                body.map(captured, captured);
+        }
         const auto parameter = [&](uint32_t at) {
             return m_.region_parameter(joined.level, at, joined.params[at]);
         };

@@ -40,6 +40,8 @@ Id nested(Module& m, Id loop, uint32_t n) {
     Region outer = m.region(m[loop].extra), inner = outer;
     ModuleCloner body(m, m, false);
     body.set_shift(outer.level, 1);
+    for (const Id captured : region_body(m, inner).captured)
+        body.map(captured, captured);
     body.run(inner.results);
     for (Id& result : inner.results)
         result = body[result];
