@@ -115,7 +115,7 @@ private:
         return seen_down;
     }
 
-    // There is no encoding of two channels with green down.
+    // No encoding has two channels and green down.
     void use_two_channels(const Texture& texture) {
         set_.normal_encoding = Encoding::normal_rg;
         const bool is_down = options_.green ? *options_.green == maps::Green::dx

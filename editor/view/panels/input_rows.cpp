@@ -63,7 +63,7 @@ json::Value number_literal(const InputRow& row, std::span<float> values) {
     return items.size() == 1 ? items[0] : json::Value::array(items);
 }
 
-// Range of the control: the slider's, else the limits; std::nullopt if there is no finite one.
+// Returns the slider of the input, or its limits without one; std::nullopt if they are infinite.
 std::optional<Range> control_range(const Port& port) {
     const Range range = port.has_soft_range() ? Range{port.soft_min, port.soft_max}
                                               : Range{port.hard_min, port.hard_max};
