@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/case.h"
 #include "base/text.h"
 
 namespace wrinkle::textures {
@@ -100,7 +101,7 @@ std::vector<Word> words_of(std::string_view name) {
         const char c = name[i];
         const bool is_part = is_digit(c) || is_upper(c) || is_lower(c);
         if (is_part && (!inside || begins_word(name, i))) words.push_back({"", i});
-        if (is_part) words.back().text += is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c;
+        if (is_part) words.back().text += lower_case(c);
         inside = is_part;
     }
     return words;

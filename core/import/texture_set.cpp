@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/case.h"
 #include "base/mapped.h"
 #include "base/text.h"
 
@@ -17,19 +18,12 @@ Diagnostic problem_of(Severity severity, const fs::path& file, std::string messa
     return file_problem(severity, file.string(), std::move(message), std::move(expected));
 }
 
-std::string lower_extension(const fs::path& file) {
-    std::string extension = file.extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return extension;
-}
-
 // Formats that cannot be read are listed too: their error names the file.
 bool has_image_extension(const fs::path& file) {
     static constexpr std::string_view known[] = {
         ".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr",  ".pfm", ".ppm", ".pgm",
         ".pnm", ".tga", ".bmp",  ".dds", ".ktx",  ".psd", ".webp", ".gif", ".ktx2"};
-    return std::ranges::find(known, lower_extension(file)) != std::end(known);
+    return std::ranges::find(known, lower_case(file.extension().string())) != std::end(known);
 }
 
 std::string listed_names(const std::vector<fs::path>& files) {

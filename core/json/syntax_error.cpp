@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/case.h"
 #include "base/text.h"
 
 namespace wrinkle::json {
@@ -52,9 +53,8 @@ bool is_number(std::string_view word) {
 }
 
 bool is_not_finite(std::string_view word) {
-    std::string lower;
-    for (const char c : word.substr(std::min(word.find_first_not_of("+-"), word.size())))
-        lower += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+    const size_t digits = std::min(word.find_first_not_of("+-"), word.size());
+    const std::string lower = lower_case(word.substr(digits));
     return lower == "nan" || lower == "inf" || lower == "infinity";
 }
 

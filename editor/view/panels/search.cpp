@@ -35,13 +35,6 @@ std::optional<Match> in_order(std::string_view title, std::string_view query) {
 
 }  // namespace
 
-std::string lower_case(std::string_view text) {
-    std::string lower(text);
-    for (char& c : lower)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return lower;
-}
-
 std::optional<Match> match(std::string_view title, std::string_view id, std::string_view doc,
                            std::string_view query) {
     if (query.empty()) return Match{};

@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
-namespace wrinkle::editor {
+#include "base/case.h"
 
-std::string lower_case(std::string_view text);  // ASCII; other bytes stay
+namespace wrinkle::editor {
 
 struct Match {
     int rank = 0;
