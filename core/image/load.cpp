@@ -5,8 +5,8 @@
 #include <memory>
 #include <new>
 
+#include "image/find_codec.h"
 #include "image/formats.h"
-#include "image/module.h"
 #include "image/stored.h"
 
 namespace wrinkle {
@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 namespace {
 
 struct CloseReader {
-    const WrinkleImageModule* module;
-    void operator()(WrinkleImageReader* reader) const { module->close(reader); }
+    const WrinkleImageCodec* codec;
+    void operator()(WrinkleImageReader* reader) const { codec->close(reader); }
 };
 using Reader = std::unique_ptr<WrinkleImageReader, CloseReader>;
 
@@ -74,16 +74,16 @@ Opened open_within(const fs::path& path, const ImageLimits& limits, Diagnostics&
         diagnostics.error(quoted(path) + why, readable_formats);
         return opened;
     }
-    const WrinkleImageModule* module = image_module(why);
-    if (!module) {
+    const WrinkleImageCodec* codec = find_codec(format.plugin, why);
+    if (!codec) {
         diagnostics.error(quoted(path) + "cannot be read: " + why, library_remedy);
         return opened;
     }
     char text[512] = "";
     WrinkleImageHeader header = {};
-    WrinkleImageReader* reader = module->open(path.c_str(), format.plugin.c_str(), side_of(limits),
-                                              &header, {text, sizeof text});
-    opened.reader = Reader(reader, CloseReader{module});
+    WrinkleImageReader* reader = codec->open(path.c_str(), format.plugin.c_str(), side_of(limits),
+                                             &header, {text, sizeof text});
+    opened.reader = Reader(reader, CloseReader{codec});
     opened.info = {format.name,     header.width,          header.height,
                    header.channels, header.has_alpha != 0, static_cast<PixelType>(header.type)};
     if ((reader || header.width > 0) && !within_limits(path, opened.info, limits, diagnostics))
@@ -124,8 +124,8 @@ void warn_of_non_finite(const fs::path& path, const NonFinite& found, Diagnostic
 bool decode(const fs::path& path, const Opened& opened, const ImageRowSink& take,
             Diagnostics& diagnostics) {
     const ImageInfo& info = opened.info;
-    const WrinkleImageModule* module = opened.reader.get_deleter().module;
-    const uint32_t band = module->band(opened.reader.get());
+    const WrinkleImageCodec* codec = opened.reader.get_deleter().codec;
+    const uint32_t band = codec->band(opened.reader.get());
     std::vector<float> row(size_t{info.width} * info.channels);
     const size_t stride = row.size() * bytes_of(info.source);
     std::vector<std::byte> stored(std::min(band, info.height) * stride);
@@ -133,7 +133,7 @@ bool decode(const fs::path& path, const Opened& opened, const ImageRowSink& take
     for (uint32_t top = 0; top < info.height; top += band) {
         const uint32_t count = std::min(band, info.height - top);
         char text[512] = "";
-        if (!module->read(opened.reader.get(), top, count, stored.data(), {text, sizeof text})) {
+        if (!codec->read(opened.reader.get(), top, count, stored.data(), {text, sizeof text})) {
             diagnostics.error(quoted(path) + "is damaged or truncated: " + text,
                               "a complete file; export it again");
             return false;
@@ -184,10 +184,11 @@ std::optional<ImageInfo> read_image_info(const fs::path& path, const ImageLimits
 std::optional<float> read_image_number(const fs::path& path, const std::string& name) {
     std::string why;
     const ImageFormat format = sniff_format(path, why);
-    const WrinkleImageModule* module = image_module(why);
     float value = 0;
-    if (!module || !plugin_keeps_numbers(format.plugin)) return {};
-    if (!module->number(path.c_str(), format.plugin.c_str(), side_of({}), name.c_str(), &value))
+    if (!plugin_keeps_numbers(format.plugin)) return {};
+    const WrinkleImageCodec* codec = find_codec(format.plugin, why);
+    if (!codec ||
+        !codec->number(path.c_str(), format.plugin.c_str(), side_of({}), name.c_str(), &value))
         return {};
     return value;
 }

@@ -1,6 +1,6 @@
 // Reads and writes image files: PNG, JPEG, TIFF, OpenEXR, Radiance HDR; PFM and PNM are read-only.
-// OpenImageIO is in a separate module (lib/wrinkle/wrinkle_image_oiio.so) that is loaded on first
-// use; see module.h. All functions are thread-safe.
+// All but PNG need a separate module (lib/wrinkle/wrinkle_image_oiio.so) that is loaded on first
+// use; see find_codec.h. All functions are thread-safe.
 //
 // The format is detected by the file's first bytes, not by its extension. Colours are not converted
 // and EXIF orientation is ignored. The first of several sub-images or mip levels is read. Integers

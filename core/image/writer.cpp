@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "base/file.h"
+#include "image/find_codec.h"
 #include "image/formats.h"
 #include "image/mips.h"
-#include "image/module.h"
 #include "image/stored.h"
 
 namespace wrinkle {
@@ -34,16 +34,16 @@ std::vector<std::string> channel_names(uint32_t channels, bool has_alpha) {
 }
 
 void ImageWriter::Drop::operator()(WrinkleImageWriter* file) const {
-    module->drop(file);
+    codec->drop(file);
 }
 
 ImageWriter::ImageWriter(fs::path path, Temporary temporary, const WriterOptions& options,
-                         const WrinkleImageModule* module)
+                         const WrinkleImageCodec* codec)
     : path_(std::move(path)),
       temporary_(std::move(temporary)),
       type_(options.type),
       granule_(options.tile > 0 ? options.tile : scan_lines_at_once),
-      file_(nullptr, Drop{module}) {
+      file_(nullptr, Drop{codec}) {
     const size_t texel_bytes = options.channels.size() * bytes_of(type_);
     uint32_t width = options.width, height = options.height;
     const uint32_t count = options.mips ? mip_count(width, height) : 1;
@@ -63,20 +63,20 @@ std::optional<ImageWriter> ImageWriter::open(const fs::path& path, const WriterO
         return {};
     }
     std::string why;
-    const WrinkleImageModule* module = image_module(why);
+    const WrinkleImageCodec* codec = find_codec(format->plugin, why);
     std::error_code error;
     auto temporary = Temporary::beside(link_target(path), error);
-    if (!module || error) {
-        report(path, module ? error.message() : why, module ? folder_remedy : library_remedy,
+    if (!codec || error) {
+        report(path, codec ? error.message() : why, codec ? folder_remedy : library_remedy,
                diagnostics);
         return {};
     }
     WriterOptions written = options;
     if (written.compression.empty()) written.compression = format->compression;
-    ImageWriter writer(path, std::move(*temporary), options, module);
+    ImageWriter writer(path, std::move(*temporary), options, codec);
     char text[512] = "";
-    writer.file_.reset(module->begin(writer.temporary_.path().c_str(), format->plugin, written,
-                                     writer.levels(), {text, sizeof text}));
+    writer.file_.reset(codec->begin(writer.temporary_.path().c_str(), format->plugin, written,
+                                    writer.levels(), {text, sizeof text}));
     if (writer.file_) return writer;
     report(path, text, folder_remedy, diagnostics);
     return {};
@@ -112,8 +112,8 @@ bool ImageWriter::write_stored(std::span<const std::byte> rows, Diagnostics& dia
     if (rows_left(index) > 0) count -= count % granule_;
     if (count == 0) return true;
     char text[512] = "";
-    if (!file_.get_deleter().module->rows(file_.get(), index, level.waiting.data(), level.written,
-                                          count, {text, sizeof text}))
+    if (!file_.get_deleter().codec->rows(file_.get(), index, level.waiting.data(), level.written,
+                                         count, {text, sizeof text}))
         return fail(text, diagnostics);
     level.written += count;
     const auto sent = static_cast<ptrdiff_t>(count * level.row_bytes);
@@ -127,8 +127,8 @@ bool ImageWriter::close(Diagnostics& diagnostics) {
     for (uint32_t level = 0; level < levels(); ++level)
         assert(rows_left(level) == 0);
     char text[512] = "";
-    const WrinkleImageModule* module = file_.get_deleter().module;
-    return module->end(file_.release(), {text, sizeof text}) || fail(text, diagnostics);
+    const WrinkleImageCodec* codec = file_.get_deleter().codec;
+    return codec->end(file_.release(), {text, sizeof text}) || fail(text, diagnostics);
 }
 
 bool ImageWriter::finish(Diagnostics& diagnostics) {

@@ -20,7 +20,7 @@
 #include "base/temporary.h"
 #include "image/image.h"
 
-struct WrinkleImageModule;
+struct WrinkleImageCodec;
 struct WrinkleImageWriter;
 
 namespace wrinkle {
@@ -97,12 +97,12 @@ private:
         std::vector<std::byte> waiting = {};  // rows of an incomplete granule
     };
     struct Drop {
-        const WrinkleImageModule* module;
+        const WrinkleImageCodec* codec;
         void operator()(WrinkleImageWriter* file) const;
     };
 
     ImageWriter(std::filesystem::path path, Temporary temporary, const WriterOptions& options,
-                const WrinkleImageModule* module);
+                const WrinkleImageCodec* codec);
     bool fail(const std::string& why, Diagnostics& diagnostics);
 
     std::filesystem::path path_;

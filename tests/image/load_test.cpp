@@ -46,6 +46,28 @@ TEST_F(LoadTest, AlphaIsNotMultipliedIn) {
     EXPECT_EQ(color.data, fractions(255, 200, 100, 50, 0));
 }
 
+TEST_F(LoadTest, PalettesAndTransparentColoursAreExpanded) {
+    const std::string colours =
+        png_chunk("PLTE", std::string("\x0A\x14\x1E\x28\x32\x3C", 6)) + png_chunk("tRNS", "\x07");
+    const Image palette =
+        loaded(put("p.png", png_file(3, 1, 1, 3, std::string("\0\x40", 2), colours)));
+    EXPECT_EQ(palette.channels, 4u);
+    EXPECT_TRUE(palette.has_alpha);
+    EXPECT_EQ(palette.data, fractions(255, 10, 20, 30, 7, 40, 50, 60, 255, 10, 20, 30, 7));
+    const std::string black = png_chunk("tRNS", std::string(2, '\0'));
+    const Image gray = loaded(put("g.png", png_file(2, 1, 4, 0, std::string("\0\x0F", 2), black)));
+    EXPECT_EQ(gray.channels, 2u);
+    EXPECT_EQ(gray.data, fractions(255, 0, 0, 255, 255));
+}
+
+// The passes of a square of three texels: the corner, the right corner, two of the third row, the
+// middles of the first and third row, and the second row.
+TEST_F(LoadTest, InterlacedRowsAreInTheirOrder) {
+    const std::string passes("\0\x01\0\x03\0\x07\x09\0\x02\0\x08\0\x04\x05\x06", 15);
+    const Image image = loaded(put("i.png", png_file(3, 3, 8, 0, passes, "", 1)));
+    EXPECT_EQ(image.data, fractions(255, 7, 8, 9, 4, 5, 6, 1, 2, 3));
+}
+
 TEST_F(LoadTest, WhatAFileSaysOfItsColoursChangesNothing) {
     const std::string chunks = png_chunk("gAMA", big_endian(100000)) +
                                png_chunk("tEXt", std::string("Software\0none", 13));

@@ -1,5 +1,5 @@
-// Tests of the program that generates the sample textures, run as a process: lookup of the image
-// module, and equality of its output with the textures in the repository.
+// Tests with processes: lookup of the image module, and equality of the textures that make_textures
+// generates with those in the repository.
 #include <sys/wait.h>
 
 #include <cmath>
@@ -33,34 +33,34 @@ Ran run(const std::string& command) {
 
 class ProgramTest : public ImageTest {
 protected:
-    // Copies the program into a folder without the image module; returns its command line.
-    std::string stray_program() const {
+    // Copies a program into a folder without the image module; returns its command line, which
+    // saves `file`.
+    std::string stray_program(const std::string& file) const {
         fs::create_directories(folder / "bin");
-        fs::copy_file(MAKE_TEXTURES, folder / "bin/make_textures");
-        fs::create_directories(folder / "out");
-        return (folder / "bin/make_textures").string() + " " + (folder / "out").string();
+        fs::copy_file(SAVE_IMAGE, folder / "bin/save_image");
+        return (folder / "bin/save_image").string() + " " + (folder / file).string();
     }
 };
 
 TEST_F(ProgramTest, AProgramDoesNotLinkOpenImageIO) {
-    const Ran ran = run("ldd " MAKE_TEXTURES);
+    const Ran ran = run("ldd " SAVE_IMAGE);
     EXPECT_EQ(ran.code, 0) << ran.output;
     EXPECT_EQ(ran.output.find("OpenImageIO"), std::string::npos) << ran.output;
 }
 
 TEST_F(ProgramTest, AMissingModuleIsNamedWithItsRemedy) {
-    const Ran ran = run("env -u WRINKLE_MODULE_PATH " + stray_program());
+    const Ran ran = run("env -u WRINKLE_MODULE_PATH " + stray_program("a.exr"));
     EXPECT_EQ(ran.code, 3);
     EXPECT_NE(ran.output.find("the image module is missing; looked for " + folder.string() +
                               "/lib/wrinkle/wrinkle_image_oiio.so"),
               std::string::npos)
         << ran.output;
     EXPECT_NE(ran.output.find("WRINKLE_MODULE_PATH"), std::string::npos);
-    EXPECT_TRUE(fs::is_empty(folder / "out"));
+    EXPECT_FALSE(fs::exists(folder / "a.exr"));
 }
 
 TEST_F(ProgramTest, AForeignModuleIsAnErrorNotACrash) {
-    const std::string command = stray_program();
+    const std::string command = stray_program("a.exr");
     fs::create_directories(folder / "lib/wrinkle");
     put("lib/wrinkle/wrinkle_image_oiio.so", "not a shared object");
     const Ran ran = run(command);
@@ -69,9 +69,16 @@ TEST_F(ProgramTest, AForeignModuleIsAnErrorNotACrash) {
 }
 
 TEST_F(ProgramTest, TheModuleIsFoundThroughTheEnvironment) {
-    const Ran ran = run("WRINKLE_MODULE_PATH=/nowhere::" IMAGE_MODULE_FOLDER " " + stray_program());
+    const Ran ran =
+        run("WRINKLE_MODULE_PATH=/nowhere::" IMAGE_MODULE_FOLDER " " + stray_program("a.exr"));
     EXPECT_EQ(ran.code, 0) << ran.output;
-    EXPECT_FALSE(fs::is_empty(folder / "out"));
+    EXPECT_TRUE(fs::exists(folder / "a.exr"));
+}
+
+TEST_F(ProgramTest, PngNeedsNoModule) {
+    const Ran ran = run("env -u WRINKLE_MODULE_PATH " + stray_program("a.png"));
+    EXPECT_EQ(ran.code, 0) << ran.output;
+    EXPECT_TRUE(fs::exists(folder / "a.png"));
 }
 
 TEST_F(ProgramTest, RemadeTexturesAreTheCommittedOnes) {

@@ -67,9 +67,10 @@ inline std::string zlib_stored(const std::string& content) {
 // `rows`: top to bottom, each with its filter byte 0 in front. Color 0 gray, 2 rgb, 4 gray and
 // alpha, 6 rgba.
 inline std::string png_file(uint32_t width, uint32_t height, char bits, char color,
-                            const std::string& rows, const std::string& extra_chunks = "") {
+                            const std::string& rows, const std::string& extra_chunks = "",
+                            char interlace = 0) {
     const std::string header =
-        big_endian(width) + big_endian(height) + bits + color + std::string(3, '\0');
+        big_endian(width) + big_endian(height) + bits + color + std::string(2, '\0') + interlace;
     return "\x89PNG\r\n\x1A\n" + png_chunk("IHDR", header) + extra_chunks +
            png_chunk("IDAT", zlib_stored(rows)) + png_chunk("IEND", "");
 }

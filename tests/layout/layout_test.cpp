@@ -66,7 +66,7 @@ size_t count_of(Check check, const std::string& path, const std::string& text) {
 
 TEST(Rules, FolderOfAPath) {
     EXPECT_EQ(folder_of("core/ir/module.h"), "core/ir");
-    EXPECT_EQ(folder_of("core/image/oiio/guard.h"), "core/image");
+    EXPECT_EQ(folder_of("core/image/png/session.h"), "core/image");
     EXPECT_EQ(folder_of("editor/model/document/history.h"), "editor/model");
     EXPECT_EQ(folder_of("nodes/uv.cpp"), "nodes");
 }

@@ -24,7 +24,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/emit", {"base", "ir", "contract"}},
     {"core/spirv", {"base", "ir", "emit", "contract", "glslang", "spirv tools"}},
     {"core/cpu", {"base", "ir", "image", "contract"}},
-    {"core/image", {"base", "oiio", "openexr", "libdeflate", "tbb"}},
+    {"core/image", {"base", "oiio", "openexr", "libdeflate", "png", "tbb"}},
     {"core/maps", {"base", "image", "tbb", "kissfft"}},
     {"core/import", {"base", "json", "graph", "image", "maps"}},
     {"core/mesh", {"base", "glm", "mesh files"}},
@@ -126,6 +126,7 @@ std::string library_of_file(std::string_view path) {
     if (path.starts_with("imgui")) return "imgui";
     if (path == "kissfft.hh") return "kissfft";
     if (path == "libdeflate.h") return "libdeflate";
+    if (path == "png.h") return "png";
     if (path == "xxhash.h") return "xxhash";
     if (path == "mimalloc.h") return "mimalloc";
     if (path.starts_with("tiny_gltf") || path.starts_with("tiny_obj")) return "mesh files";

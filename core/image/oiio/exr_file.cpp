@@ -13,9 +13,11 @@
 #include <string>
 #include <utility>
 
-#include "image/oiio/guard.h"
+#include "image/guard.h"
 
 namespace wrinkle::oiio {
+
+using codec::Failure;
 
 namespace {
 

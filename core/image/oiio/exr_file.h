@@ -15,7 +15,7 @@
 #include <memory>
 #include <vector>
 
-#include "image/oiio/image_module.h"
+#include "image/codec.h"
 #include "image/oiio/output_file.h"
 
 namespace wrinkle::oiio {

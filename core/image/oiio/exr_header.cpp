@@ -5,9 +5,11 @@
 #include <fstream>
 #include <string>
 
-#include "image/oiio/guard.h"
+#include "image/guard.h"
 
 namespace wrinkle::oiio {
+
+using codec::Failure;
 namespace {
 
 constexpr uint32_t several_parts = 1 << 12;  // flag in the version field

@@ -1,6 +1,4 @@
-// Implements the table of image_module.h with OpenImageIO.
-
-#include "image/oiio/image_module.h"
+// Implements the table of codec.h with OpenImageIO.
 
 #include <OpenImageIO/imageio.h>
 
@@ -10,9 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "image/codec.h"
+#include "image/guard.h"
 #include "image/oiio/exr_header.h"
-#include "image/oiio/guard.h"
 #include "image/oiio/image_writer.h"
+#include "image/oiio/settings.h"
 
 struct WrinkleImageReader {
     std::unique_ptr<OIIO::ImageInput> input;
@@ -21,6 +21,9 @@ struct WrinkleImageReader {
 };
 
 namespace wrinkle::oiio {
+
+using codec::Failure;
+using codec::guarded;
 
 namespace {
 
@@ -147,22 +150,22 @@ int32_t read_number(const char* path, const char* format, uint32_t max_side, con
     });
 }
 
-constexpr WrinkleImageModule table = {sizeof(WrinkleImageModule),
-                                      WRINKLE_IMAGE_MODULE_VERSION,
-                                      open_image,
-                                      band_of_image,
-                                      read_rows,
-                                      close_image,
-                                      read_number,
-                                      begin_image,
-                                      write_rows,
-                                      end_image,
-                                      drop_image};
+constexpr WrinkleImageCodec table = {sizeof(WrinkleImageCodec),
+                                     WRINKLE_IMAGE_MODULE_VERSION,
+                                     open_image,
+                                     band_of_image,
+                                     read_rows,
+                                     close_image,
+                                     read_number,
+                                     begin_image,
+                                     write_rows,
+                                     end_image,
+                                     drop_image};
 
 }  // namespace
 
 }  // namespace wrinkle::oiio
 
-extern "C" __attribute__((visibility("default"))) const WrinkleImageModule* wrinkle_image_module() {
+extern "C" __attribute__((visibility("default"))) const WrinkleImageCodec* wrinkle_image_module() {
     return &wrinkle::oiio::table;
 }

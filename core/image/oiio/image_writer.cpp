@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -10,9 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "image/guard.h"
 #include "image/oiio/exr_file.h"
-#include "image/oiio/guard.h"
 #include "image/oiio/output_file.h"
+#include "image/oiio/settings.h"
 
 // Writes through `exr` or `output`; only one of them is set.
 struct WrinkleImageWriter {
@@ -26,23 +26,15 @@ struct WrinkleImageWriter {
 
 namespace wrinkle::oiio {
 
+using codec::Failure;
+using codec::guarded;
+
 namespace {
 
 using OIIO::ImageOutput;
 using OIIO::ImageSpec;
 
 constexpr const char* description = "ImageDescription";
-
-// Returns the numbers as text, for formats without attributes of arbitrary names.
-std::string numbers_as_text(const std::vector<ImageNumber>& numbers) {
-    std::string text;
-    for (const ImageNumber& number : numbers) {
-        char value[64];
-        std::snprintf(value, sizeof value, "=%.9g", static_cast<double>(number.value));
-        text += (text.empty() ? "" : " ") + number.name + value;
-    }
-    return text;
-}
 
 ImageSpec spec_to_write(std::string_view format, const WriterOptions& options) {
     ImageSpec spec(static_cast<int>(options.width), static_cast<int>(options.height),
@@ -51,8 +43,7 @@ ImageSpec spec_to_write(std::string_view format, const WriterOptions& options) {
     spec.alpha_channel = options.has_alpha ? spec.nchannels - 1 : -1;
     spec.channelnames = options.channels;
     spec.attribute("oiio:UnassociatedAlpha", 1);
-    if (format == "png") spec.attribute("png:filter", 0xF8);  // all row filters: much smaller files
-    if (format == "tiff") spec.attribute("DateTime", "");     // otherwise the current time
+    if (format == "tiff") spec.attribute("DateTime", "");  // otherwise the current time
     if (format == "jpeg") {
         spec.attribute("jpeg:subsampling", "4:4:4");
         spec.attribute("compression", "jpeg:" + std::to_string(options.quality));
@@ -60,7 +51,8 @@ ImageSpec spec_to_write(std::string_view format, const WriterOptions& options) {
     if (!options.compression.empty()) spec.attribute("compression", options.compression);
     spec.tile_width = spec.tile_height = static_cast<int>(options.tile);
     spec.tile_depth = options.tile > 0 ? 1 : 0;
-    if (!options.numbers.empty()) spec.attribute(description, numbers_as_text(options.numbers));
+    if (!options.numbers.empty())
+        spec.attribute(description, codec::numbers_as_text(options.numbers));
     return spec;
 }
 
@@ -169,13 +161,7 @@ bool find_number(const ImageSpec& spec, const char* name, float& value) {
         value = attribute->get_float();
         return true;
     }
-    const std::string text = " " + std::string(spec.get_string_attribute(description));
-    const std::string key = " " + std::string(name) + "=";
-    const size_t found = text.find(key);
-    if (found == text.npos) return false;
-    char* end = nullptr;
-    value = std::strtof(text.c_str() + found + key.size(), &end);
-    return end != text.c_str() + found + key.size();
+    return codec::find_number(spec.get_string_attribute(description), name, value);
 }
 
 }  // namespace wrinkle::oiio

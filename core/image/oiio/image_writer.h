@@ -1,9 +1,9 @@
-// The module's functions that write; documented in image_module.h.
+// The module's functions that write; documented in codec.h.
 #pragma once
 
 #include <OpenImageIO/imageio.h>
 
-#include "image/oiio/image_module.h"
+#include "image/codec.h"
 
 namespace wrinkle::oiio {
 

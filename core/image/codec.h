@@ -1,11 +1,12 @@
-/* Interface between core/image and the module that contains OpenImageIO, and OpenEXR's own library
- * for writing OpenEXR files.
+/* Interface of a codec: a table of functions that read and write image files. core/image/png has
+ * that of PNG, by libpng; the module core/image/oiio has that of the other formats, by OpenImageIO,
+ * and for writing OpenEXR files by OpenEXR's own library.
  *
- * The module exports one symbol, wrinkle_image_module, which returns a table of functions. Rows are
- * ordered top to bottom as in files, values have the file's own type. Both sides may use different
+ * The module exports one symbol, wrinkle_image_module, which returns its table. Rows are ordered
+ * top to bottom as in files, values have the file's own type. Both sides may use different
  * allocators: neither frees or grows memory of the other, so messages are written to the caller's
- * buffer. No exception leaves the module. All functions are thread-safe; only one thread at a time
- * may use a reader or writer.
+ * buffer. No exception leaves a codec. All functions are thread-safe; only one thread at a time may
+ * use a reader or writer.
  */
 #pragma once
 
@@ -16,7 +17,7 @@
 #define WRINKLE_IMAGE_MODULE_VERSION 5u
 #define WRINKLE_IMAGE_MODULE_SYMBOL "wrinkle_image_module"
 
-struct WrinkleImageReader; /* opaque */
+struct WrinkleImageReader; /* opaque: each codec defines its own */
 struct WrinkleImageWriter;
 
 struct WrinkleImageHeader {
@@ -33,8 +34,8 @@ struct WrinkleImageText {
     uint32_t capacity;
 };
 
-struct WrinkleImageModule {
-    uint32_t size; /* size of this struct in the module */
+struct WrinkleImageCodec {
+    uint32_t size; /* size of this struct in the codec */
     uint32_t version;
     /* Reads the header of a file of format `format`; returns NULL and the reason on failure. An
      * OpenEXR file wider or higher than `max_side` is refused, with its size in `header`. */
@@ -67,4 +68,4 @@ struct WrinkleImageModule {
     void (*drop)(WrinkleImageWriter* writer); /* instead of end() */
 };
 
-using WrinkleImageModuleEntry = const WrinkleImageModule* (*)();
+using WrinkleImageCodecEntry = const WrinkleImageCodec* (*)();
