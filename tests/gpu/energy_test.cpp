@@ -36,8 +36,8 @@ double ggx(dvec3 v, dvec3 l, double alpha) {
     return facets / ((1 + smith(v.z, alpha) + smith(l.z, alpha)) * 4 * v.z * l.z);
 }
 
-// Integrals over the hemisphere around z of a lobe that is symmetric in y, times the cosine and each
-// of these factors.
+// Integrals over the hemisphere around z of a lobe that is symmetric in y, times the cosine and
+// each of the factors.
 template <typename Lobe, typename Factors>
 dvec3 integral(Lobe lobe, Factors factors) {
     constexpr int rings = 1200, sectors = 600;
