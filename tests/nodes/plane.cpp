@@ -75,6 +75,29 @@ Texture texture_of(const Scene& scene, const Resource& resource) {
     return Texture(build_mips(std::move(image)), resource.options);
 }
 
+// By output, point and component.
+using Evaluated = std::vector<std::vector<std::vector<double>>>;
+
+Evaluated evaluated(const Compiled& material, const Scene& scene, const PointSet& points) {
+    std::string why;
+    const Program program = compile_program(material.module, why);
+    EXPECT_EQ(why, "");
+    std::vector<Texture> textures;
+    for (const Resource& resource : material.module.resources)
+        textures.push_back(texture_of(scene, resource));
+    Results results = make_results(program, points.count);
+    evaluate<double>(program, points, textures, 0, points.count, results);
+    Evaluated all(program.outputs.size());
+    for (size_t k = 0; k < all.size(); ++k) {
+        const size_t lanes = program.outputs[k].regs.size();
+        for (size_t i = 0; i < points.count; ++i) {
+            const auto first = results.values[k].begin() + static_cast<ptrdiff_t>(i * lanes);
+            all[k].emplace_back(first, first + static_cast<ptrdiff_t>(lanes));
+        }
+    }
+    return all;
+}
+
 }  // namespace
 
 const Registry& registry() {
@@ -112,24 +135,16 @@ std::vector<std::vector<std::vector<double>>> values(const Scene& scene,
     Diagnostics diagnostics;
     const Compiled material = compiled(scene.nodes, outputs, diagnostics);
     EXPECT_EQ(to_text(diagnostics), "") << scene.nodes;
+    return material.ok ? evaluated(material, scene, points) : Evaluated{};
+}
+
+std::vector<double> value_with_warnings(const std::string& nodes, const std::string& output) {
+    Diagnostics diagnostics;
+    const Scene scene{nodes, output};
+    const Compiled material = compiled(nodes, {output}, diagnostics);
+    EXPECT_EQ(diagnostics.error_count(), 0U) << to_text(diagnostics);
     if (!material.ok) return {};
-    std::string why;
-    const Program program = compile_program(material.module, why);
-    EXPECT_EQ(why, "");
-    std::vector<Texture> textures;
-    for (const Resource& resource : material.module.resources)
-        textures.push_back(texture_of(scene, resource));
-    Results results = make_results(program, points.count);
-    evaluate<double>(program, points, textures, 0, points.count, results);
-    std::vector<std::vector<std::vector<double>>> all(outputs.size());
-    for (size_t k = 0; k < outputs.size(); ++k) {
-        const size_t lanes = program.outputs.at(k).regs.size();
-        for (size_t i = 0; i < points.count; ++i) {
-            const auto first = results.values[k].begin() + static_cast<ptrdiff_t>(i * lanes);
-            all[k].emplace_back(first, first + static_cast<ptrdiff_t>(lanes));
-        }
-    }
-    return all;
+    return evaluated(material, scene, plane_points(scene, {{0.3, 0.6}}))[0][0];
 }
 
 std::vector<double> value(const Scene& scene, double x, double y) {

@@ -42,6 +42,9 @@ std::vector<std::vector<std::vector<double>>> values(const Scene& scene,
                                                      const PointSet& points);
 PointSet plane_points(const Scene& scene, const std::vector<std::array<double, 2>>& points);
 
+// The same at one point, where compiling may report warnings.
+std::vector<double> value_with_warnings(const std::string& nodes, const std::string& output);
+
 // The diagnostics of compiling; "" on success.
 std::string problems(const std::string& nodes, const std::string& output);
 

@@ -188,6 +188,22 @@ TEST(Curve, IsTheMeanOverThePixel) {
         }
 }
 
+// A position below the one before counts as equal to it, and so is a hard edge.
+TEST(Curve, OutOfOrderHasAHardEdge) {
+    for (const char* mode : {"constant", "linear", "ease", "smooth"}) {
+        const auto got = numbers_through(
+            "curve", "value",
+            R"("points": 3, "point_1": [0.6, 0.2], "point_2": [0.3, 0.7], "point_3": [1, 0.9],
+               "interpolation": ")" +
+                std::string(mode) + "\"",
+            "value", {-2, 0.5999, 0.6001, 1, 5});
+        EXPECT_NEAR(got[0], 0.2, 1e-9) << mode;
+        EXPECT_NEAR(got[1], 0.2, 1e-9) << mode;
+        EXPECT_NEAR(got[2], 0.7, 1e-3) << mode;
+        EXPECT_NEAR(got[4], 0.9, 1e-9) << mode;
+    }
+}
+
 TEST(Curve, NeverOvershoots) {
     std::vector<double> at;
     for (int k = 0; k <= 1000; ++k)
