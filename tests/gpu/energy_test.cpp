@@ -210,22 +210,42 @@ TEST_F(LobeTest, DirectionalLightsAddUpToTheEnvironment) {
     }
 }
 
+// Single lobes, without the gain for multiple scattering, which depends on the eye only.
 TEST_F(LobeTest, LightAndEyeCanBeExchanged) {
-    const dvec3 a = glm::normalize(dvec3(0.5, 0.2, 0.8)), b = glm::normalize(dvec3(-0.6, 0.5, 0.5));
-    const std::vector<std::pair<Values, double>> materials = {
-        {{{"color", 0.5}, {"specular_weight", 0}, {"base_diffuse_roughness", 0.8}}, 1e-3},
-        // The gain for multiple scattering depends on the eye only: at most E(a)/E(b) of it.
-        {{{"color", 0.9}, {"roughness", 0.3}, {"metalness", 1}}, 0.02},
+    struct Single {
+        Values values;
+        double roughness, f0;  // of the gain
+    };
+    const std::vector<Single> lobes = {
+        {{{"color", 0.5}, {"specular_weight", 0}, {"base_diffuse_roughness", 0.8}}, 0, 0},
+        {{{"color", 0.9}, {"roughness", 0.3}, {"metalness", 1}}, 0.3, 0.9},
         {{{"color", 0.9},
-          {"roughness", 0.3},
+          {"roughness", 0.6},
           {"metalness", 1},
+          {"specular_color", 0.5},
           {"specular_roughness_anisotropy", 0.7}},
-         0.02}};
-    for (const auto& [values, tolerance] : materials) {
+         0.6,
+         0.9},
+        {{{"color", 0}, {"roughness", 0.5}}, 0.5, 0.04},
+        {{{"color", 0}, {"specular_weight", 0}, {"coat_weight", 1}, {"coat_roughness", 0.5}},
+         0.5,
+         std::pow(0.6 / 2.6, 2)}};
+    const std::pair<dvec3, dvec3> directions[] = {{{0.5, 0.2, 0.8}, {-0.6, 0.5, 0.5}},
+                                                  {{0.9, 0.1, 0.3}, {-0.2, -0.3, 0.9}},
+                                                  {{0, 0, 1}, {0.7, -0.6, 0.2}}};
+    for (const auto& [values, roughness, f0] : lobes) {
         use(values);
-        const double there = lit(a, b) / a.z, back = lit(b, a) / b.z;
-        EXPECT_GT(there, 0);
-        EXPECT_NEAR(there, back, tolerance * there) << testing::PrintToString(values);
+        const auto from_to = [&, roughness = roughness, f0 = f0](dvec3 light, dvec3 eye) {
+            const glm::vec4 white = albedo(eye.z, roughness);
+            const double all = static_cast<double>(white.x + white.y);
+            return lit(light, eye) / light.z / (1 + f0 * (1 - all) / all);
+        };
+        for (const auto& [one, other] : directions) {
+            const dvec3 a = glm::normalize(one), b = glm::normalize(other);
+            const double there = from_to(a, b), back = from_to(b, a);
+            EXPECT_GT(there, 0);
+            EXPECT_NEAR(there, back, 2e-3 * there) << testing::PrintToString(values);
+        }
     }
 }
 
