@@ -27,7 +27,7 @@ static Float triangle_distance(vec2 p, vec2 a, vec2 b, vec2 c) {
             const Float least = named("least", min(areas.x(), min(areas.y(), areas.z())));
             const Float edge = min(length(from_segment(pa, ab)),
                                    min(length(from_segment(pb, bc)), length(from_segment(pc, ca))));
-            return -sign_nonzero(least) * edge;
+            return sign_nonzero(-least) * edge;  // a triangle without area has no inside
         });
     return distance(p, a, b, c);
 }

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "image/writer.h"
 #include "ir/covariance.h"
+#include "ir/rewrite.h"
 #include "ir/tangent_space.h"
 
 namespace wrinkle {
@@ -35,6 +36,7 @@ public:
     std::optional<BakePlan> plan(const std::vector<MapRequest>& requests) {
         for (const MapRequest& request : requests)
             add(request);
+        warn_of_view();
         std::string why;
         const Module runs = drop_covariances(std::move(module_));
         plan_.program = compile_program(runs, why);
@@ -51,6 +53,36 @@ private:
         if (request.integers && map.channels.size() == 2)
             map.channels.push_back({"B", map.channels[0].lane, 0, 0, false, 0});
         plan_.maps.push_back(std::move(map));
+    }
+
+    // Warns of maps that depend on the view: a texel has one direction only.
+    void warn_of_view() {
+        std::string names;
+        for (const BakedMap& map : plan_.maps)
+            if (reads_view(map)) names += (names.empty() ? "'" : ", '") + map.name + "'";
+        if (names.empty()) return;
+        Diagnostic warning;
+        warning.severity = Severity::warning;
+        warning.message = "view-dependent maps: " + names;
+        warning.expected = "each texel is baked as seen along its normal";
+        diagnostics_.add(std::move(warning));
+    }
+
+    bool reads_view(const BakedMap& map) const {
+        std::vector<Id> values;
+        for (const auto& [id, first] : lanes_) {
+            const uint32_t end = first + info(module_.type(id)).lanes;
+            if (std::ranges::any_of(map.channels, [first = first, end](const MapChannel& channel) {
+                    return channel.lane >= first && channel.lane < end;
+                }))
+                values.push_back(id);
+        }
+        const std::vector<bool> needed = reachable(module_, values);
+        for (Id id = 0; id < module_.size(); ++id)
+            if (needed[id] && module_[id].op == Op::input_ &&
+                input_of(module_[id].extra) == SurfaceInput::view_)
+                return true;
+        return false;
     }
 
     // Adds the value to the program's outputs if it is new; returns its first lane.

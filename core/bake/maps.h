@@ -94,8 +94,9 @@ bool fits_integers(std::string_view map);
 // Returns MaterialOptions::covariances (lower/material.h) for these maps.
 Covariances covariances_for(const std::vector<MapRequest>& requests);
 
-// Returns std::nullopt and appends diagnostics on failure. Precondition: the module was compiled
-// with given differentials and covariances_for(requests).
+// Returns std::nullopt and appends diagnostics on failure; appends a warning if maps depend on the
+// view. Precondition: the module was compiled with given differentials and
+// covariances_for(requests).
 std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapRequest>& requests,
                                   const MapOptions& options, Diagnostics& diagnostics);
 

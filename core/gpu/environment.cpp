@@ -78,18 +78,6 @@ std::vector<Lobe> ggx_lobe(double roughness, int samples) {
     return lobe;
 }
 
-std::vector<Lobe> cosine_lobe(int samples) {
-    std::vector<Lobe> lobe;
-    for (int i = 0; i < samples; ++i) {
-        const dvec2 xi = point(i, samples);
-        const double sine = std::sqrt(xi.x), cosine = std::sqrt(1 - xi.x);
-        lobe.push_back({{sine * std::cos(2 * pi * xi.y), sine * std::sin(2 * pi * xi.y), cosine},
-                        1,
-                        pi / (samples * cosine)});
-    }
-    return lobe;
-}
-
 dvec3 gather(const MipChain& chain, dvec3 normal, const std::vector<Lobe>& lobe) {
     const dvec3 axis = std::abs(normal.z) < 0.9 ? dvec3(0, 0, 1) : dvec3(1, 0, 0);
     const dvec3 t = glm::normalize(glm::cross(axis, normal));
@@ -104,7 +92,9 @@ dvec3 gather(const MipChain& chain, dvec3 normal, const std::vector<Lobe>& lobe)
     return sum / weights;
 }
 
-CubeFaces gather_faces(const MipChain& chain, int side, const std::vector<Lobe>& lobe) {
+// Calls of(direction) for the centre of each texel.
+template <typename F>
+CubeFaces faces_of(int side, F of) {
     CubeFaces faces;
     for (auto& texels : faces)
         texels.resize(static_cast<size_t>(side) * static_cast<size_t>(side));
@@ -113,10 +103,45 @@ CubeFaces gather_faces(const MipChain& chain, int side, const std::vector<Lobe>&
         for (int x = 0; x < side; ++x) {
             const dvec2 st = (dvec2(x, y) + 0.5) / static_cast<double>(side);
             faces[static_cast<size_t>(face)][static_cast<size_t>(y * side + x)] =
-                gather(chain, cube_direction(face, st), lobe);
+                of(cube_direction(face, st));
         }
     });
     return faces;
+}
+
+// The radiance of a grid of directions, with their solid angles.
+struct Light {
+    dvec3 direction, radiance;
+    double solid_angle;
+};
+std::vector<Light> lights_of(const MipChain& chain) {
+    constexpr int columns = 64, rows = 32;
+    constexpr double step = pi / rows;
+    std::vector<Light> lights;
+    for (int y = 0; y < rows; ++y)
+        for (int x = 0; x < columns; ++x) {
+            const double elevation = (y + 0.5) * step - pi / 2, turn = (x + 0.5) * step;
+            const double across = std::cos(elevation);
+            const dvec3 d(across * std::sin(turn), std::sin(elevation), across * std::cos(turn));
+            lights.push_back({d, lookup(chain, d, step * step), across * step * step});
+        }
+    return lights;
+}
+
+// Cosine-weighted means: a sum over all directions, since a few samples would miss small lights.
+CubeFaces irradiance_of(const MipChain& chain) {
+    const std::vector<Light> lights = lights_of(chain);
+    return faces_of(irradiance_side, [&](dvec3 normal) {
+        dvec3 sum(0);
+        double weights = 0;
+        for (const Light& light : lights) {
+            const double weight =
+                std::max(glm::dot(light.direction, normal), 0.0) * light.solid_angle;
+            sum += weight * light.radiance;
+            weights += weight;
+        }
+        return sum / weights;
+    });
 }
 
 // Uploads to the cube map that is bound.
@@ -172,9 +197,10 @@ EnvironmentCube prefilter(const Image& image) {
         const auto lobe =
             level == 0 ? std::vector<Lobe>{{{0, 0, 1}, 1, texel}}
                        : ggx_lobe(roughness_of_level(level), samples[static_cast<size_t>(level)]);
-        cube.reflections[static_cast<size_t>(level)] = gather_faces(chain, side, lobe);
+        cube.reflections[static_cast<size_t>(level)] =
+            faces_of(side, [&](dvec3 normal) { return gather(chain, normal, lobe); });
     }
-    cube.irradiance = gather_faces(chain, irradiance_side, cosine_lobe(256));
+    cube.irradiance = irradiance_of(chain);
     return cube;
 }
 

@@ -95,6 +95,31 @@ const std::string waves_of_uv =
        "p": {"type": "multiply", "in": {"a": {"from": "u.result"}, "b": {"from": "v.result"}}},
        "h": {"type": "height_scale", "in": {"height": {"from": "p.result"}, "amount": 0.1}})";
 
+// A noise from 0 to 1, through a node of this type, times 0.1.
+std::string noise_through(const std::string& type, const std::string& port, const std::string& in) {
+    return R"("f": {"type": "gradient_noise", "in": {"scale": 2, "octaves": 1}},
+       "half": {"type": "multiply_add", "in": {"a": {"from": "f.value"}, "b": 0.5, "c": 0.5}},
+       "t": {"type": ")" +
+           type + R"(", "in": {")" + port + R"(": {"from": "half.result"}, )" + in + R"(}},
+       "h": {"type": "height_scale", "in": {"height": {"from": "t.value"}, "amount": 0.1}})";
+}
+
+TEST(Displace, HeightsThroughRampsAndCurvesHaveTheirNormals) {
+    const std::pair<const char*, std::string> cases[] = {
+        {"ramp", R"("stops": 4, "position_1": 0.2, "position_2": 0.4, "position_3": 0.6,
+                    "position_4": 0.8, "color_1": [0.1, 0.1, 0.1], "color_2": [0.9, 0.3, 0.2],
+                    "color_3": [0.2, 0.8, 0.4], "interpolation": )"},
+        {"curve", R"("points": 4, "point_1": [0.2, 0.1], "point_2": [0.4, 0.5],
+                     "point_3": [0.6, 0.4], "point_4": [0.8, 1], "interpolation": )"}};
+    for (const auto& [type, in] : cases)
+        for (const char* mode : {"\"ease\"", "\"smooth\""}) {
+            const std::string port = type == std::string("ramp") ? "factor" : "value";
+            const Angles plane = compare(fine_plane(), noise_through(type, port, in + mode));
+            EXPECT_LT(plane.resolved, 0.3) << type << mode;
+            EXPECT_GT(plane.bare, 5) << type << mode;
+        }
+}
+
 TEST(Displace, TheResolvedNormalIsThatOfTheMovedTriangles) {
     const Angles plane = compare(fine_plane(), noise("0.15"));
     EXPECT_LT(plane.resolved, 0.3);

@@ -165,6 +165,30 @@ TEST_F(BakeTest, TellsOfUvsThatOverlapAreMirroredOrLieOutside) {
     EXPECT_TRUE(says(far.err, "--udim"));
 }
 
+TEST_F(BakeTest, WarnsOfMapsThatDependOnTheView) {
+    put("view.json", R"({"wrinkle": 1, "nodes": {"rim": {"type": "fresnel"},
+        "uv": {"type": "separate_vec2", "in": {"vector": {"from": "surface.uv0"}}},
+        "tint": {"type": "ramp", "in": {"factor": {"from": "rim.value"}}}},
+        "outputs": {"color": {"from": "tint.color"}, "roughness": {"from": "rim.value"},
+                    "metalness": {"from": "uv.x"}}})");
+    const auto warned = [&](std::vector<std::string> more) {
+        std::vector<std::string> args = {"bake", "view.json", "--mesh", "sphere", "--size", "16"};
+        args.insert(args.end(), more.begin(), more.end());
+        const Ran ran = run(args);
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        return ran.err;
+    };
+    const std::string seen = " (each texel is baked as seen along its normal)\n";
+    EXPECT_EQ(warned({"--map", "color,metalness,roughness", "-o", "maps"}),
+              "view.json: warning: view-dependent maps: 'color', 'roughness'" + seen);
+    EXPECT_EQ(warned({"--map", "metalness", "-o", "m.png"}), "");
+    EXPECT_EQ(warned({"--pack", "orm: r=metalness g=roughness", "--set", "rim.ior=1.2:2:3", "-o",
+                      "p.png"}),
+              "view.json: warning: view-dependent maps: 'orm'" + seen);
+    // Fresnel's formula along the normal: ((1.5 - 1) / 2.5)^2.
+    EXPECT_NEAR(picture("maps/roughness.png").texel(8, 8)[0], 0.04, 0.003);
+}
+
 TEST_F(BakeTest, RefusesMeshesThatCannotBeBaked) {
     put("bare.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n");
     put("point.obj", square("vt 0.5 0.5\nvt 0.5 0.5\nvt 0.5 0.5\nvt 0.5 0.5\n"));

@@ -1,5 +1,5 @@
-// Tests of normal variance: bumped metal balls under a directional light, rendered so small that
-// the bump is finer than a pixel, against large renderings that are downsampled.
+// Tests of small renderings against large ones that are downsampled: bumped metal balls under a
+// directional light, where the bump is finer than a pixel, and filtered patterns.
 #include <cmath>
 
 #include "cli/support.h"
@@ -105,6 +105,32 @@ TEST_F(FarHighlight, OfProceduralBumpsAtFourDistances) {
             const double without = distance(light(side, "0"), right);
             EXPECT_LT(with * bump.closer[i], without) << bump.type << " at " << side;
         }
+    }
+}
+
+double display(double light) {
+    return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+}
+
+using ReducedPictures = CliTest;
+
+// The mean over the pixels in display values: patterns are filtered, as pixels of the large image
+// are averaged.
+TEST_F(ReducedPictures, OfAQuarterOfTheSizeAreTheLargeOnesReduced) {
+    for (const char* graph : {"nodes/checker.json", "nodes/wave.json", "nodes/bricks.json",
+                              "materials/terrazzo.json"}) {
+        const auto light = [&](const std::string& size) {
+            const Ran ran =
+                run({"render", WRINKLE_SOURCE_DIR "/graphs/" + std::string(graph), "-o", "p.png",
+                     "--size", size + "x" + size, "--tone", "linear", "--background", "plain"});
+            EXPECT_EQ(ran.code, 0) << ran.err;
+            return light_of(folder / "p.png");
+        };
+        const auto large = reduced(light("256"), 64), small = light("64");
+        double sum = 0;
+        for (size_t i = 0; i < small.size(); ++i)
+            sum += std::fabs(display(large[i]) - display(small[i]));
+        EXPECT_LT(sum / static_cast<double>(small.size()), 3.0 / 255) << graph;
     }
 }
 

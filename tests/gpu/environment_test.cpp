@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "equirectangular.h"
+#include "gpu/studio.h"
 
 namespace wrinkle::gpu {
 namespace {
@@ -54,6 +55,41 @@ TEST(Environment, IrradianceOfAGradientIsItsClosedForm) {
         ASSERT_NEAR(texel.g, 1 + 2.0 / 3 * n.x, 0.03);
         ASSERT_NEAR(texel.b, 1 - 2.0 / 3 * n.z, 0.03);
     });
+}
+
+// The mean radiance of an image over the cosine lobe around n, texel by texel.
+dvec3 cosine_mean(const Image& image, dvec3 n) {
+    dvec3 sum(0);
+    double weights = 0;
+    for (uint32_t y = 0; y < image.height; ++y) {
+        const double elevation = ((y + 0.5) / image.height - 0.5) * M_PI;
+        for (uint32_t x = 0; x < image.width; ++x) {
+            const double turn = ((x + 0.5) / image.width - 0.5) * 2 * M_PI;
+            const dvec3 d(std::cos(elevation) * std::sin(turn), std::sin(elevation),
+                          -std::cos(elevation) * std::cos(turn));
+            const double weight = std::max(glm::dot(d, n), 0.0) * std::cos(elevation);
+            for (int k = 0; k < 3; ++k)
+                sum[k] += weight * static_cast<double>(image.texel(x, y)[k]);
+            weights += weight;
+        }
+    }
+    return sum / weights;
+}
+
+TEST(Environment, IrradianceOfTheMoodsIsTheCosineIntegral) {
+    for (const Mood mood : {Mood::studio, Mood::contrast}) {
+        const Image image = environment_of(mood);
+        const EnvironmentCube cube = prefilter(image);
+        int texels = 0;
+        double off = 0;
+        for_each_texel(cube.irradiance, [&](dvec3 n, vec3 texel) {
+            if (texels++ % 17) return;
+            const dvec3 expected = cosine_mean(image, n);
+            for (int k = 0; k < 3; ++k)
+                off = std::max(off, std::fabs(static_cast<double>(texel[k]) / expected[k] - 1));
+        });
+        EXPECT_LT(off, 0.02) << static_cast<int>(mood);
+    }
 }
 
 TEST(Environment, RoughnessBlurs) {

@@ -139,6 +139,44 @@ TEST_F(ViewTest, ToneCurvesGoThroughTheirAnchors) {
     }
 }
 
+// The inverse of the Khronos PBR Neutral specification.
+glm::dvec3 without_neutral(glm::dvec3 c) {
+    const double start = 0.76, room = 1 - start, peak = std::max({c.r, c.g, c.b});
+    if (peak > start) {
+        const double before = room * room / (1 - peak) - room + start;
+        const double kept = 1 / (0.15 * (before - peak) + 1);
+        c = (c + (kept - 1) * peak) / kept * (before / peak);
+    }
+    const double least = std::min({c.r, c.g, c.b}), x = std::sqrt(least / 6.25);
+    return c + (least < 0.04 ? x - least : 0.04);
+}
+
+TEST_F(ViewTest, NeutralIsUndoneByItsInverse) {
+    scene.environment = 0;
+    scene.tone = Tone::neutral;
+    for (const glm::dvec3 radiance :
+         {glm::dvec3(0.02, 0.3, 0.05), {0.5, 0.09, 0.7}, {1.5, 0.4, 0.2}, {0.9, 3, 6}}) {
+        const std::string text = "vec3(" + std::to_string(radiance.r) + ", " +
+                                 std::to_string(radiance.g) + ", " + std::to_string(radiance.b) +
+                                 ")";
+        const Shader lamp = material_of(
+            {{"color", "vec3(0.0)"}, {"specular_weight", "0.0", Type::float_}, {"emission", text}},
+            {});
+        ASSERT_TRUE(renderer->set_material(lamp, diagnostics)) << errors();
+        ASSERT_TRUE(renderer->draw(scene, {}, *target, diagnostics)) << errors();
+        const std::vector<float> pixels = target->read();
+        glm::dvec3 shown(0);
+        for (int k = 0; k < 3; ++k) {
+            const double x =
+                static_cast<double>(pixels[4 * (32 * 64 + 32) + static_cast<size_t>(k)]);
+            shown[k] = x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+        }
+        const glm::dvec3 back = without_neutral(shown);
+        for (int k = 0; k < 3; ++k)
+            EXPECT_NEAR(back[k], radiance[k], 2e-3 * std::max(radiance[k], 1.0)) << text;
+    }
+}
+
 TEST_F(ViewTest, ExposureMultipliesRadiance) {
     const auto shown = Target::make({size, size}, diagnostics);
     const auto drawn = [&](float exposure, float environment) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/text.h"
 #include "nodes/plane.h"
 
 namespace wrinkle::test {
@@ -66,6 +67,13 @@ std::string link_of(const Port& port) {
     return port.type == PortType::material_ ? "split.roughness" : "n." + port.name;
 }
 
+std::string first_output(const NodeType& type) {
+    for (const Port& port : type.ports)
+        if (port.kind == Port::Kind::output && port.type != PortType::material_)
+            return "n." + port.name;
+    return "surface.normal";
+}
+
 TEST(EveryNode, IsDocumented) {
     for (const NodeType& type : registry().list()) {
         EXPECT_TRUE(is_one_line(type.title)) << type.id;
@@ -102,6 +110,54 @@ TEST(EveryNode, IsFiniteAtItsDefaults) {
                 for (const double lane : lanes)
                     EXPECT_TRUE(std::isfinite(lane)) << type.id << "." << port.name;
         }
+}
+
+// A compile error that names the port, the number and the range.
+TEST(EveryNode, RefusesCountsBeyondTheirRange) {
+    size_t counts = 0;
+    for (const NodeType& type : registry().list())
+        for (const Port& port : type.ports) {
+            if (port.kind != Port::Kind::count) continue;
+            const auto low = static_cast<int>(port.hard_min),
+                       high = static_cast<int>(port.hard_max);
+            for (const int number : {low - 1, high + 1}) {
+                const std::string in = "\"" + port.name + "\": " + std::to_string(number);
+                const std::string found = problems(one(type.id, in), first_output(type));
+                EXPECT_NE(found.find("error: node 'n': port '" + port.name + "' holds " +
+                                     std::to_string(number) + " (expected an integer from " +
+                                     std::to_string(low) + " to " + std::to_string(high) + ")"),
+                          std::string::npos)
+                    << type.id << ": " << found;
+            }
+            ++counts;
+        }
+    EXPECT_GT(counts, 20U);
+}
+
+// A warning that names the limit, of which the result is.
+TEST(EveryNode, ClampsNumbersToTheirLimits) {
+    size_t limits = 0;
+    for (const NodeType& type : registry().list())
+        for (const Port& port : type.ports) {
+            if (port.kind != Port::Kind::input || !port.has_hard_range()) continue;
+            if (port.type != PortType::float_ && port.type != PortType::height_) continue;
+            const auto with = [&](double number) {
+                return one(type.id, "\"" + port.name + "\": " + shortest(number));
+            };
+            const std::string output = first_output(type);
+            const double beyond = port.hard_min - 0.5;
+            const std::string found = problems(with(beyond), output);
+            EXPECT_NE(found.find("warning: node 'n': port '" + port.name + "' holds " +
+                                 shortest(beyond) + ", outside "),
+                      std::string::npos)
+                << type.id << ": " << found;
+            EXPECT_NE(found.find(" is used)"), std::string::npos) << type.id << ": " << found;
+            EXPECT_EQ(value_with_warnings(with(beyond), output),
+                      value_with_warnings(with(port.hard_min), output))
+                << type.id << "." << port.name;
+            ++limits;
+        }
+    EXPECT_GT(limits, 60U);
 }
 
 TEST(Plugins, ExportOneSymbol) {

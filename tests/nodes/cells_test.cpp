@@ -202,6 +202,40 @@ TEST(Voronoi, IsThatOfALargeSearch) {
     EXPECT_LE(missed, 4U);  // second points beyond 3 x 3 squares
 }
 
+// A step shorter than the edge along its slope stays in the cell, a longer one leaves it: cells
+// change where the edge is 0, and only there.
+TEST(Cells, ChangeWhereTheEdgeIsZero) {
+    constexpr double near = 1e-5;
+    const std::pair<const char*, const char*> cells[] = {
+        {"voronoi", R"("jitter": 1)"},
+        {"hexagons", R"("mortar": 0)"},
+        {"bricks", R"("mortar": 0, "bond": "english")"},
+        {"bricks", R"("mortar": 0, "bond": "herringbone")"}};
+    const auto points = random_cells(2000, 40, 11);
+    for (const auto& [type, in] : cells) {
+        const Cells here = read_cells(type, in, points);
+        const std::string slope =
+            R"(, "g": {"type": "gradient_from_height", "in": {"height": {"from": "n.edge"}}})";
+        std::vector<Point> uvs = points, inside = points, outside = points;
+        for (Point& p : uvs)
+            p = {p[0] / cells_per_uv, p[1] / cells_per_uv};
+        const auto slopes =
+            values({one(type, std::string(R"("scale": 4, )") + in) + slope, "g.gradient"}, uvs);
+        for (size_t i = 0; i < points.size(); ++i)
+            for (size_t axis = 0; axis < 2; ++axis) {
+                const double way = slopes[i][axis] / cells_per_uv, edge = here.edge[i][0];
+                inside[i][axis] -= way * (edge - near);
+                outside[i][axis] -= way * (edge + near);
+            }
+        const Cells before = read_cells(type, in, inside), after = read_cells(type, in, outside);
+        for (size_t i = 0; i < points.size(); ++i) {
+            EXPECT_NEAR(before.edge[i][0], near, 1e-6) << type << in;
+            EXPECT_EQ(before.cell[i], here.cell[i]) << type << in;
+            EXPECT_NE(after.cell[i], here.cell[i]) << type << in;
+        }
+    }
+}
+
 TEST(Voronoi, HasSlopesOfOne) {
     for (const char* output : {"edge", "f1", "f2"}) {
         const std::string nodes =

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "nodes/blender_numbers.h"
 #include "nodes/plane.h"
 
 namespace wrinkle::test {
@@ -75,18 +76,12 @@ TEST(Blend, HasThePixelsOfACanvas) {
 
 // On linear values, without clamping.
 TEST(Blend, HasTheNumbersOfBlender) {
-    const Color3 base{0.2, 0.5, 0.8}, top{0.6, 0.3, 0.9};
-    const std::pair<const char*, Color3> expected[] = {
-        {"overlay", {0.24, 0.3, 0.96}},    {"color_dodge", {0.5, 0.714286, 1}},
-        {"color_burn", {0, 0, 0.777778}},  {"divide", {0.333333, 1.666667, 0.888889}},
-        {"linear_light", {0.4, 0.1, 1.6}},
-    };
-    for (const auto& [mode, numbers] : expected) {
+    for (const auto& [mode, base, top, color] : blender_blends) {
         const auto got = blended(base, top, mode, R"(, "clamp": false)");
         const auto half = blended(base, top, mode, R"(, "clamp": false, "opacity": 0.5)");
         for (size_t c = 0; c < 3; ++c) {
-            EXPECT_NEAR(got[c], numbers[c], 1e-5) << mode;
-            EXPECT_NEAR(half[c], (base[c] + numbers[c]) / 2, 1e-5) << mode;
+            EXPECT_NEAR(got[c], color[c], 1e-5) << mode;
+            EXPECT_NEAR(half[c], (base[c] + color[c]) / 2, 1e-5) << mode;
         }
     }
 }

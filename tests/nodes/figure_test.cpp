@@ -118,6 +118,34 @@ TEST(Figure, CrossIsAsFarAsItsOutline) {
                    {{0.3, 0.3}, {0.7, 0.3}, {0.7, 0.7}, {0.3, 0.7}});
 }
 
+// Distances to a point, of the least sizes that are allowed: no point of the plane is inside.
+TEST(Figure, OfNoSizeHasNoInside) {
+    const std::pair<const char*, const char*> figures[] = {
+        {"sd_circle", R"("radius": 0)"},
+        {"sd_ring", R"("radius": 0, "width": 0)"},
+        {"sd_box", R"("size": [0, 0])"},
+        {"sd_segment", R"("a": [0.5, 0.5], "b": [0.5, 0.5], "radius": 0)"},
+        {"sd_polygon", R"("radius": 0)"},
+        {"sd_star", R"("radius": 0)"},
+        {"sd_arc", R"("radius": 0, "width": 0)"},
+        {"sd_ellipse", R"("size": [0.001, 0.001])"},
+        {"sd_triangle", R"("a": [0.5, 0.5], "b": [0.5, 0.5], "c": [0.5, 0.5])"},
+        {"sd_rhombus", R"("size": [0.001, 0.001])"},
+        {"sd_trapezoid", R"("bottom": 0, "top": 0, "height": 0.001)"},
+        {"sd_pie", R"("radius": 0)"},
+        {"sd_moon", R"("radius": 0, "cut": 0, "offset": 0)"},
+        {"sd_vesica", R"("size": [0.001, 0.001])"},
+        {"sd_heart", R"("size": 0.001)"},
+        {"sd_cross", R"("length": 0, "width": 0)"}};
+    const auto places = random_places(50);
+    for (const auto& [type, in] : figures) {
+        const auto got = values({one(type, in), "n.distance"}, places);
+        for (size_t i = 0; i < places.size(); ++i)
+            EXPECT_NEAR(got[i][0], std::hypot(places[i][0] - 0.5, places[i][1] - 0.5), 2e-3)
+                << type;
+    }
+}
+
 TEST(Figure, HasASlopeOfOne) {
     for (const char* type : {"sd_triangle", "sd_rhombus", "sd_trapezoid", "sd_pie", "sd_moon",
                              "sd_vesica", "sd_heart", "sd_cross"})

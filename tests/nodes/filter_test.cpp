@@ -127,5 +127,27 @@ TEST(Procedural, IsFiniteInCornersAndFarOut) {
     }
 }
 
+// Close to the border of a unit cell, and along a line through cells of other borders: no value
+// jumps. Scratches of several layers are the steepest.
+TEST(Procedural, HasNoSeamsBetweenCells) {
+    constexpr double near = 1e-7, step = 2e-4;
+    std::vector<Point> border, line;
+    for (const Point& p : random_cells(200, 20, 31))
+        for (const double side : {-near, near}) {
+            border.push_back({std::round(p[0]) + side, p[1]});
+            border.push_back({p[0], std::round(p[1]) + side});
+        }
+    for (int i = 0; i < 20000; ++i)
+        line.push_back({-2 + i * step, 3.3 - 0.37 * i * step});
+    for (const std::string& type : procedural_nodes()) {
+        const auto at = value_of(type, "", border), along = value_of(type, "", line);
+        for (size_t i = 0; i < border.size(); i += 4)
+            for (const size_t axis : {0, 1})
+                EXPECT_NEAR(at[i + axis], at[i + 2 + axis], 1e-5) << type << " at " << border[i][0];
+        for (size_t i = 1; i < line.size(); ++i)
+            ASSERT_NEAR(along[i - 1], along[i], 60 * step) << type << " at " << line[i][0];
+    }
+}
+
 }  // namespace
 }  // namespace wrinkle::test

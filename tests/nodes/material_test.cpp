@@ -5,6 +5,7 @@
 #include <cctype>
 #include <map>
 
+#include "base/standard_outputs.h"
 #include "emit/emit.h"
 #include "graph/subgraph.h"
 #include "ir/cost.h"
@@ -119,6 +120,96 @@ TEST(Materials, AreTheOneOrTheOtherAtTheEndsOfTheMask) {
             EXPECT_EQ(value({nodes, "mixed." + channel}), value({nodes, "own." + channel}))
                 << mask << " " << channel;
         }
+}
+
+// A material with a number in every channel; its tangents are an axis, a unit vector.
+std::string full_material(const std::string& id, double first, const std::string& axis) {
+    std::string in;
+    double number = first;
+    for (const StandardOutput& output : standard_output_table) {
+        const std::string_view type = channel_type(output);
+        if (type == "gradient") continue;
+        number += 0.013;
+        const std::string one = std::to_string(number);
+        in += (in.empty() ? "\"" : ", \"") + std::string(output.name) + "\": ";
+        if (type == "vec3")
+            in += axis;
+        else if (type == "color")
+            in += "[" + one + ", " + std::to_string(1 - number) + ", " + one + "]";
+        else
+            in += one;
+    }
+    const std::string bump = std::to_string(first), made = "\"" + id;
+    return made + R"(_bump": {"type": "gradient_from_volume", "in": {"volume": [)" + bump + ", " +
+           bump + R"(, 0]}}, )" + made + R"(": {"type": "material", "in": {"normal": {"from": ")" +
+           id + R"(_bump.gradient"}, "coat_normal": {"from": ")" + id + R"(_bump.gradient"}, )" +
+           in + "}}, ";
+}
+std::string split_material(const std::string& id, const std::string& from) {
+    return "\"" + id + R"(": {"type": "material_split", "in": {"material": {"from": ")" + from +
+           R"("}}})";
+}
+
+// Every channel of these nodes at one point.
+std::vector<std::vector<double>> channels_of(const std::string& nodes, const std::string& split) {
+    const Scene scene{nodes, ""};
+    std::vector<std::string> outputs;
+    for (const StandardOutput& output : standard_output_table)
+        outputs.push_back(split + "." + std::string(output.name));
+    std::vector<std::vector<double>> all;
+    for (const auto& points : values(scene, outputs, plane_points(scene, {{0.3, 0.6}})))
+        all.push_back(points.at(0));
+    return all;
+}
+
+// Also where a channel is absent in one of them: the default is mixed.
+TEST(Materials, AreTheOneOrTheOtherInEveryChannel) {
+    const std::string both = full_material("a", 0.05, "[0, 1, 0]") +
+                             full_material("b", 0.3, "[0, 0, 1]") +
+                             R"("bare": {"type": "material", "in": {}}, )";
+    const auto own = [&](const std::string& id) {
+        return channels_of(both + split_material("s", id + ".material"), "s");
+    };
+    const auto mixed = [&](const std::string& a, const std::string& b, const std::string& mask) {
+        return channels_of(both + R"("m": {"type": "material_mix", "in": {"a": {"from": ")" + a +
+                               R"(.material"}, "b": {"from": ")" + b + R"(.material"}, "mask": )" +
+                               mask + "}}, " + split_material("s", "m.material"),
+                           "s");
+    };
+    for (const auto& [a, b] : {std::pair{"a", "b"}, {"a", "bare"}, {"bare", "b"}}) {
+        EXPECT_EQ(mixed(a, b, "0"), own(a)) << a << b;
+        EXPECT_EQ(mixed(a, b, "1"), own(b)) << a << b;
+        const auto there = mixed(a, b, "0.3"), back = mixed(b, a, "0.7");
+        for (size_t k = 0; k < there.size(); ++k)
+            for (size_t lane = 0; lane < there[k].size(); ++lane)
+                EXPECT_NEAR(there[k][lane], back[k][lane], 1e-6)
+                    << standard_output_table[k].name << a << b;
+        EXPECT_NE(there, own(a));
+    }
+}
+
+// Three bumps added by nodes, in each order and grouping.
+TEST(Materials, AddedBumpsMayChangePlaces) {
+    const std::string bumps =
+        R"("a": {"type": "gradient_from_height", "in": {"height": {"from": "w.height"}}},
+           "w": {"type": "waves", "in": {"amplitude": 0.1}},
+           "b": {"type": "gradient_from_tangent_normal", "in": {"normal": [0.3, -0.2, 0.8]}},
+           "c": {"type": "gradient_from_volume", "in": {"volume": [0.7, -0.4, 0.1]}}, )";
+    std::array<std::string, 3> order{"a", "b", "c"};
+    std::vector<std::vector<double>> all;
+    const auto link = [](const std::string& id) { return R"({"from": ")" + id + R"(.gradient"})"; };
+    do {
+        const std::string sum =
+            R"("ab": {"type": "gradient_add", "in": {"a": )" + link(order[0]) + R"(, "b": )" +
+            link(order[1]) + R"(}}, "sum": {"type": "gradient_add", "in": {"a": )" + link("ab") +
+            R"(, "b": )" + link(order[2]) + R"(}}, "r": {"type": "resolve", "in": {"gradient": )" +
+            link("sum") + "}}";
+        all.push_back(value({bumps + sum, "r.normal"}));
+    } while (std::next_permutation(order.begin(), order.end()));
+    ASSERT_EQ(all.size(), 6U);
+    for (const auto& normal : all)
+        for (size_t lane = 0; lane < 3; ++lane)
+            EXPECT_NEAR(normal[lane], all[0][lane], 1e-6);
 }
 
 TEST(Materials, HaveTheDefaultsOfTheTable) {

@@ -62,6 +62,46 @@ TEST(Operators, AMaskEndsAtTheOneAndTheOther) {
     expect_gradient(of_two("gradient_mix", R"(, "mask": 0.25)"), {0.6875, 0.875, 0});
 }
 
+// a and b of each node that mixes by a mask.
+struct Mixing {
+    const char *type, *a, *b, *output;
+    std::vector<const char*> values = {"0.1", "0.7"};
+};
+const Mixing mixings[] = {{"mix", "a", "b", "result"},
+                          {"height_mix", "a", "b", "height"},
+                          {"float_blend", "base", "top", "value"},
+                          {"vec3_mix", "a", "b", "vector", {"[0.1, -3, 7e-5]", "[0.7, 11, 0.3]"}},
+                          {"blend", "base", "top", "color", {"[0.1, 0.9, 0.003]", "[0.7, 0, 1]"}},
+                          {"gradient_mix",
+                           "a",
+                           "b",
+                           "gradient",
+                           {R"({"from": "p.gradient"})", R"({"from": "q.gradient"})"}}};
+
+std::vector<double> mixed(const Mixing& of, size_t a, const std::string& mask) {
+    const std::string in = std::string("\"") + of.a + "\": " + of.values[a] + ", \"" + of.b +
+                           "\": " + of.values[1 - a] + ", \"mask\": " + mask;
+    return value({bump("p", "[0.1, 3.3, 7]") + bump("q", "[-0.7, 0.003, 1]") + one(of.type, in),
+                  std::string("n.") + of.output});
+}
+
+// Bit for bit: a - (a - b) is not b in floating point.
+TEST(Masks, ZeroAndOneReturnTheirInput) {
+    for (const Mixing& each : mixings) {
+        EXPECT_EQ(mixed(each, 0, "0"), mixed(each, 1, "1")) << each.type;
+        EXPECT_EQ(mixed(each, 0, "1"), mixed(each, 1, "0")) << each.type;
+        EXPECT_NE(mixed(each, 0, "0"), mixed(each, 0, "1")) << each.type;
+    }
+    EXPECT_EQ(mixed(mixings[0], 0, "1")[0], 0.7);
+    EXPECT_EQ(mixed(mixings[0], 0, "0")[0], 0.1);
+}
+
+TEST(Masks, OfTheOtherOrderAreOneMinusTheMask) {
+    for (const Mixing& each : mixings)
+        for (const auto& [mask, rest] : {std::pair{"0.3", "0.7"}, std::pair{"0.95", "0.05"}})
+            expect_lanes(mixed(each, 0, mask), mixed(each, 1, rest), 1e-6);
+}
+
 TEST(Operators, OverHidesWhatIsBelow) {
     expect_gradient(of_two("gradient_over"), {-0.25, 2, 0}, 0);
     expect_gradient(of_two("gradient_over", R"(, "coverage": 0)"), {1, 0.5, 0}, 0);

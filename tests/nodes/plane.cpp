@@ -23,9 +23,14 @@ Registry make_registry() {
     return registry;
 }
 
-Compiled compiled(const std::string& nodes, const std::string& output, Diagnostics& diagnostics) {
-    const std::string text = R"({"wrinkle": 1, "nodes": {)" + nodes +
-                             R"(}, "outputs": {"value": {"from": ")" + output + R"("}}})";
+Compiled compiled(const std::string& nodes, const std::vector<std::string>& outputs,
+                  Diagnostics& diagnostics) {
+    std::string members;
+    for (size_t i = 0; i < outputs.size(); ++i)
+        members += (i ? ", \"value" + std::to_string(i) : "\"value") + R"(": {"from": ")" +
+                   outputs[i] + R"("})";
+    const std::string text =
+        R"({"wrinkle": 1, "nodes": {)" + nodes + R"(}, "outputs": {)" + members + "}}";
     const auto folder = std::filesystem::path(WRINKLE_SOURCE_DIR) / "graphs";
     const Project project =
         load_project(read_document(text, "test.json", diagnostics), folder, {}, diagnostics);
@@ -70,6 +75,29 @@ Texture texture_of(const Scene& scene, const Resource& resource) {
     return Texture(build_mips(std::move(image)), resource.options);
 }
 
+// By output, point and component.
+using Evaluated = std::vector<std::vector<std::vector<double>>>;
+
+Evaluated evaluated(const Compiled& material, const Scene& scene, const PointSet& points) {
+    std::string why;
+    const Program program = compile_program(material.module, why);
+    EXPECT_EQ(why, "");
+    std::vector<Texture> textures;
+    for (const Resource& resource : material.module.resources)
+        textures.push_back(texture_of(scene, resource));
+    Results results = make_results(program, points.count);
+    evaluate<double>(program, points, textures, 0, points.count, results);
+    Evaluated all(program.outputs.size());
+    for (size_t k = 0; k < all.size(); ++k) {
+        const size_t lanes = program.outputs[k].regs.size();
+        for (size_t i = 0; i < points.count; ++i) {
+            const auto first = results.values[k].begin() + static_cast<ptrdiff_t>(i * lanes);
+            all[k].emplace_back(first, first + static_cast<ptrdiff_t>(lanes));
+        }
+    }
+    return all;
+}
+
 }  // namespace
 
 const Registry& registry() {
@@ -97,25 +125,26 @@ std::vector<std::vector<double>> values(const Scene& scene,
 }
 
 std::vector<std::vector<double>> values(const Scene& scene, const PointSet& points) {
+    auto all = values(scene, {scene.output}, points);
+    return all.empty() ? std::vector<std::vector<double>>() : std::move(all[0]);
+}
+
+std::vector<std::vector<std::vector<double>>> values(const Scene& scene,
+                                                     const std::vector<std::string>& outputs,
+                                                     const PointSet& points) {
     Diagnostics diagnostics;
-    const Compiled material = compiled(scene.nodes, scene.output, diagnostics);
+    const Compiled material = compiled(scene.nodes, outputs, diagnostics);
     EXPECT_EQ(to_text(diagnostics), "") << scene.nodes;
+    return material.ok ? evaluated(material, scene, points) : Evaluated{};
+}
+
+std::vector<double> value_with_warnings(const std::string& nodes, const std::string& output) {
+    Diagnostics diagnostics;
+    const Scene scene{nodes, output};
+    const Compiled material = compiled(nodes, {output}, diagnostics);
+    EXPECT_EQ(diagnostics.error_count(), 0U) << to_text(diagnostics);
     if (!material.ok) return {};
-    std::string why;
-    const Program program = compile_program(material.module, why);
-    EXPECT_EQ(why, "");
-    std::vector<Texture> textures;
-    for (const Resource& resource : material.module.resources)
-        textures.push_back(texture_of(scene, resource));
-    Results results = make_results(program, points.count);
-    evaluate<double>(program, points, textures, 0, points.count, results);
-    const size_t lanes = program.outputs.at(0).regs.size();
-    std::vector<std::vector<double>> by_point;
-    for (size_t i = 0; i < points.count; ++i) {
-        const auto first = results.values[0].begin() + static_cast<ptrdiff_t>(i * lanes);
-        by_point.emplace_back(first, first + static_cast<ptrdiff_t>(lanes));
-    }
-    return by_point;
+    return evaluated(material, scene, plane_points(scene, {{0.3, 0.6}}))[0][0];
 }
 
 std::vector<double> value(const Scene& scene, double x, double y) {
@@ -125,7 +154,7 @@ std::vector<double> value(const Scene& scene, double x, double y) {
 
 std::string problems(const std::string& nodes, const std::string& output) {
     Diagnostics diagnostics;
-    compiled(nodes, output, diagnostics);
+    compiled(nodes, {output}, diagnostics);
     return to_text(diagnostics);
 }
 

@@ -36,7 +36,14 @@ std::vector<double> value(const Scene& scene, double x = 0.3, double y = 0.6);
 
 // The same at arbitrary points; and the points of the plane, for tests that modify some of them.
 std::vector<std::vector<double>> values(const Scene& scene, const PointSet& points);
+// The same for several outputs "node.port" instead of the scene's; the first index is the output.
+std::vector<std::vector<std::vector<double>>> values(const Scene& scene,
+                                                     const std::vector<std::string>& outputs,
+                                                     const PointSet& points);
 PointSet plane_points(const Scene& scene, const std::vector<std::array<double, 2>>& points);
+
+// The same at one point, where compiling may report warnings.
+std::vector<double> value_with_warnings(const std::string& nodes, const std::string& output);
 
 // The diagnostics of compiling; "" on success.
 std::string problems(const std::string& nodes, const std::string& output);

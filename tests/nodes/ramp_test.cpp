@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <random>
 
+#include "nodes/blender_numbers.h"
 #include "nodes/number.h"
 
 namespace wrinkle::test {
@@ -40,6 +41,25 @@ TEST(Ramp, HasTheColorsOfBlender) {
                   {{0, 0, 0}, {0.8, 0.2, 0}, {0.1, 0.4, 0.9}, {1, 1, 1}});
 }
 
+TEST(Ramp, HasTheColorsOfBlenderEverywhere) {
+    for (const auto& [interpolation, at, color] : blender_ramps)
+        expect_colors(four_stops + '"' + interpolation + '"', {at}, {{color.begin(), color.end()}});
+}
+
+// PchipInterpolator of SciPy 1.10.1, of each component.
+TEST(Ramp, IsSmoothAsPchip) {
+    expect_colors(four_stops + "\"smooth\"", {0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.7, 0.8, 0.95},
+                  {{0.254933, 0.044064, 0},
+                   {0.4748, 0.086479, 0},
+                   {0.759733, 0.164829, 0},
+                   {0.761224, 0.230781, 0.047012},
+                   {0.52449, 0.281574, 0.337176},
+                   {0.238776, 0.332275, 0.697892},
+                   {0.155937, 0.502432, 0.941735},
+                   {0.324167, 0.641209, 0.973209},
+                   {0.788424, 0.90232, 0.998242}});
+}
+
 TEST(Ramp, HasTheEndColorsOutside) {
     for (const char* mode : {"constant", "linear", "ease", "smooth"})
         expect_colors(four_stops + "\"" + mode + "\", \"color_1\": [0.3, 0.2, 0.1]", {-5, -0.1, 7},
@@ -62,6 +82,7 @@ TEST(Ramp, IsTheMeanOverThePixel) {
                 for (size_t c = 0; c < 3; ++c)
                     mean[c] += color[c] / 4096;
             const auto got = colors(four_stops + "\"" + mode + "\"", {x}, width)[0];
+            // At a jump, one sample of 4096 is 2.4e-4.
             for (size_t c = 0; c < 3; ++c)
                 EXPECT_NEAR(got[c], mean[c], mode == std::string("constant") ? 3e-4 : 1e-4)
                     << mode << " at " << x << " over " << width;
@@ -138,9 +159,26 @@ TEST(Curve, HasTheNumbersOfPchip) {
     EXPECT_NEAR((1 - around[5]) / d, 0, 1e-2);
 }
 
+// PchipInterpolator of SciPy 1.10.1, where both ends have a slope and secants change their sign.
+TEST(Curve, TurnsAsPchipDoes) {
+    const auto got = numbers_through("curve", "value",
+                                     R"("points": 5, "point_1": [0, 0.2], "point_2": [0.1, 0.9],
+               "point_3": [0.5, 0.3], "point_4": [0.6, 0.35], "point_5": [1, 0.1])",
+                                     "value", {0.03, 0.07, 0.2, 0.3, 0.4, 0.55, 0.7, 0.9});
+    const double expected[] = {0.47909, 0.80361, 0.80625, 0.6, 0.39375, 0.325, 0.339531, 0.224844};
+    for (size_t i = 0; i < got.size(); ++i)
+        EXPECT_NEAR(got[i], expected[i], 1e-5) << i;
+}
+
+// Blender evaluates a table of 256 entries.
+TEST(Curve, IsStraightAsThatOfBlender) {
+    for (const auto& [interpolation, at, expected] : blender_curves)
+        EXPECT_NEAR(curve(interpolation, {at})[0], expected, 2e-3) << at;
+}
+
 TEST(Curve, IsTheMeanOverThePixel) {
     for (const char* mode : {"constant", "linear", "ease", "smooth"})
-        for (const auto& [x, width] : {std::pair{0.24, 0.3}, std::pair{0.9, 0.5}}) {
+        for (const auto& [x, width] : {std::pair{0.24, 0.3}, {0.9, 0.5}, {0.6, 0.02}, {0.4, 3.0}}) {
             std::vector<double> samples;
             box_mean([&](double at) { return samples.push_back(at), 0.0; }, x, width);
             double mean = 0;
@@ -148,6 +186,22 @@ TEST(Curve, IsTheMeanOverThePixel) {
                 mean += value / 4096;
             EXPECT_NEAR(curve(mode, {x}, width)[0], mean, 1e-4) << mode;
         }
+}
+
+// A position below the one before counts as equal to it, and so is a hard edge.
+TEST(Curve, OutOfOrderHasAHardEdge) {
+    for (const char* mode : {"constant", "linear", "ease", "smooth"}) {
+        const auto got = numbers_through(
+            "curve", "value",
+            R"("points": 3, "point_1": [0.6, 0.2], "point_2": [0.3, 0.7], "point_3": [1, 0.9],
+               "interpolation": ")" +
+                std::string(mode) + "\"",
+            "value", {-2, 0.5999, 0.6001, 1, 5});
+        EXPECT_NEAR(got[0], 0.2, 1e-9) << mode;
+        EXPECT_NEAR(got[1], 0.2, 1e-9) << mode;
+        EXPECT_NEAR(got[2], 0.7, 1e-3) << mode;
+        EXPECT_NEAR(got[4], 0.9, 1e-9) << mode;
+    }
 }
 
 TEST(Curve, NeverOvershoots) {

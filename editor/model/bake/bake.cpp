@@ -119,7 +119,9 @@ private:
         options.scale = choices_.tuning.scale;
         options.width = choices_.width;
         options.height = choices_.height();
-        plan_ = plan_maps(compiled_.module, requests(), options, problems_);
+        Diagnostics planned;
+        plan_ = plan_maps(compiled_.module, requests(), options, planned);
+        (plan_ ? found_ : problems_).append(planned);
         return plan_ && check_inputs(mesh_, {&*plan_, 1}, choices_.mesh, problems_) &&
                !progress_.cancelled;
     }

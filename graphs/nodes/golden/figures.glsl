@@ -57,8 +57,8 @@ vec3 wrinkle_figures_triangle_distance(vec2 p, vec2 a, vec2 b, vec2 c) {
     vec3 product_7 = vec3(ab.x, bc.x, ca.x) * vec3(pa.y, pb.y, pc.y);
     vec3 areas = turn * (product_7 - vec3(ab.y, bc.y, ca.y) * vec3(pa.x, pb.x, pc.x));
     float least_2 = min(areas.x, min(areas.y, areas.z));
-    float negated = -(least_2 < 0.0 ? -1.0 : 1.0);
-    return vec3(choice_7, negated) * vec3(negated, negated, min(extent_3, least));
+    float sign_2 = -least_2 < 0.0 ? -1.0 : 1.0;
+    return vec3(choice_7, sign_2) * vec3(sign_2, sign_2, min(extent_3, least));
 }
 
 vec3 wrinkle_figures_box_distance(vec2 p, vec2 extent, float radius) {
