@@ -34,7 +34,7 @@ enum class Distance { first, second, difference };
 // most jitter / 2 cells from its centre. Points two cells away are ignored; at full jitter this
 // changes the second distance at a few of 10,000 positions. The search returns cells, which do not
 // depend on the position, so only the distances to their points are differentiated.
-static Float worley(vec3 point, Float scale, Float jitter, Distance which) {
+static Float worley(vec3 point, Float scale, Float jitter, Distance which, int seed) {
     const auto search = [](vec3 cell, vec3 from, Float jitter) {
         using State = std::tuple<Int, Float, Float, vec3, vec3>;
         const auto each = [&](Int k, Float first, Float second, vec3 nearest, vec3 next) {
@@ -53,33 +53,32 @@ static Float worley(vec3 point, Float scale, Float jitter, Distance which) {
             "cells(k, first, second, nearest, next)", 27, State{0, 9, 9, vec3(0), vec3(0)}, each);
         return std::tuple{nearest, next};
     };
-    const auto distance =
-        function("worley(point, width, scale, jitter)",
-                 [&](vec3 point, Float width, Float scale, Float jitter) {
-                     const vec3 p = named("p", point * scale), cell = named("cell", floor(p));
-                     const vec3 from = named("from", p - cell - 0.5);
-                     const auto [nearest, next] = search(cell, detach(from), detach(jitter));
-                     const auto distance_to = [&](const char* name, vec3 step) {
-                         return length(named(name, step + feature(cell + step, jitter) - from));
-                     };
-                     const Float first = distance_to("to_nearest", nearest);
-                     const Float second = distance_to("to_next", next);
-                     const Float found[] = {first, second, second - first};
-                     const Float mean[] = {0.48 + 0.04 * jitter, 0.703 + 0.015 * jitter,
-                                           0.223 - 0.025 * jitter};  // measured
-                     const auto k = static_cast<size_t>(which);
-                     return mix(named("mean", mean[k]), found[k], fade(width, scale));
-                 });
-    return distance(point, footprint(point), scale, jitter);
+    const auto distance = [&](auto moved, vec3 point, Float width, Float scale, Float jitter) {
+        const vec3 p = named("p", moved(point * scale)), cell = named("cell", floor(p));
+        const vec3 from = named("from", p - cell - 0.5);
+        const auto [nearest, next] = search(cell, detach(from), detach(jitter));
+        const auto distance_to = [&](const char* name, vec3 step) {
+            return length(named(name, step + feature(cell + step, jitter) - from));
+        };
+        const Float first = distance_to("to_nearest", nearest);
+        const Float second = distance_to("to_next", next);
+        const Float found[] = {first, second, second - first};
+        const Float mean[] = {0.48 + 0.04 * jitter, 0.703 + 0.015 * jitter,
+                              0.223 - 0.025 * jitter};  // measured
+        const auto k = static_cast<size_t>(which);
+        return mix(named("mean", mean[k]), found[k], fade(width, scale));
+    };
+    return seeded(seed, "worley", "point, width, scale, jitter", distance, point, footprint(point),
+                  scale, jitter);
 }
 
 // Worley noise that reports the slopes which it removes. A distance has slope 1; the variance of
 // the difference is measured.
-static Float filtered_worley(vec3 point, Float scale, Float jitter, Distance which) {
+static Float filtered_worley(vec3 point, Float scale, Float jitter, Distance which, int seed) {
     const Float difference = 1.04 - 0.285 * jitter;
     const Float variance = which == Distance::difference ? difference : Float(1.0 / 3);
     const Float lost = variance * lost_share(fade(footprint(point), scale));
-    return worley(point, scale, jitter, which) + lost_slope(point * scale, lost);
+    return worley(point, scale, jitter, which, seed) + lost_slope(point * scale, lost);
 }
 
 static constexpr int most_layers = 4;
@@ -87,7 +86,7 @@ static constexpr int most_layers = 4;
 struct Scratches {
     vec2 uv;
     Float scale, density, length, width, direction, spread;
-    int layers;
+    int layers, seed;
     Float amplitude;
 };
 
@@ -118,27 +117,27 @@ static Float stroke_at(vec2 p, Int index, Float density, vec2 size, vec2 angles)
 // and only that stroke is differentiated.
 static Float strokes(const Scratches& in) {
     const auto stroke = function("scratch(p, index, density, size, angles)", stroke_at);
-    const auto deepest = function(
-        "scratches(uv, width, scale, layers, density, size, angles)",
-        [&](vec2 uv, Float width, Float scale, Int layers, Float density, vec2 size, vec2 angles) {
-            const vec2 p = named("p", uv * scale), here = detach(p);
-            const Int count = layers * 9;
-            const auto each = [&](Int k, Float deepest, Int found) {
-                const Float depth = named("stroke", stroke(here, k, density, size, angles));
-                return std::tuple{k < count, k + 1, max(deepest, depth),
-                                  select(deepest < depth, k, found)};
-            };
-            const auto [k, least, found] = loop("strokes(k, deepest, found)", 9 * most_layers,
-                                                std::tuple<Int, Float, Int>{0, 0, 0}, each);
-            // The volume of a stroke is its width times 2/3 of its length; the mean length is 3/4
-            // of the longest.
-            const Float mean =
-                named("mean", saturate(size.x() * size.y() * density * (0.5 * Float(layers))));
-            const Float depth = named("stroke", stroke(p, found, density, size, angles));
-            return mix(mean, depth, fade(width / (4 * size.y()), scale));
-        });
-    return deepest(in.uv, footprint(in.uv), in.scale, in.layers, in.density,
-                   vec2(in.length, in.width), vec2(radians(in.direction), radians(in.spread)));
+    const auto deepest = [&](auto moved, vec2 uv, Float width, Float scale, Int layers,
+                             Float density, vec2 size, vec2 angles) {
+        const vec2 p = named("p", moved(uv * scale)), here = detach(p);
+        const Int count = layers * 9;
+        const auto each = [&](Int k, Float deepest, Int found) {
+            const Float depth = named("stroke", stroke(here, k, density, size, angles));
+            return std::tuple{k < count, k + 1, max(deepest, depth),
+                              select(deepest < depth, k, found)};
+        };
+        const auto [k, least, found] = loop("strokes(k, deepest, found)", 9 * most_layers,
+                                            std::tuple<Int, Float, Int>{0, 0, 0}, each);
+        // The volume of a stroke is its width times 2/3 of its length; the mean length is 3/4
+        // of the longest.
+        const Float mean =
+            named("mean", saturate(size.x() * size.y() * density * (0.5 * Float(layers))));
+        const Float depth = named("stroke", stroke(p, found, density, size, angles));
+        return mix(mean, depth, fade(width / (4 * size.y()), scale));
+    };
+    return seeded(in.seed, "scratches", "uv, width, scale, layers, density, size, angles", deepest,
+                  in.uv, footprint(in.uv), in.scale, Int(in.layers), in.density,
+                  vec2(in.length, in.width), vec2(radians(in.direction), radians(in.spread)));
 }
 
 static constinit Node cellular_list[] = {
@@ -150,10 +149,11 @@ static constinit Node cellular_list[] = {
                           limits(0, 1))
                .choice("distance", {"f1", "f2", "f2_minus_f1"},
                        "To the nearest point, to the second nearest, or their difference, which is "
-                       "0 between cells"),
+                       "0 between cells")
+               .count("seed", 0, 0, 65535, seed_doc),
            0.03, "The distance in cells, 0 to about 1")
-        .body([](vec3 point, Float scale, Float jitter, Choice which, Float amplitude) {
-            const Float value = filtered_worley(point, scale, jitter, which);
+        .body([](vec3 point, Float scale, Float jitter, Choice which, int seed, Float amplitude) {
+            const Float value = filtered_worley(point, scale, jitter, which, seed);
             return relief_of(value, amplitude);
         }),
 
@@ -172,7 +172,8 @@ static constinit Node cellular_list[] = {
                        unit("deg"))
             .in<Float>("spread", 360, "How far they turn away from it in all", slider(0, 360),
                        unit("deg"))
-            .count("layers", 2, 1, most_layers, "How many strokes may lie in a cell"),
+            .count("layers", 2, 1, most_layers, "How many strokes may lie in a cell")
+            .count("seed", 0, 0, 65535, seed_doc),
         0.004, "How deep, 0 to -1")
         .body([](Scratches in) { return relief_of(-named("value", strokes(in)), in.amplitude); })};
 constinit std::span<Node> cellular_nodes = cellular_list;

@@ -149,48 +149,53 @@ Float fbm(const Fractal& fractal, Basis basis) {
 }
 
 // One octave.
-static auto single(Basis basis, vec3 point, Float scale, Float amplitude) {
+static auto single(Basis basis, vec3 point, Float scale, int seed, Float amplitude) {
     const Noise noise = noise_function(basis);
-    const auto filtered =
-        function("filtered_noise(point, width, scale)", [&](vec3 point, Float width, Float scale) {
-            return noise(point * scale) * fade(width, scale);
-        });
+    const auto filtered = [&](auto moved, vec3 point, Float width, Float scale) {
+        return noise(moved(point * scale)) * fade(width, scale);
+    };
     const Float width = footprint(point);
     const Float lost = slope_variance(basis) * lost_share(fade(width, scale));
-    const Float value = filtered(point, width, scale) + lost_slope(point * scale, lost);
+    const Float value =
+        seeded(seed, "filtered_noise", "point, width, scale", filtered, point, width, scale) +
+        lost_slope(point * scale, lost);
     return relief_of(value, amplitude);
 }
 
 static constinit Node noise_list[] = {
-    relief(with_octaves(noise_in_space(
-               "gradient_noise", "Gradient noise",
-               "Smooth random relief in space: octaves of Perlin noise, each finer and weaker "
-               "than the one before.",
-               4)),
+    relief(with_octaves(
+               noise_in_space(
+                   "gradient_noise", "Gradient noise",
+                   "Smooth random relief in space: octaves of Perlin noise, each finer and weaker "
+                   "than the one before.",
+                   4))
+               .count("seed", 0, 0, 65535, seed_doc),
            0.02, "The noise, about -1 to 1, mostly within -0.5 to 0.5")
-        .body([](vec3 point, Float scale, int octaves, Float lacunarity, Float gain,
+        .body([](vec3 point, Float scale, int octaves, Float lacunarity, Float gain, int seed,
                  Float amplitude) {
-            const Fractal fractal{point, scale, octaves, lacunarity, gain};
+            const Fractal fractal{point, scale, octaves, lacunarity, gain, seed};
             return relief_of(fbm(fractal, Basis::gradient), amplitude);
         }),
 
     relief(noise_in_space("simplex_noise", "Simplex noise",
                           "Smooth random relief in space without the lattice's directions: one "
                           "octave of simplex noise.",
-                          4),
+                          4)
+               .count("seed", 0, 0, 65535, seed_doc),
            0.02, "The noise, about -1 to 1")
-        .body([](vec3 point, Float scale, Float amplitude) {
-            return single(Basis::simplex, point, scale, amplitude);
+        .body([](vec3 point, Float scale, int seed, Float amplitude) {
+            return single(Basis::simplex, point, scale, seed, amplitude);
         }),
 
     relief(
         noise_in_space("value_noise", "Value noise",
                        "Soft random blotches in space: a random number in each corner of a cell, "
                        "joined smoothly.",
-                       4),
+                       4)
+            .count("seed", 0, 0, 65535, seed_doc),
         0.02, "The noise, -1 to 1")
-        .body([](vec3 point, Float scale, Float amplitude) {
-            return single(Basis::value, point, scale, amplitude);
+        .body([](vec3 point, Float scale, int seed, Float amplitude) {
+            return single(Basis::value, point, scale, seed, amplitude);
         })};
 constinit std::span<Node> noise_nodes = noise_list;
 

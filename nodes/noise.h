@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "nodes/footprint.h"
+#include "nodes/random.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
@@ -33,12 +34,13 @@ double slope_variance(Basis basis);  // mean square of one component of the slop
 inline constexpr int most_octaves = 8;
 
 // Octaves of a layer: each `lacunarity` times finer than the one before and `gain` times as strong.
-// Octave k is read at point * scale * lacunarity^k + k * (19.19, 7.43, 31.71).
+// Octave k is read at point * scale * lacunarity^k + k * (19.19, 7.43, 31.71) + seed_offset(seed).
 struct Fractal {
     sdk::vec3 point;
     sdk::Float scale;  // cells of the first octave per length unit
     int octaves;
     sdk::Float lacunarity, gain;
+    int seed;
 };
 
 // A position in an octave, how much of it is visible (footprint.h), and the height of the octave
@@ -59,8 +61,8 @@ template <class Height>
 sdk::Float mean_of_octaves(const char* name, const Fractal& fractal, double slope_variance,
                            Height height) {
     using namespace sdk;
-    const auto body = [&](vec3 point, Float width, Float scale, Int octaves, Float lacunarity,
-                          Float gain) {
+    const auto body = [&](auto moved, vec3 point, Float width, Float scale, Int octaves,
+                          Float lacunarity, Float gain) {
         using State = std::tuple<Int, Float, Float, Float, Float, Float>;
         const auto add = [&](Int k, Float frequency, Float weight, Float previous, Float total,
                              Float sum) {
@@ -68,7 +70,7 @@ sdk::Float mean_of_octaves(const char* name, const Fractal& fractal, double slop
                 named("octave_offset // between octaves, in cells", vec3(19.19, 7.43, 31.71));
             // Without the offset, every octave would be 0 at the origin. It is not scaled, which
             // would lose precision.
-            const vec3 p = named("p", point * frequency + offset * Float(k));
+            const vec3 p = named("p", moved(point * frequency + offset * Float(k)));
             const Float value = height(Octave{p, fade(width, frequency), previous});
             return std::tuple{k < octaves, k + 1,          frequency * lacunarity, weight * gain,
                               value,       total + weight, sum + value * weight};
@@ -78,11 +80,10 @@ sdk::Float mean_of_octaves(const char* name, const Fractal& fractal, double slop
                  State{0, scale, 1, 1, 0, 0}, add);
         return sum / total;
     };
-    const std::string signature =
-        name + std::string("(point, width, scale, octaves, lacunarity, gain)");
     const Float width = footprint(fractal.point);
-    const Float mean = function(signature.c_str(), body)(
-        fractal.point, width, fractal.scale, fractal.octaves, fractal.lacunarity, fractal.gain);
+    const Float mean = seeded(fractal.seed, name, "point, width, scale, octaves, lacunarity, gain",
+                              body, fractal.point, width, fractal.scale, Int(fractal.octaves),
+                              fractal.lacunarity, fractal.gain);
     return mean + lost_slope(fractal.point, lost_octaves(fractal, width) * slope_variance);
 }
 

@@ -106,6 +106,7 @@ const Range sloped[] = {
     {"fbm", R"("basis": "simplex")"}, {"fbm", R"("basis": "value")"},
     {"turbulence", ""}, {"turbulence", R"("basis": "simplex")"},
     {"ridged", ""}, {"ridged", R"("basis": "value")"}, {"dents", R"("threshold": 0.1)"},
+    {"fbm", R"("seed": 3)"}, {"simplex_noise", R"("seed": 3)"},
 };
 // clang-format on
 INSTANTIATE_TEST_SUITE_P(Noises, NoiseSlope, ::testing::ValuesIn(sloped));
@@ -220,6 +221,88 @@ TEST_P(Fractals, AreMadeOfTheirOctaves) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Bases, Fractals, ::testing::Values("gradient", "simplex", "value"));
+
+// The documented offset of a seed, in cells.
+std::array<double, 3> offset_of(int seed) {
+    std::array<double, 3> offset{};
+    for (uint32_t axis = 0; axis < 3; ++axis)
+        offset[axis] = 128 * unit_number(pcg(static_cast<uint32_t>(seed) + pcg(axis))) - 64;
+    return offset;
+}
+
+// Another seed reads the same noise at the position moved by its offset; an octave of a fractal as
+// well.
+TEST(Seeds, MoveANoiseByTheirOffset) {
+    const std::vector<Point> places = random_cells(200, 9, 12);
+    const std::array<double, 3> offset = offset_of(7);
+    const std::string moved = R"("p": {"type": "vec3_add", "in": {"a": {"from": )"
+                              R"("surface.position"}, "b": [)" +
+                              std::to_string(offset[0]) + ", " + std::to_string(offset[1]) + ", " +
+                              std::to_string(offset[2]) + "]}}, ";
+    const std::pair<const char*, const char*> noises[] = {{"gradient_noise", R"(, "octaves": 1)"},
+                                                          {"simplex_noise", ""},
+                                                          {"value_noise", ""},
+                                                          {"fbm", R"(, "octaves": 1)"},
+                                                          {"worley_noise", ""},
+                                                          {"dents", R"(, "octaves": 1)"},
+                                                          {"turbulence", R"(, "octaves": 1)"},
+                                                          {"ridged", R"(, "octaves": 1)"}};
+    for (const auto& [type, in] : noises) {
+        const auto seeded =
+            values({one(type, R"("scale": 1, "seed": 7)" + std::string(in)), "n.value"}, places);
+        const auto plain = values(
+            {moved + one(type, R"("point": {"from": "p.vector"}, "scale": 1)" + std::string(in)),
+             "n.value"},
+            places);
+        const auto unmoved =
+            values({one(type, R"("scale": 1)" + std::string(in)), "n.value"}, places);
+        double apart = 0;
+        for (size_t i = 0; i < places.size(); ++i) {
+            EXPECT_NEAR(seeded[i][0], plain[i][0], 2e-5) << type;
+            apart = std::max(apart, std::fabs(seeded[i][0] - unmoved[i][0]));
+        }
+        EXPECT_GT(apart, 0.05) << type;
+    }
+}
+
+// Octave 1 of a fractal is read at the doubled position, moved by (19.19, 7.43, 31.71) and the same
+// offset: not by the doubled one.
+TEST(Seeds, MoveEachOctaveByThatOffset) {
+    const auto places = random_cells(200, 9, 13);
+    const std::array<double, 3> offset = offset_of(65535), octave_offset{19.19, 7.43, 31.71};
+    const auto octave = [&](double k) {
+        std::string nodes =
+            R"("s": {"type": "vec3_scale", "in": {"vector": {"from": "surface.position"}, "factor": )" +
+            std::to_string(1 + k) +
+            R"(}}, "p": {"type": "vec3_add", "in": {"a": {"from": "s.vector"}, "b": [)";
+        for (size_t axis = 0; axis < 3; ++axis)
+            nodes += (axis ? ", " : "") + std::to_string(offset[axis] + k * octave_offset[axis]);
+        nodes += "]}}, " + one("value_noise", R"("point": {"from": "p.vector"}, "scale": 1)");
+        return values({nodes, "n.value"}, places);
+    };
+    const auto first = octave(0), second = octave(1);
+    const auto sum = values(
+        {one("fbm", R"("scale": 1, "basis": "value", "octaves": 2, "seed": 65535)"), "n.value"},
+        places);
+    for (size_t i = 0; i < places.size(); ++i)
+        EXPECT_NEAR(sum[i][0], (first[i][0] + 0.5 * second[i][0]) / 1.5, 2e-5);
+}
+
+// Scratches of another seed are other ones of the same density, and so are waves.
+TEST(Seeds, GiveOtherScratchesAndWaves) {
+    const auto places = random_cells(4000, 60, 14);
+    for (const char* type : {"scratches", "waves"}) {
+        const auto first = value_of(type, "", places),
+                   other = value_of(type, "\"seed\": 3", places);
+        double sum = 0, of_other = 0, apart = 0;
+        for (size_t i = 0; i < places.size(); ++i) {
+            sum += first[i] / 4000, of_other += other[i] / 4000;
+            apart += std::fabs(first[i] - other[i]) / 4000;
+        }
+        EXPECT_NEAR(sum, of_other, 0.02) << type;
+        EXPECT_GT(apart, 0.05) << type;
+    }
+}
 
 TEST(Dents, AreAPowerOfTurbulence) {
     const auto places = random_cells(500, 40, 5);
