@@ -53,23 +53,25 @@ static Float worley(vec3 point, Float scale, Float jitter, Distance which, int s
             "cells(k, first, second, nearest, next)", 27, State{0, 9, 9, vec3(0), vec3(0)}, each);
         return std::tuple{nearest, next};
     };
-    const auto distance = [&](auto moved, vec3 point, Float width, Float scale, Float jitter) {
-        const vec3 p = named("p", moved(point * scale)), cell = named("cell", floor(p));
-        const vec3 from = named("from", p - cell - 0.5);
-        const auto [nearest, next] = search(cell, detach(from), detach(jitter));
-        const auto distance_to = [&](const char* name, vec3 step) {
-            return length(named(name, step + feature(cell + step, jitter) - from));
-        };
-        const Float first = distance_to("to_nearest", nearest);
-        const Float second = distance_to("to_next", next);
-        const Float found[] = {first, second, second - first};
-        const Float mean[] = {0.48 + 0.04 * jitter, 0.703 + 0.015 * jitter,
-                              0.223 - 0.025 * jitter};  // measured
-        const auto k = static_cast<size_t>(which);
-        return mix(named("mean", mean[k]), found[k], fade(width, scale));
-    };
-    return seeded(seed, "worley", "point, width, scale, jitter", distance, point, footprint(point),
-                  scale, jitter);
+    const auto distance =
+        function("worley(point, width, scale, jitter)",
+                 [&](vec3 point, Float width, Float scale, Float jitter) {
+                     const vec3 p = named("p", point * scale), corner = named("cell", floor(p));
+                     const vec3 from = named("from", p - corner - 0.5);
+                     const vec3 cell = seeded_cell(corner, seed);
+                     const auto [nearest, next] = search(cell, detach(from), detach(jitter));
+                     const auto distance_to = [&](const char* name, vec3 step) {
+                         return length(named(name, step + feature(cell + step, jitter) - from));
+                     };
+                     const Float first = distance_to("to_nearest", nearest);
+                     const Float second = distance_to("to_next", next);
+                     const Float found[] = {first, second, second - first};
+                     const Float mean[] = {0.48 + 0.04 * jitter, 0.703 + 0.015 * jitter,
+                                           0.223 - 0.025 * jitter};  // measured
+                     const auto k = static_cast<size_t>(which);
+                     return mix(named("mean", mean[k]), found[k], fade(width, scale));
+                 });
+    return distance(point, footprint(point), scale, jitter);
 }
 
 // Worley noise that reports the slopes which it removes. A distance has slope 1; the variance of
@@ -92,12 +94,12 @@ struct Scratches {
 
 // Returns the depth of a stroke at a position. A stroke may begin in each of 9 cells of a layer;
 // the index counts those of all layers. `size` is (length, width), `angles` (direction, spread).
-static Float stroke_at(vec2 p, Int index, Float density, vec2 size, vec2 angles) {
+static Float stroke_at(vec2 p, Int index, Float density, vec2 size, vec2 angles, int seed) {
     const Float middle = named("middle", middle_of(index));
     const Float layer = named("layer", floor(middle / 9));
     const vec2 moved = named("moved", p + vec2(0.37, 0.61) * layer);
     const vec2 cell = named("cell", floor(moved) + offset(middle, vec2(1, 3)));
-    const Uint bits = named("bits", hash(vec3(cell, layer)));
+    const Uint bits = named("bits", hash(seeded_cell(vec3(cell, layer), seed)));
     const Uint more =
         named("more", hash(bits ^ named("golden_bits // 2^32 / golden ratio", Uint(0x9e3779b9u))));
     const vec3 random = named("random", random3(bits));
@@ -116,28 +118,32 @@ static Float stroke_at(vec2 p, Int index, Float density, vec2 size, vec2 angles)
 // Returns the depth of the deepest stroke. As with points, the search returns the stroke's index,
 // and only that stroke is differentiated.
 static Float strokes(const Scratches& in) {
-    const auto stroke = function("scratch(p, index, density, size, angles)", stroke_at);
-    const auto deepest = [&](auto moved, vec2 uv, Float width, Float scale, Int layers,
-                             Float density, vec2 size, vec2 angles) {
-        const vec2 p = named("p", moved(uv * scale)), here = detach(p);
-        const Int count = layers * 9;
-        const auto each = [&](Int k, Float deepest, Int found) {
-            const Float depth = named("stroke", stroke(here, k, density, size, angles));
-            return std::tuple{k < count, k + 1, max(deepest, depth),
-                              select(deepest < depth, k, found)};
-        };
-        const auto [k, least, found] = loop("strokes(k, deepest, found)", 9 * most_layers,
-                                            std::tuple<Int, Float, Int>{0, 0, 0}, each);
-        // The volume of a stroke is its width times 2/3 of its length; the mean length is 3/4
-        // of the longest.
-        const Float mean =
-            named("mean", saturate(size.x() * size.y() * density * (0.5 * Float(layers))));
-        const Float depth = named("stroke", stroke(p, found, density, size, angles));
-        return mix(mean, depth, fade(width / (4 * size.y()), scale));
-    };
-    return seeded(in.seed, "scratches", "uv, width, scale, layers, density, size, angles", deepest,
-                  in.uv, footprint(in.uv), in.scale, Int(in.layers), in.density,
-                  vec2(in.length, in.width), vec2(radians(in.direction), radians(in.spread)));
+    const auto stroke =
+        function("scratch(p, index, density, size, angles)",
+                 [seed = in.seed](vec2 p, Int index, Float density, vec2 size, vec2 angles) {
+                     return stroke_at(p, index, density, size, angles, seed);
+                 });
+    const auto deepest = function(
+        "scratches(uv, width, scale, layers, density, size, angles)",
+        [&](vec2 uv, Float width, Float scale, Int layers, Float density, vec2 size, vec2 angles) {
+            const vec2 p = named("p", uv * scale), here = detach(p);
+            const Int count = layers * 9;
+            const auto each = [&](Int k, Float deepest, Int found) {
+                const Float depth = named("stroke", stroke(here, k, density, size, angles));
+                return std::tuple{k < count, k + 1, max(deepest, depth),
+                                  select(deepest < depth, k, found)};
+            };
+            const auto [k, least, found] = loop("strokes(k, deepest, found)", 9 * most_layers,
+                                                std::tuple<Int, Float, Int>{0, 0, 0}, each);
+            // The volume of a stroke is its width times 2/3 of its length; the mean length is 3/4
+            // of the longest.
+            const Float mean =
+                named("mean", saturate(size.x() * size.y() * density * (0.5 * Float(layers))));
+            const Float depth = named("stroke", stroke(p, found, density, size, angles));
+            return mix(mean, depth, fade(width / (4 * size.y()), scale));
+        });
+    return deepest(in.uv, footprint(in.uv), in.scale, in.layers, in.density,
+                   vec2(in.length, in.width), vec2(radians(in.direction), radians(in.spread)));
 }
 
 static constinit Node cellular_list[] = {

@@ -3,6 +3,7 @@
 
 #include "nodes/footprint.h"
 #include "nodes/noise.h"
+#include "nodes/random.h"
 #include "nodes/relief.h"
 
 namespace wrinkle::nodes {
@@ -39,7 +40,7 @@ static Means means_of(Basis basis) {
 
 // The sum of |noise| over octaves, 0 to about 1.
 static Float billows(const Fractal& fractal, Basis basis) {
-    const Noise noise = noise_function(basis);
+    const Noise noise = noise_function(basis, fractal.seed);
     return mean_of_octaves("billows", fractal, slope_variance(basis), [&](const Octave& at) {
         return mix(means_of(basis).absolute, abs(noise(at.p)), at.fade);
     });
@@ -48,7 +49,7 @@ static Float billows(const Fractal& fractal, Basis basis) {
 // F. K. Musgrave's ridged multifractal: each octave is multiplied by twice the previous one,
 // saturated.
 static Float ridges(const Fractal& fractal, Basis basis) {
-    const Noise noise = noise_function(basis);
+    const Noise noise = noise_function(basis, fractal.seed);
     return mean_of_octaves("ridges", fractal, means_of(basis).ridge_slope, [&](const Octave& at) {
         const Float fold = 1 - abs(noise(at.p));
         return mix(means_of(basis).ridge, fold * fold, at.fade) * saturate(at.previous * 2);

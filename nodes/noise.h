@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "nodes/footprint.h"
-#include "nodes/random.h"
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
@@ -28,13 +27,14 @@ struct Noise {
 //   value     hashed numbers at lattice points, joined by the same quintic: C2
 enum class Basis { gradient, simplex, value };
 inline constexpr const char* basis_names[] = {"gradient", "simplex", "value"};
-Noise noise_function(Basis basis);
+// A seed other than 0 has other random numbers (random.h).
+Noise noise_function(Basis basis, int seed);
 double slope_variance(Basis basis);  // mean square of one component of the slope
 
 inline constexpr int most_octaves = 8;
 
 // Octaves of a layer: each `lacunarity` times finer than the one before and `gain` times as strong.
-// Octave k is read at point * scale * lacunarity^k + k * (19.19, 7.43, 31.71) + seed_offset(seed).
+// Octave k is read at point * scale * lacunarity^k + k * (19.19, 7.43, 31.71).
 struct Fractal {
     sdk::vec3 point;
     sdk::Float scale;  // cells of the first octave per length unit
@@ -61,8 +61,8 @@ template <class Height>
 sdk::Float mean_of_octaves(const char* name, const Fractal& fractal, double slope_variance,
                            Height height) {
     using namespace sdk;
-    const auto body = [&](auto moved, vec3 point, Float width, Float scale, Int octaves,
-                          Float lacunarity, Float gain) {
+    const auto body = [&](vec3 point, Float width, Float scale, Int octaves, Float lacunarity,
+                          Float gain) {
         using State = std::tuple<Int, Float, Float, Float, Float, Float>;
         const auto add = [&](Int k, Float frequency, Float weight, Float previous, Float total,
                              Float sum) {
@@ -70,7 +70,7 @@ sdk::Float mean_of_octaves(const char* name, const Fractal& fractal, double slop
                 named("octave_offset // between octaves, in cells", vec3(19.19, 7.43, 31.71));
             // Without the offset, every octave would be 0 at the origin. It is not scaled, which
             // would lose precision.
-            const vec3 p = named("p", moved(point * frequency + offset * Float(k)));
+            const vec3 p = named("p", point * frequency + offset * Float(k));
             const Float value = height(Octave{p, fade(width, frequency), previous});
             return std::tuple{k < octaves, k + 1,          frequency * lacunarity, weight * gain,
                               value,       total + weight, sum + value * weight};
@@ -80,10 +80,11 @@ sdk::Float mean_of_octaves(const char* name, const Fractal& fractal, double slop
                  State{0, scale, 1, 1, 0, 0}, add);
         return sum / total;
     };
+    const std::string signature =
+        name + std::string("(point, width, scale, octaves, lacunarity, gain)");
     const Float width = footprint(fractal.point);
-    const Float mean = seeded(fractal.seed, name, "point, width, scale, octaves, lacunarity, gain",
-                              body, fractal.point, width, fractal.scale, Int(fractal.octaves),
-                              fractal.lacunarity, fractal.gain);
+    const Float mean = function(signature.c_str(), body)(
+        fractal.point, width, fractal.scale, fractal.octaves, fractal.lacunarity, fractal.gain);
     return mean + lost_slope(fractal.point, lost_octaves(fractal, width) * slope_variance);
 }
 

@@ -1,8 +1,6 @@
 // Random numbers of cells: the same on every machine, constant within a cell, so without slope.
 #pragma once
 
-#include <string>
-
 #include "wrinkle/node.h"
 
 namespace wrinkle::nodes {
@@ -31,37 +29,16 @@ inline sdk::Uint random_bits(sdk::vec2 cell, sdk::Float id, int seed) {
     return bits(cell, id, Int(seed));
 }
 
-// The offset of a pattern in cells by its seed, -64 to 64 per axis.
-inline sdk::vec3 seed_offset(int seed) {
+// The cell of a pattern that has the random numbers of another cell by its seed: for seeds other
+// than 0 it is moved by up to 32768 cells per axis. Only the cell is, so that positions in it lose
+// no digits.
+inline sdk::vec3 seeded_cell(sdk::vec3 cell, int seed) {
     using namespace sdk;
+    if (seed == 0) return cell;
     const auto along = [seed](int axis) {
-        return 128 * unit_float(hash(Int(seed), Int(axis))) - 64;
+        return floor(unit_float(hash(Int(seed), Int(axis))) * 65536) - 32768;
     };
-    return {along(0), along(1), along(2)};
-}
-
-// Calls a function of the generated code with the body body(moved, args...), where moved(p) is the
-// position p, in cells, moved by the offset of the seed. The offset is a parameter of the function,
-// unless the seed is 0, which has none.
-template <class Body, class... Args>
-sdk::Float seeded(int seed, const std::string& name, const std::string& parameters, Body body,
-                  Args... args) {
-    using namespace sdk;
-    if (seed == 0) {
-        const auto here = [&](Args... in) { return body([](auto p) { return p; }, in...); };
-        return function((name + "(" + parameters + ")").c_str(), here)(args...);
-    }
-    const auto elsewhere = [&](vec3 offset, Args... in) {
-        const auto moved = [&](auto p) {
-            if constexpr (decltype(p)::lanes == 2)
-                return p + offset.xy();
-            else
-                return p + offset;
-        };
-        return body(moved, in...);
-    };
-    return function((name + "(seed_offset, " + parameters + ")").c_str(), elsewhere)(
-        seed_offset(seed), args...);
+    return cell + named("seed_offset // in cells, by the seed", vec3(along(0), along(1), along(2)));
 }
 
 }  // namespace wrinkle::nodes

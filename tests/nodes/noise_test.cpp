@@ -226,66 +226,73 @@ INSTANTIATE_TEST_SUITE_P(Bases, Fractals, ::testing::Values("gradient", "simplex
 std::array<double, 3> offset_of(int seed) {
     std::array<double, 3> offset{};
     for (uint32_t axis = 0; axis < 3; ++axis)
-        offset[axis] = 128 * unit_number(pcg(static_cast<uint32_t>(seed) + pcg(axis))) - 64;
+        offset[axis] =
+            std::floor(unit_number(pcg(static_cast<uint32_t>(seed) + pcg(axis))) * 65536) - 32768;
     return offset;
 }
 
-// Another seed reads the same noise at the position moved by its offset; an octave of a fractal as
-// well.
-TEST(Seeds, MoveANoiseByTheirOffset) {
+// A node "p": the position times a factor, moved.
+std::string moved_point(double factor, const std::array<double, 3>& by) {
+    std::string vector;
+    for (const double each : by)
+        vector += (vector.empty() ? "" : ", ") + std::to_string(each);
+    return R"("s": {"type": "vec3_scale", "in": {"vector": {"from": "surface.position"},)"
+           R"("factor": )" +
+           std::to_string(factor) +
+           R"(}}, "p": {"type": "vec3_add", "in": {"a": {"from": "s.vector"}, "b": [)" + vector +
+           "]}}, ";
+}
+
+// Another seed reads the same noise at the position moved by that many cells. Those of simplex
+// noise are cells of the skewed lattice.
+TEST(Seeds, MoveANoiseByCells) {
     const std::vector<Point> places = random_cells(200, 9, 12);
-    const std::array<double, 3> offset = offset_of(7);
-    const std::string moved = R"("p": {"type": "vec3_add", "in": {"a": {"from": )"
-                              R"("surface.position"}, "b": [)" +
-                              std::to_string(offset[0]) + ", " + std::to_string(offset[1]) + ", " +
-                              std::to_string(offset[2]) + "]}}, ";
-    const std::pair<const char*, const char*> noises[] = {{"gradient_noise", R"(, "octaves": 1)"},
-                                                          {"simplex_noise", ""},
-                                                          {"value_noise", ""},
-                                                          {"fbm", R"(, "octaves": 1)"},
-                                                          {"worley_noise", ""},
-                                                          {"dents", R"(, "octaves": 1)"},
-                                                          {"turbulence", R"(, "octaves": 1)"},
-                                                          {"ridged", R"(, "octaves": 1)"}};
+    const std::pair<std::string, std::string> noises[] = {
+        {"gradient_noise", R"(, "octaves": 1)"},
+        {"simplex_noise", ""},
+        {"value_noise", ""},
+        {"worley_noise", ""},
+        {"fbm", R"(, "octaves": 1)"},
+        {"turbulence", R"(, "octaves": 1)"},
+        {"ridged", R"(, "octaves": 1)"},
+        {"dents", R"(, "octaves": 1, "threshold": 0)"}};
     for (const auto& [type, in] : noises) {
-        const auto seeded =
-            values({one(type, R"("scale": 1, "seed": 7)" + std::string(in)), "n.value"}, places);
-        const auto plain = values(
-            {moved + one(type, R"("point": {"from": "p.vector"}, "scale": 1)" + std::string(in)),
-             "n.value"},
-            places);
-        const auto unmoved =
-            values({one(type, R"("scale": 1)" + std::string(in)), "n.value"}, places);
+        std::array<double, 3> offset = offset_of(7);
+        const double skew = type == "simplex_noise" ? (offset[0] + offset[1] + offset[2]) / 6 : 0;
+        for (double& each : offset)
+            each -= skew;
+        const auto read_noise = [&](const std::string& nodes, const std::string& more) {
+            return values({nodes + one(type, R"("scale": 1)" + more + in), "n.value"}, places);
+        };
+        const auto other = read_noise("", R"(, "seed": 7)"), unmoved = read_noise("", "");
+        const auto moved = read_noise(moved_point(1, offset), R"(, "point": {"from": "p.vector"})");
         double apart = 0;
         for (size_t i = 0; i < places.size(); ++i) {
-            EXPECT_NEAR(seeded[i][0], plain[i][0], 2e-5) << type;
-            apart = std::max(apart, std::fabs(seeded[i][0] - unmoved[i][0]));
+            // The moved point is written with six decimals.
+            EXPECT_NEAR(other[i][0], moved[i][0], 1e-5) << type;
+            apart = std::max(apart, std::fabs(other[i][0] - unmoved[i][0]));
         }
         EXPECT_GT(apart, 0.05) << type;
     }
 }
 
-// Octave 1 of a fractal is read at the doubled position, moved by (19.19, 7.43, 31.71) and the same
-// offset: not by the doubled one.
-TEST(Seeds, MoveEachOctaveByThatOffset) {
+// Octave 1 of a fractal is read at the doubled position, moved by (19.19, 7.43, 31.71) and by the
+// same cells.
+TEST(Seeds, MoveEachOctaveByTheSameCells) {
     const auto places = random_cells(200, 9, 13);
-    const std::array<double, 3> offset = offset_of(65535), octave_offset{19.19, 7.43, 31.71};
+    const std::array<double, 3> offset = offset_of(65535);
     const auto octave = [&](double k) {
-        std::string nodes =
-            R"("s": {"type": "vec3_scale", "in": {"vector": {"from": "surface.position"}, "factor": )" +
-            std::to_string(1 + k) +
-            R"(}}, "p": {"type": "vec3_add", "in": {"a": {"from": "s.vector"}, "b": [)";
-        for (size_t axis = 0; axis < 3; ++axis)
-            nodes += (axis ? ", " : "") + std::to_string(offset[axis] + k * octave_offset[axis]);
-        nodes += "]}}, " + one("value_noise", R"("point": {"from": "p.vector"}, "scale": 1)");
+        const std::string nodes =
+            moved_point(1 + k,
+                        {offset[0] + k * 19.19, offset[1] + k * 7.43, offset[2] + k * 31.71}) +
+            one("value_noise", R"("point": {"from": "p.vector"}, "scale": 1)");
         return values({nodes, "n.value"}, places);
     };
     const auto first = octave(0), second = octave(1);
-    const auto sum = values(
-        {one("fbm", R"("scale": 1, "basis": "value", "octaves": 2, "seed": 65535)"), "n.value"},
-        places);
+    const std::string fbm = R"("scale": 1, "basis": "value", "octaves": 2, "seed": 65535)";
+    const auto sum = values({one("fbm", fbm), "n.value"}, places);
     for (size_t i = 0; i < places.size(); ++i)
-        EXPECT_NEAR(sum[i][0], (first[i][0] + 0.5 * second[i][0]) / 1.5, 2e-5);
+        EXPECT_NEAR(sum[i][0], (first[i][0] + 0.5 * second[i][0]) / 1.5, 2e-6);
 }
 
 // Scratches of another seed are other ones of the same density, and so are waves.

@@ -9,9 +9,10 @@ struct WrinkleMaterial_fbm {
     vec3 normal;   // unit normal, object space
     float height;  // outwards, in length units
 };
-const vec3 fbm_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
-const float fbm_unskew = 0.16666667;                      // 1 / 6: a step of the lattice, per axis
-const float fbm_two_unskew = 0.33333334;                  // of two steps
+const vec3 fbm_octave_offset = vec3(19.19, 7.43, 31.71);         // between octaves, in cells
+const vec3 fbm_seed_offset = vec3(25532.0, -25411.0, -11171.0);  // in cells, by the seed
+const float fbm_unskew = 0.16666667;                             // 1 / 6: a step of the lattice, per axis
+const float fbm_two_unskew = 0.33333334;                         // of two steps
 
 uint wrinkle_fbm_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
@@ -48,6 +49,7 @@ vec4 wrinkle_fbm_simplex_corner(vec3 corner, vec3 way) {
 vec4 wrinkle_fbm_simplex_noise(vec3 p) {
     vec3 skewed = p + (p.x + p.y + p.z) / 3.0;
     vec3 cell = floor(skewed);
+    vec3 sum = cell + fbm_seed_offset;
     vec3 f = skewed - cell;
     vec3 way = f - (f.x + f.y + f.z) / 6.0;
     float number = float(f.x >= f.y);
@@ -55,22 +57,22 @@ vec4 wrinkle_fbm_simplex_noise(vec3 p) {
     float number_3 = float(f.y >= f.z);
     vec3 rank = vec3(number + number_2, 1.0 - number + number_3, 2.0 - number_2 - number_3);
     vec3 one = clamp(rank - 1.0, 0.0, 1.0);
-    vec4 corner = wrinkle_fbm_simplex_corner(cell + one, way - one + fbm_unskew);
+    vec4 corner = wrinkle_fbm_simplex_corner(sum + one, way - one + fbm_unskew);
     vec3 two = clamp(rank, 0.0, 1.0);
-    vec4 corner_2 = wrinkle_fbm_simplex_corner(cell + two, way - two + fbm_two_unskew);
-    vec4 sum = wrinkle_fbm_simplex_corner(cell, way) + corner + corner_2;
-    return (sum + wrinkle_fbm_simplex_corner(cell + 1.0, way - 0.5)) * 76.0;
+    vec4 corner_2 = wrinkle_fbm_simplex_corner(sum + two, way - two + fbm_two_unskew);
+    vec4 sum_2 = wrinkle_fbm_simplex_corner(sum, way) + corner + corner_2;
+    return (sum_2 + wrinkle_fbm_simplex_corner(sum + 1.0, way - 0.5)) * 76.0;
 }
 
-vec4 wrinkle_fbm_fbm(vec3 seed_offset, vec3 point, float width, float scale, int octaves,
-        float lacunarity, float gain) {
+vec4 wrinkle_fbm_fbm(vec3 point, float width, float scale, int octaves, float lacunarity,
+        float gain) {
     float frequency = scale;
     float weight = 1.0;
     float total = 0.0;
     float sum = 0.0;
     vec3 sum_slope = vec3(0.0);
     for (int i = 0; i < min(octaves, 8); ++i) {
-        vec3 p = point * frequency + fbm_octave_offset * float(i) + seed_offset;
+        vec3 p = point * frequency + fbm_octave_offset * float(i);
         vec4 noise = wrinkle_fbm_simplex_noise(p);
         float fade = 1.0 - smoothstep(0.25, 0.75, width * abs(frequency));
         total += weight;
@@ -86,8 +88,7 @@ WrinkleMaterial_fbm wrinkle_fbm(WrinkleSurface_fbm s) {
     vec3 normal = normalize(s.normal);
     // relief: Fractal noise
     float relief_width = max(length(dFdx(s.position_relative)), length(dFdy(s.position_relative)));
-    vec4 relief = wrinkle_fbm_fbm(vec3(49.868393, -49.62992, -21.816872), s.position, relief_width,
-            3.0, 6, 2.0, 0.5);
+    vec4 relief = wrinkle_fbm_fbm(s.position, relief_width, 3.0, 6, 2.0, 0.5);
     vec3 relief_slope = relief.xyz * 0.06;
     WrinkleMaterial_fbm m;
     // normal: Resolve
