@@ -3,7 +3,6 @@
 #include <numbers>
 #include <span>
 
-#include "nodes/exact_angle.h"
 #include "nodes/footprint.h"
 #include "nodes/random.h"
 #include "nodes/rotated.h"
@@ -100,7 +99,7 @@ static constinit Node uv_tools_list[] = {
                    "u: the distance; v: turns anticlockwise from u, -0.5 to 0.5 with a seam behind")
         .body([](vec2 uv, vec2 center, Float scale, Float repeat) {
             const vec2 way = named("way", uv - center);
-            return vec2(length(way) * scale, exact_angle(way) * (repeat / two_pi()));
+            return vec2(length(way) * scale, atan(way.y(), way.x()) * (repeat / two_pi()));
         }),
 
     about_center("uv_kaleidoscope", "Kaleidoscope", "One sector, mirrored all around a point.")

@@ -5,23 +5,7 @@ struct WrinkleSurface_uv_tools {
 struct WrinkleMaterial_uv_tools {
     vec3 color;  // base color, linear
 };
-const float uv_tools_pi = 3.1415927;      // half a turn, in radians
-const float uv_tools_min_area = 1e-36;    // smaller areas and squared lengths are zero
 const float uv_tools_two_pi = 6.2831855;  // a turn, in radians
-
-float wrinkle_uv_tools_exact_angle(vec2 p) {
-    vec2 side = abs(p);
-    float longer = max(side.x, side.y);
-    float t = longer != 0.0 ? min(side.x, side.y) / longer : 0.0;
-    float square = t * t;
-    float product = ((0.0028662258 * square + -0.016165737) * square + 0.042909615) * square;
-    float sum = product + -0.07528964;
-    float sum_2 = ((sum * square + 0.10656264) * square + -0.142089) * square + 0.19993551;
-    float octant = t * ((sum_2 * square + -0.33333147) * square + 1.0);
-    float quarter = side.y > side.x ? 1.5707964 - octant : octant;
-    float half_turn = p.x < 0.0 ? uv_tools_pi - quarter : quarter;
-    return p.y < 0.0 ? -half_turn : half_turn;
-}
 
 WrinkleMaterial_uv_tools wrinkle_uv_tools(WrinkleSurface_uv_tools s) {
     vec2 grid_uv = s.uv0 * 3.0;  // grid: UV transform
@@ -33,7 +17,7 @@ WrinkleMaterial_uv_tools wrinkle_uv_tools(WrinkleSurface_uv_tools s) {
     float swirl_extent = length(swirl_way);
     float swirl_difference = 1.0 - swirl_extent / 0.5;
     float swirl_inside = max(swirl_difference, 0.0);
-    float swirl_product = uv_tools_pi * swirl_inside;
+    float swirl_product = 3.1415927 * swirl_inside;
     float swirl_product_2 = swirl_product * swirl_inside;
     float swirl_cosine = cos(swirl_product_2);
     float swirl_sine = sin(swirl_product_2);
@@ -45,7 +29,7 @@ WrinkleMaterial_uv_tools wrinkle_uv_tools(WrinkleSurface_uv_tools s) {
     float swirl_dot_product = dot(swirl_way, grid_uv_dx);
     float swirl_choice = swirl_test_2 ? swirl_dot_product / swirl_extent : 0.0;
     float swirl_inside_slope_dx = swirl_test ? 0.0 : -(swirl_choice / 0.5);
-    float swirl_product_3 = swirl_inside_slope_dx * uv_tools_pi * swirl_inside;
+    float swirl_product_3 = swirl_inside_slope_dx * 3.1415927 * swirl_inside;
     float swirl_sum_2 = swirl_product_3 + swirl_inside_slope_dx * swirl_product;
     float swirl_negated = -(swirl_sum_2 * swirl_sine);
     float swirl_sum_3 = swirl_negated * swirl_way.x + grid_uv_dx.x * swirl_cosine;
@@ -56,7 +40,7 @@ WrinkleMaterial_uv_tools wrinkle_uv_tools(WrinkleSurface_uv_tools s) {
     float swirl_dot_product_2 = dot(swirl_way, grid_uv_dy);
     float swirl_choice_2 = swirl_test_2 ? swirl_dot_product_2 / swirl_extent : 0.0;
     float swirl_inside_slope_dy = swirl_test ? 0.0 : -(swirl_choice_2 / 0.5);
-    float swirl_product_5 = swirl_inside_slope_dy * uv_tools_pi * swirl_inside;
+    float swirl_product_5 = swirl_inside_slope_dy * 3.1415927 * swirl_inside;
     float swirl_sum_7 = swirl_product_5 + swirl_inside_slope_dy * swirl_product;
     float swirl_negated_2 = -(swirl_sum_7 * swirl_sine);
     float swirl_sum_8 = swirl_negated_2 * swirl_way.x + grid_uv_dy.x * swirl_cosine;
@@ -148,8 +132,7 @@ WrinkleMaterial_uv_tools wrinkle_uv_tools(WrinkleSurface_uv_tools s) {
     float is_swirl_squares_result = abs(index_result - 3.0) <= 1e-06 ? 1.0 : 0.0;
     // chart_3: Mix
     float chart_3_result = mix(chart_2_result, swirl_squares_value, is_swirl_squares_result);
-    float spherize_dot_product = dot(swirl_way, swirl_way);  // spherize: Spherize UV
-    float spherize_difference = 1.0 - spherize_dot_product / 0.25;
+    float spherize_difference = 1.0 - dot(swirl_way, swirl_way) / 0.25;  // spherize: Spherize UV
     float spherize_inside = max(spherize_difference, 0.0);
     float spherize_product = 0.6 * spherize_inside;
     float spherize_difference_2 = 1.0 - spherize_product * spherize_inside;
@@ -186,82 +169,10 @@ WrinkleMaterial_uv_tools wrinkle_uv_tools(WrinkleSurface_uv_tools s) {
     float is_spherize_squares_result = abs(index_result - 4.0) <= 1e-06 ? 1.0 : 0.0;
     // chart_4: Mix
     float chart_4_result = mix(chart_3_result, spherize_squares_value, is_spherize_squares_result);
-    // polar: Polar UV
-    vec2 polar_uv = vec2(swirl_extent, wrinkle_uv_tools_exact_angle(swirl_way) * 0.31830987);
-    vec2 polar_quotient = vec2(-swirl_way.y, swirl_way.x) /
-            max(spherize_dot_product, uv_tools_min_area);
-    vec2 polar_uv_dx = vec2(swirl_choice, dot(polar_quotient, grid_uv_dx) * 0.31830987);
-    vec2 polar_uv_dy = vec2(swirl_choice_2, dot(polar_quotient, grid_uv_dy) * 0.31830987);
-    vec2 polar_squares_p = polar_uv * 6.0;  // polar_squares: Checker
-    vec2 polar_squares_sum = abs(polar_uv_dx * 6.0) + abs(polar_uv_dy * 6.0);
-    vec2 polar_squares_width = max(polar_squares_sum, 0.4);
-    vec2 polar_squares_product = polar_squares_width * 0.5;
-    vec2 polar_squares_turn = (polar_squares_p - polar_squares_product) * 0.5;
-    vec2 polar_squares_magnitude = abs((polar_squares_turn - floor(polar_squares_turn)) * 2.0 -
-            1.0);
-    vec2 polar_squares_turn_2 = (polar_squares_p + polar_squares_product) * 0.5;
-    vec2 polar_squares_magnitude_2 =
-            abs((polar_squares_turn_2 - floor(polar_squares_turn_2)) * 2.0 - 1.0);
-    vec2 polar_squares_difference = polar_squares_magnitude - polar_squares_magnitude_2;
-    vec2 polar_squares_side = polar_squares_difference / polar_squares_width;
-    float polar_squares_value = 0.5 + 0.5 * polar_squares_side.x * polar_squares_side.y;
     // is_polar_squares: Compare
     float is_polar_squares_result = abs(index_result - 5.0) <= 1e-06 ? 1.0 : 0.0;
-    // chart_5: Mix
-    float chart_5_result = mix(chart_4_result, polar_squares_value, is_polar_squares_result);
-    // kaleidoscope: Kaleidoscope
-    bool kaleidoscope_test = abs(swirl_way.x) + abs(swirl_way.y) > 0.0;
-    float kaleidoscope_from = kaleidoscope_test ? atan(swirl_way.y, swirl_way.x) : 0.0;
-    float kaleidoscope_difference = mod(kaleidoscope_from + 0.62831855, 1.2566371) - 0.62831855;
-    float kaleidoscope_folded = abs(kaleidoscope_difference);
-    float kaleidoscope_cosine = cos(kaleidoscope_folded);
-    float kaleidoscope_sine = sin(kaleidoscope_folded);
-    vec2 kaleidoscope_vector = vec2(kaleidoscope_cosine, kaleidoscope_sine);
-    vec2 kaleidoscope_uv = swirl_extent * kaleidoscope_vector + 0.5;
-    float kaleidoscope_difference_2 = grid_uv_dx.y * swirl_way.x - grid_uv_dx.x * swirl_way.y;
-    float kaleidoscope_sum = swirl_way.y * swirl_way.y + swirl_way.x * swirl_way.x;
-    float kaleidoscope_choice = kaleidoscope_sum > 0.0 ? 1.0 / kaleidoscope_sum : 0.0;
-    float kaleidoscope_product = kaleidoscope_difference_2 * kaleidoscope_choice;
-    float kaleidoscope_from_slope_dx = kaleidoscope_test ? kaleidoscope_product : 0.0;
-    float kaleidoscope_sign = sign(kaleidoscope_difference);
-    float kaleidoscope_folded_slope_dx = kaleidoscope_from_slope_dx * kaleidoscope_sign;
-    float kaleidoscope_negated = -(kaleidoscope_folded_slope_dx * kaleidoscope_sine);
-    float kaleidoscope_product_2 = kaleidoscope_folded_slope_dx * kaleidoscope_cosine;
-    vec2 kaleidoscope_uv_dx = swirl_choice * kaleidoscope_vector +
-            vec2(kaleidoscope_negated, kaleidoscope_product_2) * swirl_extent;
-    float kaleidoscope_difference_3 = grid_uv_dy.y * swirl_way.x - grid_uv_dy.x * swirl_way.y;
-    float kaleidoscope_product_3 = kaleidoscope_difference_3 * kaleidoscope_choice;
-    float kaleidoscope_from_slope_dy = kaleidoscope_test ? kaleidoscope_product_3 : 0.0;
-    float kaleidoscope_folded_slope_dy = kaleidoscope_from_slope_dy * kaleidoscope_sign;
-    float kaleidoscope_negated_2 = -(kaleidoscope_folded_slope_dy * kaleidoscope_sine);
-    float kaleidoscope_product_4 = kaleidoscope_folded_slope_dy * kaleidoscope_cosine;
-    vec2 kaleidoscope_uv_dy = swirl_choice_2 * kaleidoscope_vector +
-            vec2(kaleidoscope_negated_2, kaleidoscope_product_4) * swirl_extent;
-    vec2 kaleidoscope_squares_p = kaleidoscope_uv * 6.0;  // kaleidoscope_squares: Checker
-    vec2 kaleidoscope_squares_p_dx = kaleidoscope_uv_dx * 6.0;
-    vec2 kaleidoscope_squares_p_dy = kaleidoscope_uv_dy * 6.0;
-    vec2 kaleidoscope_squares_sum = abs(kaleidoscope_squares_p_dx) + abs(kaleidoscope_squares_p_dy);
-    vec2 kaleidoscope_squares_width = max(kaleidoscope_squares_sum, 0.4);
-    vec2 kaleidoscope_squares_product = kaleidoscope_squares_width * 0.5;
-    vec2 kaleidoscope_squares_turn = (kaleidoscope_squares_p - kaleidoscope_squares_product) * 0.5;
-    vec2 kaleidoscope_squares_product_2 =
-            (kaleidoscope_squares_turn - floor(kaleidoscope_squares_turn)) * 2.0;
-    vec2 kaleidoscope_squares_magnitude = abs(kaleidoscope_squares_product_2 - 1.0);
-    vec2 kaleidoscope_squares_turn_2 =
-            (kaleidoscope_squares_p + kaleidoscope_squares_product) * 0.5;
-    vec2 kaleidoscope_squares_product_3 =
-            (kaleidoscope_squares_turn_2 - floor(kaleidoscope_squares_turn_2)) * 2.0;
-    vec2 kaleidoscope_squares_difference = kaleidoscope_squares_magnitude -
-            abs(kaleidoscope_squares_product_3 - 1.0);
-    vec2 kaleidoscope_squares_side = kaleidoscope_squares_difference / kaleidoscope_squares_width;
-    float kaleidoscope_squares_product_4 =
-            0.5 * kaleidoscope_squares_side.x * kaleidoscope_squares_side.y;
-    float kaleidoscope_squares_value = 0.5 + kaleidoscope_squares_product_4;
     // is_kaleidoscope_squares: Compare
     float is_kaleidoscope_squares_result = abs(index_result - 6.0) <= 1e-06 ? 1.0 : 0.0;
-    // chart_6: Mix
-    float chart_6_result = mix(chart_5_result, kaleidoscope_squares_value,
-            is_kaleidoscope_squares_result);
     // ripple: Waves
     float ripple_fraction = fract(dot(tile_uv * 2.0, vec2(0.79703534, -0.6039327)) + 0.91080195);
     float ripple_product = ripple_fraction * uv_tools_two_pi;
@@ -335,8 +246,6 @@ WrinkleMaterial_uv_tools wrinkle_uv_tools(WrinkleSurface_uv_tools s) {
     float warp_squares_value = 0.5 + 0.5 * warp_squares_side.x * warp_squares_side.y;
     // is_warp_squares: Compare
     float is_warp_squares_result = abs(index_result - 7.0) <= 1e-06 ? 1.0 : 0.0;
-    // chart_7: Mix
-    float chart_7_result = mix(chart_6_result, warp_squares_value, is_warp_squares_result);
     // push: Warp UV along a direction
     vec2 push_uv = vec2(tile_uv.x + ripple_value * 0.1, tile_uv.y);
     vec2 push_squares_p = push_uv * 6.0;  // push_squares: Checker
@@ -357,6 +266,75 @@ WrinkleMaterial_uv_tools wrinkle_uv_tools(WrinkleSurface_uv_tools s) {
     float push_squares_value = 0.5 + 0.5 * push_squares_side.x * push_squares_side.y;
     // is_push_squares: Compare
     float is_push_squares_result = abs(index_result - 8.0) <= 1e-06 ? 1.0 : 0.0;
+    bool polar_test = abs(swirl_way.x) + abs(swirl_way.y) > 0.0;  // polar: Polar UV
+    float polar_difference = grid_uv_dx.y * swirl_way.x - grid_uv_dx.x * swirl_way.y;
+    float polar_sum = swirl_way.y * swirl_way.y + swirl_way.x * swirl_way.x;
+    float polar_choice = polar_sum > 0.0 ? 1.0 / polar_sum : 0.0;
+    float polar_choice_2 = polar_test ? polar_difference * polar_choice : 0.0;
+    float polar_difference_2 = grid_uv_dy.y * swirl_way.x - grid_uv_dy.x * swirl_way.y;
+    float polar_choice_3 = polar_test ? polar_difference_2 * polar_choice : 0.0;
+    // kaleidoscope: Kaleidoscope
+    float kaleidoscope_from = polar_test ? atan(swirl_way.y, swirl_way.x) : 0.0;
+    float kaleidoscope_difference = mod(kaleidoscope_from + 0.62831855, 1.2566371) - 0.62831855;
+    float kaleidoscope_folded = abs(kaleidoscope_difference);
+    float kaleidoscope_cosine = cos(kaleidoscope_folded);
+    float kaleidoscope_sine = sin(kaleidoscope_folded);
+    vec2 kaleidoscope_vector = vec2(kaleidoscope_cosine, kaleidoscope_sine);
+    vec2 kaleidoscope_uv = swirl_extent * kaleidoscope_vector + 0.5;
+    float kaleidoscope_sign = sign(kaleidoscope_difference);
+    float kaleidoscope_folded_slope_dx = polar_choice_2 * kaleidoscope_sign;
+    float kaleidoscope_negated = -(kaleidoscope_folded_slope_dx * kaleidoscope_sine);
+    float kaleidoscope_product = kaleidoscope_folded_slope_dx * kaleidoscope_cosine;
+    vec2 kaleidoscope_uv_dx = swirl_choice * kaleidoscope_vector +
+            vec2(kaleidoscope_negated, kaleidoscope_product) * swirl_extent;
+    float kaleidoscope_folded_slope_dy = polar_choice_3 * kaleidoscope_sign;
+    float kaleidoscope_negated_2 = -(kaleidoscope_folded_slope_dy * kaleidoscope_sine);
+    float kaleidoscope_product_2 = kaleidoscope_folded_slope_dy * kaleidoscope_cosine;
+    vec2 kaleidoscope_uv_dy = swirl_choice_2 * kaleidoscope_vector +
+            vec2(kaleidoscope_negated_2, kaleidoscope_product_2) * swirl_extent;
+    // polar: Polar UV (continued)
+    vec2 polar_uv = vec2(swirl_extent, kaleidoscope_from * 0.31830987);
+    vec2 polar_squares_p = polar_uv * 6.0;  // polar_squares: Checker
+    vec2 polar_squares_magnitude = abs(vec2(swirl_choice, polar_choice_2 * 0.31830987) * 6.0);
+    vec2 polar_squares_magnitude_2 = abs(vec2(swirl_choice_2, polar_choice_3 * 0.31830987) * 6.0);
+    vec2 polar_squares_width = max(polar_squares_magnitude + polar_squares_magnitude_2, 0.4);
+    vec2 polar_squares_product = polar_squares_width * 0.5;
+    vec2 polar_squares_turn = (polar_squares_p - polar_squares_product) * 0.5;
+    vec2 polar_squares_magnitude_3 =
+            abs((polar_squares_turn - floor(polar_squares_turn)) * 2.0 - 1.0);
+    vec2 polar_squares_turn_2 = (polar_squares_p + polar_squares_product) * 0.5;
+    vec2 polar_squares_magnitude_4 =
+            abs((polar_squares_turn_2 - floor(polar_squares_turn_2)) * 2.0 - 1.0);
+    vec2 polar_squares_difference = polar_squares_magnitude_3 - polar_squares_magnitude_4;
+    vec2 polar_squares_side = polar_squares_difference / polar_squares_width;
+    float polar_squares_value = 0.5 + 0.5 * polar_squares_side.x * polar_squares_side.y;
+    // chart_5: Mix
+    float chart_5_result = mix(chart_4_result, polar_squares_value, is_polar_squares_result);
+    vec2 kaleidoscope_squares_p = kaleidoscope_uv * 6.0;  // kaleidoscope_squares: Checker
+    vec2 kaleidoscope_squares_p_dx = kaleidoscope_uv_dx * 6.0;
+    vec2 kaleidoscope_squares_p_dy = kaleidoscope_uv_dy * 6.0;
+    vec2 kaleidoscope_squares_sum = abs(kaleidoscope_squares_p_dx) + abs(kaleidoscope_squares_p_dy);
+    vec2 kaleidoscope_squares_width = max(kaleidoscope_squares_sum, 0.4);
+    vec2 kaleidoscope_squares_product = kaleidoscope_squares_width * 0.5;
+    vec2 kaleidoscope_squares_turn = (kaleidoscope_squares_p - kaleidoscope_squares_product) * 0.5;
+    vec2 kaleidoscope_squares_product_2 =
+            (kaleidoscope_squares_turn - floor(kaleidoscope_squares_turn)) * 2.0;
+    vec2 kaleidoscope_squares_magnitude = abs(kaleidoscope_squares_product_2 - 1.0);
+    vec2 kaleidoscope_squares_turn_2 =
+            (kaleidoscope_squares_p + kaleidoscope_squares_product) * 0.5;
+    vec2 kaleidoscope_squares_product_3 =
+            (kaleidoscope_squares_turn_2 - floor(kaleidoscope_squares_turn_2)) * 2.0;
+    vec2 kaleidoscope_squares_difference = kaleidoscope_squares_magnitude -
+            abs(kaleidoscope_squares_product_3 - 1.0);
+    vec2 kaleidoscope_squares_side = kaleidoscope_squares_difference / kaleidoscope_squares_width;
+    float kaleidoscope_squares_product_4 =
+            0.5 * kaleidoscope_squares_side.x * kaleidoscope_squares_side.y;
+    float kaleidoscope_squares_value = 0.5 + kaleidoscope_squares_product_4;
+    // chart_6: Mix
+    float chart_6_result = mix(chart_5_result, kaleidoscope_squares_value,
+            is_kaleidoscope_squares_result);
+    // chart_7: Mix
+    float chart_7_result = mix(chart_6_result, warp_squares_value, is_warp_squares_result);
     // chart_8: Mix
     float chart_8_result = mix(chart_7_result, push_squares_value, is_push_squares_result);
     WrinkleMaterial_uv_tools m;
