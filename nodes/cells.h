@@ -9,8 +9,6 @@
 
 namespace wrinkle::nodes {
 
-inline constexpr char seed_doc[] = "Another seed gives other random numbers";
-
 // Lengths are in units of the pattern, `scale` of which fit into a uv unit.
 struct CellAt {
     sdk::vec2 cell;    // whole numbers

@@ -34,7 +34,7 @@ enum class Distance { first, second, difference };
 // most jitter / 2 cells from its centre. Points two cells away are ignored; at full jitter this
 // changes the second distance at a few of 10,000 positions. The search returns cells, which do not
 // depend on the position, so only the distances to their points are differentiated.
-static Float worley(vec3 point, Float scale, Float jitter, Distance which) {
+static Float worley(vec3 point, Float scale, Float jitter, Distance which, int seed) {
     const auto search = [](vec3 cell, vec3 from, Float jitter) {
         using State = std::tuple<Int, Float, Float, vec3, vec3>;
         const auto each = [&](Int k, Float first, Float second, vec3 nearest, vec3 next) {
@@ -56,8 +56,9 @@ static Float worley(vec3 point, Float scale, Float jitter, Distance which) {
     const auto distance =
         function("worley(point, width, scale, jitter)",
                  [&](vec3 point, Float width, Float scale, Float jitter) {
-                     const vec3 p = named("p", point * scale), cell = named("cell", floor(p));
-                     const vec3 from = named("from", p - cell - 0.5);
+                     const vec3 p = named("p", point * scale), corner = named("cell", floor(p));
+                     const vec3 from = named("from", p - corner - 0.5);
+                     const vec3 cell = seeded_cell(corner, seed);
                      const auto [nearest, next] = search(cell, detach(from), detach(jitter));
                      const auto distance_to = [&](const char* name, vec3 step) {
                          return length(named(name, step + feature(cell + step, jitter) - from));
@@ -75,11 +76,11 @@ static Float worley(vec3 point, Float scale, Float jitter, Distance which) {
 
 // Worley noise that reports the slopes which it removes. A distance has slope 1; the variance of
 // the difference is measured.
-static Float filtered_worley(vec3 point, Float scale, Float jitter, Distance which) {
+static Float filtered_worley(vec3 point, Float scale, Float jitter, Distance which, int seed) {
     const Float difference = 1.04 - 0.285 * jitter;
     const Float variance = which == Distance::difference ? difference : Float(1.0 / 3);
     const Float lost = variance * lost_share(fade(footprint(point), scale));
-    return worley(point, scale, jitter, which) + lost_slope(point * scale, lost);
+    return worley(point, scale, jitter, which, seed) + lost_slope(point * scale, lost);
 }
 
 static constexpr int most_layers = 4;
@@ -87,18 +88,18 @@ static constexpr int most_layers = 4;
 struct Scratches {
     vec2 uv;
     Float scale, density, length, width, direction, spread;
-    int layers;
+    int layers, seed;
     Float amplitude;
 };
 
 // Returns the depth of a stroke at a position. A stroke may begin in each of 9 cells of a layer;
 // the index counts those of all layers. `size` is (length, width), `angles` (direction, spread).
-static Float stroke_at(vec2 p, Int index, Float density, vec2 size, vec2 angles) {
+static Float stroke_at(vec2 p, Int index, Float density, vec2 size, vec2 angles, int seed) {
     const Float middle = named("middle", middle_of(index));
     const Float layer = named("layer", floor(middle / 9));
     const vec2 moved = named("moved", p + vec2(0.37, 0.61) * layer);
     const vec2 cell = named("cell", floor(moved) + offset(middle, vec2(1, 3)));
-    const Uint bits = named("bits", hash(vec3(cell, layer)));
+    const Uint bits = named("bits", hash(seeded_cell(vec3(cell, layer), seed)));
     const Uint more =
         named("more", hash(bits ^ named("golden_bits // 2^32 / golden ratio", Uint(0x9e3779b9u))));
     const vec3 random = named("random", random3(bits));
@@ -117,7 +118,11 @@ static Float stroke_at(vec2 p, Int index, Float density, vec2 size, vec2 angles)
 // Returns the depth of the deepest stroke. As with points, the search returns the stroke's index,
 // and only that stroke is differentiated.
 static Float strokes(const Scratches& in) {
-    const auto stroke = function("scratch(p, index, density, size, angles)", stroke_at);
+    const auto stroke =
+        function("scratch(p, index, density, size, angles)",
+                 [seed = in.seed](vec2 p, Int index, Float density, vec2 size, vec2 angles) {
+                     return stroke_at(p, index, density, size, angles, seed);
+                 });
     const auto deepest = function(
         "scratches(uv, width, scale, layers, density, size, angles)",
         [&](vec2 uv, Float width, Float scale, Int layers, Float density, vec2 size, vec2 angles) {
@@ -150,10 +155,11 @@ static constinit Node cellular_list[] = {
                           limits(0, 1))
                .choice("distance", {"f1", "f2", "f2_minus_f1"},
                        "To the nearest point, to the second nearest, or their difference, which is "
-                       "0 between cells"),
+                       "0 between cells")
+               .count("seed", 0, 0, 65535, seed_doc),
            0.03, "The distance in cells, 0 to about 1")
-        .body([](vec3 point, Float scale, Float jitter, Choice which, Float amplitude) {
-            const Float value = filtered_worley(point, scale, jitter, which);
+        .body([](vec3 point, Float scale, Float jitter, Choice which, int seed, Float amplitude) {
+            const Float value = filtered_worley(point, scale, jitter, which, seed);
             return relief_of(value, amplitude);
         }),
 
@@ -172,7 +178,8 @@ static constinit Node cellular_list[] = {
                        unit("deg"))
             .in<Float>("spread", 360, "How far they turn away from it in all", slider(0, 360),
                        unit("deg"))
-            .count("layers", 2, 1, most_layers, "How many strokes may lie in a cell"),
+            .count("layers", 2, 1, most_layers, "How many strokes may lie in a cell")
+            .count("seed", 0, 0, 65535, seed_doc),
         0.004, "How deep, 0 to -1")
         .body([](Scratches in) { return relief_of(-named("value", strokes(in)), in.amplitude); })};
 constinit std::span<Node> cellular_nodes = cellular_list;

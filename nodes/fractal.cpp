@@ -3,6 +3,7 @@
 
 #include "nodes/footprint.h"
 #include "nodes/noise.h"
+#include "nodes/random.h"
 #include "nodes/relief.h"
 
 namespace wrinkle::nodes {
@@ -14,14 +15,16 @@ struct FractalNoise {
     int octaves;
     Float lacunarity, gain;
     Basis basis;
+    int seed;
     Float amplitude;
 
-    Fractal fractal() const { return {point, scale, octaves, lacunarity, gain}; }
+    Fractal fractal() const { return {point, scale, octaves, lacunarity, gain, seed}; }
 };
 
 static constexpr auto fractal(const char* id, const char* title, const char* doc) {
     return with_octaves(noise_in_space(id, title, doc, 3))
-        .choice("basis", basis_names, "The noise that is added up");
+        .choice("basis", basis_names, "The noise that is added up")
+        .count("seed", 0, 0, 65535, seed_doc);
 }
 
 // Measured: the spatial means of |noise| and (1 - |noise|)^2, to which octaves fade, and the slope
@@ -37,7 +40,7 @@ static Means means_of(Basis basis) {
 
 // The sum of |noise| over octaves, 0 to about 1.
 static Float billows(const Fractal& fractal, Basis basis) {
-    const Noise noise = noise_function(basis);
+    const Noise noise = noise_function(basis, fractal.seed);
     return mean_of_octaves("billows", fractal, slope_variance(basis), [&](const Octave& at) {
         return mix(means_of(basis).absolute, abs(noise(at.p)), at.fade);
     });
@@ -46,7 +49,7 @@ static Float billows(const Fractal& fractal, Basis basis) {
 // F. K. Musgrave's ridged multifractal: each octave is multiplied by twice the previous one,
 // saturated.
 static Float ridges(const Fractal& fractal, Basis basis) {
-    const Noise noise = noise_function(basis);
+    const Noise noise = noise_function(basis, fractal.seed);
     return mean_of_octaves("ridges", fractal, means_of(basis).ridge_slope, [&](const Octave& at) {
         const Float fold = 1 - abs(noise(at.p));
         return mix(means_of(basis).ridge, fold * fold, at.fade) * saturate(at.previous * 2);
@@ -57,7 +60,9 @@ struct Dents {
     vec3 point;
     Float scale;
     int octaves;
-    Float lacunarity, gain, threshold, power, amplitude;
+    Float lacunarity, gain, threshold, power;
+    int seed;
+    Float amplitude;
 };
 
 static constinit Node fractal_list[] = {
@@ -90,10 +95,11 @@ static constinit Node fractal_list[] = {
             .in<Float>("threshold", 0.2, "Turbulence up to this is left alone", slider(0, 0.6),
                        limits(0, 0.99))
             .in<Float>("power", 1.5, "Higher makes dents steeper and their rims softer",
-                       slider(1, 4), limits(1, 16)),
+                       slider(1, 4), limits(1, 16))
+            .count("seed", 0, 0, 65535, seed_doc),
         0.1, "How deep, 0 to -1")
         .body([](Dents in) {
-            const Fractal fractal{in.point, in.scale, in.octaves, in.lacunarity, in.gain};
+            const Fractal fractal{in.point, in.scale, in.octaves, in.lacunarity, in.gain, in.seed};
             const Float over = billows(fractal, Basis::gradient) - in.threshold;
             return relief_of(-pow(saturate(over / (1 - in.threshold)), in.power), in.amplitude);
         })};

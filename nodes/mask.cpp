@@ -1,4 +1,5 @@
 // Masks by the surface and by the eye: 0 to 1, with edges of at least a pixel.
+#include <numbers>
 #include <span>
 
 #include "nodes/footprint.h"
@@ -134,6 +135,37 @@ static constinit Node mask_list[] = {
             const Float above = named("above", height - smooth);
             const Float width = named("edge_width", max(softness, box_width(above)));
             return std::tuple{smooth_edge(above, level, width), smooth_edge(-above, level, width)};
+        }),
+
+    mask_family("curvature", "Curvature",
+                "Convex and concave parts of a relief: worn edges and dirty corners.")
+        .field<Height>("height", surface::uv0,
+                       "The relief as made from uv0, in length units of object space")
+        .in<vec2>("uv", surface::uv0, "Where to read it")
+        .in<Float>("span", 0.01,
+                   "How far around the relief is compared, in uv units; at least a pixel",
+                   slider(0.001, 0.1), limits(1e-4, 1e6))
+        .in<Height>("level", 0.002,
+                    "How far above or below the mean around it a mask is 1, in length units of "
+                    "object space",
+                    slider(0.0005, 0.02), limits(3e-4, 1e6), unit("m"))
+        .out<Float>("convex", "0 to 1: edges and tops")
+        .out<Float>("concave", "0 to 1: corners and hollows")
+        .out<Height>("above",
+                     "Height over the mean of eight points around it: minus a quarter of the "
+                     "Laplacian times the square of the span",
+                     unit("m"))
+        .body([](Field<Float> height, vec2 uv, Float span, Float level) {
+            const Float far = named("far", max(span, footprint(uv)));
+            const auto beside = [&](vec2 way) {
+                return height(uv + way * far) + height(uv - way * far);
+            };
+            const double d = std::numbers::sqrt2 / 2;
+            const Float around = named("around", 0.125 * (beside({1, 0}) + beside({0, 1}) +
+                                                          beside({d, d}) + beside({d, -d})));
+            const Float above = named("above", height(uv) - around);
+            const Float t = named("t", above / level), width = box_width(t);
+            return std::tuple{saturate_mean(t, width), saturate_mean(-t, width), above};
         }),
 
     seen_from(mask_family("fresnel", "Fresnel",

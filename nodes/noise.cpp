@@ -5,6 +5,7 @@
 #include "nodes/noise.h"
 
 #include "nodes/footprint.h"
+#include "nodes/random.h"
 #include "nodes/relief.h"
 
 namespace wrinkle::nodes {
@@ -30,16 +31,17 @@ static vec4 gradient_corner(vec3 corner, vec3 way) {
 struct Cell {
     vec3 corner, way, t, t_slope;
 };
-static Cell cell_of(vec3 p) {
+static Cell cell_of(vec3 p, int seed) {
     const vec3 corner = named("cell", floor(p)), way = named("f", p - corner);
     const vec3 back = named("back", way - 1);
-    return {corner, way, named("t", way * way * way * (way * (way * 6 - vec3(15)) + vec3(10))),
+    return {seeded_cell(corner, seed), way,
+            named("t", way * way * way * (way * (way * 6 - vec3(15)) + vec3(10))),
             named("t_slope", 30 * way * way * back * back)};
 }
 
 // Interpolates (slope, height) of the eight corners: along x, then y, then z. Each step adds the
 // slope along its axis.
-static vec4 gradient_noise(vec3 p) {
+static vec4 gradient_noise(vec3 p, int seed) {
     const auto edge =
         function("gradient_edge(corner, way, t, t_slope)",
                  [](vec3 corner, vec3 way, Float t, Float t_slope) {
@@ -48,7 +50,7 @@ static vec4 gradient_noise(vec3 p) {
                      const vec4 b = named("b", gradient_corner(corner + x, way - x));
                      return named("mixed", mix(a, b, t)) + vec4(t_slope * (b.w() - a.w()), 0, 0, 0);
                  });
-    const Cell cell = cell_of(p);
+    const Cell cell = cell_of(p, seed);
     const auto along_x = [&](const char* name, vec3 at) {
         return named(name, edge(cell.corner + at, cell.way - at, cell.t.x(), cell.t_slope.x()));
     };
@@ -61,14 +63,14 @@ static vec4 gradient_noise(vec3 p) {
 }
 
 // The same for corners that have only a height: each step makes one component of the slope.
-static vec4 value_noise(vec3 p) {
+static vec4 value_noise(vec3 p, int seed) {
     const auto edge =
         function("value_edge(corner, t, t_slope)", [](vec3 corner, Float t, Float t_slope) {
             const Float a = named("a", unit_float(hash(corner)) * 2 - 1);
             const Float b = named("b", unit_float(hash(corner + vec3(1, 0, 0))) * 2 - 1);
             return vec2(t_slope * (b - a), mix(a, b, t));
         });
-    const Cell cell = cell_of(p);
+    const Cell cell = cell_of(p, seed);
     const auto along_x = [&](const char* name, vec3 at) {
         return named(name, edge(cell.corner + at, cell.t.x(), cell.t_slope.x()));
     };
@@ -84,14 +86,15 @@ static vec4 value_noise(vec3 p) {
 
 // Sums the four corners of a simplex in the skewed lattice: the cell's corner, one step along the
 // greatest component, one more along the next, and the opposite corner. Returns (slope, height).
-static vec4 simplex(vec3 p) {
+static vec4 simplex(vec3 p, int seed) {
     const vec3 skewed = named("skewed", p + dot(p, vec3(1)) / 3);
-    const vec3 cell = named("cell", floor(skewed)), f = named("f", skewed - cell);
+    const vec3 corner = named("cell", floor(skewed)), f = named("f", skewed - corner);
+    const vec3 cell = seeded_cell(corner, seed);
     const Float xy(f.x() >= f.y()), xz(f.x() >= f.z()), yz(f.y() >= f.z());
     const vec3 rank = named("rank", vec3(xy + xz, 1 - xy + yz, 2 - xz - yz));
     const vec3 way = named("way", f - dot(f, vec3(1)) / 6);
     const vec3 one = named("one", saturate(rank - 1)), two = named("two", saturate(rank));
-    const auto corner = function("simplex_corner(corner, way)", [](vec3 corner, vec3 way) {
+    const auto height = function("simplex_corner(corner, way)", [](vec3 corner, vec3 way) {
         const Float near = named("near", max(0.5 - dot(way, way), 0));
         const Float cube = named("cube", near * near * near);
         const vec4 linear = named("linear", gradient_corner(corner, way));
@@ -99,19 +102,22 @@ static vec4 simplex(vec3 p) {
     });
     const Float unskew = named("unskew // 1 / 6: a step of the lattice, per axis", Float(1.0 / 6));
     const Float two_unskew = named("two_unskew // of two steps", Float(1.0 / 3));
-    return (corner(cell, way) + corner(cell + one, way - one + unskew) +
-            corner(cell + two, way - two + two_unskew) + corner(cell + 1, way - 0.5)) *
+    return (height(cell, way) + height(cell + one, way - one + unskew) +
+            height(cell + two, way - two + two_unskew) + height(cell + 1, way - 0.5)) *
            76;
 }
 
-Noise noise_function(Basis basis) {
+Noise noise_function(Basis basis, int seed) {
+    const auto with_seed = [seed](vec4 (*noise)(vec3, int)) {
+        return [=](vec3 p) { return noise(p, seed); };
+    };
     switch (basis) {
         case Basis::gradient:
-            return {function("gradient_noise(p)", gradient_noise)};
+            return {function("gradient_noise(p)", with_seed(gradient_noise))};
         case Basis::simplex:
-            return {function("simplex_noise(p)", simplex)};
+            return {function("simplex_noise(p)", with_seed(simplex))};
         default:
-            return {function("value_noise(p)", value_noise)};
+            return {function("value_noise(p)", with_seed(value_noise))};
     }
 }
 
@@ -143,14 +149,14 @@ Float lost_octaves(const Fractal& fractal, Float width) {
 }
 
 Float fbm(const Fractal& fractal, Basis basis) {
-    const Noise noise = noise_function(basis);
+    const Noise noise = noise_function(basis, fractal.seed);
     return mean_of_octaves("fbm", fractal, slope_variance(basis),
                            [&](const Octave& at) { return noise(at.p) * at.fade; });
 }
 
 // One octave.
-static auto single(Basis basis, vec3 point, Float scale, Float amplitude) {
-    const Noise noise = noise_function(basis);
+static auto single(Basis basis, vec3 point, Float scale, int seed, Float amplitude) {
+    const Noise noise = noise_function(basis, seed);
     const auto filtered =
         function("filtered_noise(point, width, scale)", [&](vec3 point, Float width, Float scale) {
             return noise(point * scale) * fade(width, scale);
@@ -162,35 +168,39 @@ static auto single(Basis basis, vec3 point, Float scale, Float amplitude) {
 }
 
 static constinit Node noise_list[] = {
-    relief(with_octaves(noise_in_space(
-               "gradient_noise", "Gradient noise",
-               "Smooth random relief in space: octaves of Perlin noise, each finer and weaker "
-               "than the one before.",
-               4)),
+    relief(with_octaves(
+               noise_in_space(
+                   "gradient_noise", "Gradient noise",
+                   "Smooth random relief in space: octaves of Perlin noise, each finer and weaker "
+                   "than the one before.",
+                   4))
+               .count("seed", 0, 0, 65535, seed_doc),
            0.02, "The noise, about -1 to 1, mostly within -0.5 to 0.5")
-        .body([](vec3 point, Float scale, int octaves, Float lacunarity, Float gain,
+        .body([](vec3 point, Float scale, int octaves, Float lacunarity, Float gain, int seed,
                  Float amplitude) {
-            const Fractal fractal{point, scale, octaves, lacunarity, gain};
+            const Fractal fractal{point, scale, octaves, lacunarity, gain, seed};
             return relief_of(fbm(fractal, Basis::gradient), amplitude);
         }),
 
     relief(noise_in_space("simplex_noise", "Simplex noise",
                           "Smooth random relief in space without the lattice's directions: one "
                           "octave of simplex noise.",
-                          4),
+                          4)
+               .count("seed", 0, 0, 65535, seed_doc),
            0.02, "The noise, about -1 to 1")
-        .body([](vec3 point, Float scale, Float amplitude) {
-            return single(Basis::simplex, point, scale, amplitude);
+        .body([](vec3 point, Float scale, int seed, Float amplitude) {
+            return single(Basis::simplex, point, scale, seed, amplitude);
         }),
 
     relief(
         noise_in_space("value_noise", "Value noise",
                        "Soft random blotches in space: a random number in each corner of a cell, "
                        "joined smoothly.",
-                       4),
+                       4)
+            .count("seed", 0, 0, 65535, seed_doc),
         0.02, "The noise, -1 to 1")
-        .body([](vec3 point, Float scale, Float amplitude) {
-            return single(Basis::value, point, scale, amplitude);
+        .body([](vec3 point, Float scale, int seed, Float amplitude) {
+            return single(Basis::value, point, scale, seed, amplitude);
         })};
 constinit std::span<Node> noise_nodes = noise_list;
 

@@ -27,7 +27,8 @@ struct Noise {
 //   value     hashed numbers at lattice points, joined by the same quintic: C2
 enum class Basis { gradient, simplex, value };
 inline constexpr const char* basis_names[] = {"gradient", "simplex", "value"};
-Noise noise_function(Basis basis);
+// A seed other than 0 has other random numbers (random.h).
+Noise noise_function(Basis basis, int seed);
 double slope_variance(Basis basis);  // mean square of one component of the slope
 
 inline constexpr int most_octaves = 8;
@@ -39,6 +40,7 @@ struct Fractal {
     sdk::Float scale;  // cells of the first octave per length unit
     int octaves;
     sdk::Float lacunarity, gain;
+    int seed;
 };
 
 // A position in an octave, how much of it is visible (footprint.h), and the height of the octave

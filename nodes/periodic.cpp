@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "nodes/exact_angle.h"
 #include "nodes/footprint.h"
 #include "nodes/relief.h"
 #include "nodes/rotated.h"
@@ -122,7 +123,7 @@ static Float gradient_position(const Ramping& in) {
     // The angle takes less rounding than the rotated and scaled point.
     const vec2 from = in.uv - in.center;
     const auto turns = [&] {
-        const Float turn = named("turn", atan(from.y(), from.x()) / two_pi() - in.rotation / 360);
+        const Float turn = named("turn", exact_angle(from) / two_pi() - in.rotation / 360);
         return (turn - floor(turn + 0.5)) * in.arms;
     };
     switch (in.shape) {
@@ -224,8 +225,7 @@ static constinit Node periodic_list[] = {
                    "From the middle to where it is 1, in uv units; a linear one is 0 as far on the "
                    "other side",
                    slider(0.01, 1), limits(1e-6, 1e6))
-        // atan() of GLSL is exact to about 2e-5 turns; arms multiply that.
-        .count("arms", 1, 1, 4, "How often an angular or spiral gradient runs from 0 to 1")
+        .count("arms", 1, 1, 64, "How often an angular or spiral gradient runs from 0 to 1")
         .choice("extend", {"clamp", "repeat", "mirror"},
                 "Beyond 0 and 1: constant, from the start again, or back and forth; angular and "
                 "spiral ones repeat unless mirrored")

@@ -5,6 +5,8 @@
 
 namespace wrinkle::nodes {
 
+inline constexpr char seed_doc[] = "Another seed gives other random numbers";
+
 // Three numbers in [0, 1) from `bits` and two further hashes.
 inline sdk::vec3 random3(sdk::Uint bits) {
     using namespace sdk;
@@ -25,6 +27,18 @@ inline sdk::Uint random_bits(sdk::vec2 cell, sdk::Float id, int seed) {
         return hash(Uint(Int(at.x())) + of_y);
     });
     return bits(cell, id, Int(seed));
+}
+
+// The cell of a pattern that has the random numbers of another cell by its seed: for seeds other
+// than 0 it is moved by up to 32768 cells per axis. Only the cell is, so that positions in it lose
+// no digits.
+inline sdk::vec3 seeded_cell(sdk::vec3 cell, int seed) {
+    using namespace sdk;
+    if (seed == 0) return cell;
+    const auto along = [seed](int axis) {
+        return floor(unit_float(hash(Int(seed), Int(axis))) * 65536) - 32768;
+    };
+    return cell + named("seed_offset // in cells, by the seed", vec3(along(0), along(1), along(2)));
 }
 
 }  // namespace wrinkle::nodes

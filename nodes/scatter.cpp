@@ -237,10 +237,10 @@ static auto scattered(const Copies& in, const Places& places, Float amplitude) {
         in.order == Order::add ? sum_of(in, places) : select(any, top.drawn.value, 0);
     const Drawn far = mean_of(in, places);
     const Float detail = fade(places.width());
-    return std::tuple_cat(
-        relief_of(mix(far.value, value, detail), amplitude),
-        std::tuple{mix(far.coverage, coverage, detail), top.own + 0.5, cell,
-                   random3(random_bits(cell, 0, in.seed)), detach(top.middle), detail});
+    return std::tuple_cat(relief_of(mix(far.value, value, detail), amplitude),
+                          std::tuple{mix(far.coverage, coverage, detail), top.own + 0.5, cell,
+                                     random3(random_bits(cell, 0, in.seed)), detach(top.middle),
+                                     detail, detach(top.copy.turn)});
 }
 
 // Adds the first ports, and after those of positions the last ones.
@@ -283,7 +283,9 @@ static constexpr auto copies(const Declaration& declaration) {
         .template out<vec2>("cell", "The copy on top: whole numbers, for random nodes")
         .template out<vec3>("random", "Three random numbers of that copy, 0 to below 1")
         .template out<vec2>("center", "The middle of that copy, on the uv set")
-        .template out<Float>("detail", "1 near, 0 where a pixel covers a copy");
+        .template out<Float>("detail", "1 near, 0 where a pixel covers a copy")
+        .template out<vec2>("direction",
+                            "Along the u of the copy on top, in uv: unit, for tangents");
 }
 
 struct TileSampler {

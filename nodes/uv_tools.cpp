@@ -3,6 +3,7 @@
 #include <numbers>
 #include <span>
 
+#include "nodes/footprint.h"
 #include "nodes/random.h"
 #include "nodes/rotated.h"
 
@@ -136,6 +137,27 @@ static constinit Node uv_tools_list[] = {
         .body([](vec2 uv, Float value, Float middle, Float angle, Float amount) {
             const Float turn = named("turn", radians(angle));
             return uv + (value - middle) * amount * vec2(cos(turn), sin(turn));
+        }),
+
+    uv_tool("uv_warp_slope", "Warp UV by slopes",
+            "Moves a uv up the slopes of a number, or down: a pattern swells around its hills or "
+            "gathers on them.")
+        .field<Float>("value", surface::uv0, "A number as made from uv0, such as a noise")
+        .in<Float>("span", 0.01,
+                   "How far to each side the slope is measured, in uv units; at least a pixel",
+                   slider(0.001, 0.1), limits(1e-4, 1e6))
+        .in<Float>("amount", 0.01,
+                   "How far a slope of 1 per uv unit moves it, in uv units; below 0 downhill",
+                   slider(-0.1, 0.1))
+        .out<vec2>("uv", "The moved uv")
+        .out<vec2>("slope", "Change of the number per uv unit")
+        .body([](vec2 uv, Field<Float> value, Float span, Float amount) {
+            const Float far = named("far", max(span, footprint(uv)));
+            const auto along = [&](vec2 way) {
+                return (value(uv + way * far) - value(uv - way * far)) / (2 * far);
+            };
+            const vec2 slope = named("slope", vec2(along({1, 0}), along({0, 1})));
+            return std::tuple{uv + slope * amount, slope};
         })};
 constinit std::span<Node> uv_tools_nodes = uv_tools_list;
 

@@ -141,8 +141,10 @@ TEST_F(Tidying, HardlyAWireRunsBehindACard) {
         open_sample(graph);
         tidy();
         wires += state.layout.wires.size();
-        // Materials have more wires than lanes between their columns of cards.
-        const size_t most = graph.parent_path().filename() == "materials" ? 5 : 0;
+        // Materials have more wires than lanes between their columns of cards. They were at most 5
+        // until noises had a seed: their cards are a row taller, and a column leaves fewer gaps.
+        const fs::path folder = graph.parent_path().filename();
+        const size_t most = folder == "materials" || folder == "rebuilt" ? 8 : 0;
         EXPECT_LE(hidden_wires(state.layout), most) << graph;
     }
     EXPECT_GT(wires, 500U);

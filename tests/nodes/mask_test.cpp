@@ -170,6 +170,59 @@ TEST(EdgeWear, IsWhereAReliefIsAboveOrBelowASmootherOne) {
     EXPECT_NEAR(at(0.65, 0.2, "edges"), 0.84375, 1e-4);  // smoothstep of 3/4
 }
 
+// The mean of x^2 - 3 y^2 over a circle around a point is (1 - 3) / 2 times the square of its
+// radius more than the value there: the saddle is convex.
+const char saddle[] = R"("u": {"type": "separate_vec2", "in": {"vector": {"from": "surface.uv0"}}},
+    "xx": {"type": "multiply", "in": {"a": {"from": "u.x"}, "b": {"from": "u.x"}}},
+    "yy": {"type": "multiply", "in": {"a": {"from": "u.y"}, "b": {"from": "u.y"}}},
+    "saddle": {"type": "multiply_add", "in": {"a": {"from": "yy.result"}, "b": -3,
+        "c": {"from": "xx.result"}}}, )";
+
+TEST(Curvature, IsMinusTheLaplacian) {
+    const auto at = [](double span, const char* output, double factor = 1) {
+        const std::string scaled =
+            R"("h": {"type": "multiply", "in": {"a": {"from": "saddle.result"}, "b": )" +
+            std::to_string(factor) + "}}, ";
+        return value(
+            {saddle + scaled +
+                 one("curvature", R"("height": {"from": "h.result"}, "level": 0.02, "span": )" +
+                                      std::to_string(span)),
+             output})[0];
+    };
+    for (const double span : {0.05, 0.1}) {
+        EXPECT_NEAR(at(span, "n.above"), span * span, 1e-9);
+        EXPECT_NEAR(at(span, "n.convex"), span * span / 0.02, 1e-6);
+        EXPECT_EQ(at(span, "n.concave"), 0);
+        EXPECT_NEAR(at(span, "n.concave", -1), span * span / 0.02, 1e-6);
+        EXPECT_EQ(at(span, "n.convex", -1), 0);
+    }
+    EXPECT_EQ(at(0.3, "n.convex"), 1);
+}
+
+// A span below a pixel counts as a pixel.
+TEST(Curvature, LooksAtLeastAPixelFar) {
+    const std::string nodes =
+        saddle + one("curvature", R"("height": {"from": "saddle.result"}, "span": 0.0001)");
+    EXPECT_NEAR(value({nodes, "n.above"})[0], pixel * pixel, 1e-12);
+}
+
+TEST(Curvature, HasAnExactSlope) {
+    constexpr double step = 1e-5;
+    const std::string nodes =
+        R"("w": {"type": "waves", "in": {"scale": 3, "amplitude": 0.1}}, )" +
+        one("curvature", R"("height": {"from": "w.height"}, "span": 0.03)") +
+        R"(, "g": {"type": "gradient_from_height", "in": {"height": {"from": "n.above"}}})";
+    for (const auto& [x, y] : {std::pair{0.31, 0.62}, {0.87, -0.4}, {-2.3, 1.9}}) {
+        const auto at = [&](double dx, double dy) {
+            return value({nodes, "n.above"}, x + dx, y + dy)[0];
+        };
+        const auto slope = value({nodes, "g.gradient"}, x, y);
+        EXPECT_NEAR(slope[0], (at(step, 0) - at(-step, 0)) / (2 * step), 1e-6);
+        EXPECT_NEAR(slope[1], (at(0, step) - at(0, -step)) / (2 * step), 1e-6);
+        EXPECT_GT(std::fabs(slope[0]) + std::fabs(slope[1]), 0.05);
+    }
+}
+
 double seen_at(const std::string& node, double cosine) {
     Scene scene{node, "n.value"};
     scene.view = {std::sqrt(1 - cosine * cosine), 0, cosine};

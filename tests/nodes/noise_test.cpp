@@ -106,6 +106,7 @@ const Range sloped[] = {
     {"fbm", R"("basis": "simplex")"}, {"fbm", R"("basis": "value")"},
     {"turbulence", ""}, {"turbulence", R"("basis": "simplex")"},
     {"ridged", ""}, {"ridged", R"("basis": "value")"}, {"dents", R"("threshold": 0.1)"},
+    {"fbm", R"("seed": 3)"}, {"simplex_noise", R"("seed": 3)"},
 };
 // clang-format on
 INSTANTIATE_TEST_SUITE_P(Noises, NoiseSlope, ::testing::ValuesIn(sloped));
@@ -220,6 +221,95 @@ TEST_P(Fractals, AreMadeOfTheirOctaves) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Bases, Fractals, ::testing::Values("gradient", "simplex", "value"));
+
+// The documented offset of a seed, in cells.
+std::array<double, 3> offset_of(int seed) {
+    std::array<double, 3> offset{};
+    for (uint32_t axis = 0; axis < 3; ++axis)
+        offset[axis] =
+            std::floor(unit_number(pcg(static_cast<uint32_t>(seed) + pcg(axis))) * 65536) - 32768;
+    return offset;
+}
+
+// A node "p": the position times a factor, moved.
+std::string moved_point(double factor, const std::array<double, 3>& by) {
+    std::string vector;
+    for (const double each : by)
+        vector += (vector.empty() ? "" : ", ") + std::to_string(each);
+    return R"("s": {"type": "vec3_scale", "in": {"vector": {"from": "surface.position"},)"
+           R"("factor": )" +
+           std::to_string(factor) +
+           R"(}}, "p": {"type": "vec3_add", "in": {"a": {"from": "s.vector"}, "b": [)" + vector +
+           "]}}, ";
+}
+
+// Another seed reads the same noise at the position moved by that many cells. Those of simplex
+// noise are cells of the skewed lattice.
+TEST(Seeds, MoveANoiseByCells) {
+    const std::vector<Point> places = random_cells(200, 9, 12);
+    const std::pair<std::string, std::string> noises[] = {
+        {"gradient_noise", R"(, "octaves": 1)"},
+        {"simplex_noise", ""},
+        {"value_noise", ""},
+        {"worley_noise", ""},
+        {"fbm", R"(, "octaves": 1)"},
+        {"turbulence", R"(, "octaves": 1)"},
+        {"ridged", R"(, "octaves": 1)"},
+        {"dents", R"(, "octaves": 1, "threshold": 0)"}};
+    for (const auto& [type, in] : noises) {
+        std::array<double, 3> offset = offset_of(7);
+        const double skew = type == "simplex_noise" ? (offset[0] + offset[1] + offset[2]) / 6 : 0;
+        for (double& each : offset)
+            each -= skew;
+        const auto read_noise = [&](const std::string& nodes, const std::string& more) {
+            return values({nodes + one(type, R"("scale": 1)" + more + in), "n.value"}, places);
+        };
+        const auto other = read_noise("", R"(, "seed": 7)"), unmoved = read_noise("", "");
+        const auto moved = read_noise(moved_point(1, offset), R"(, "point": {"from": "p.vector"})");
+        double apart = 0;
+        for (size_t i = 0; i < places.size(); ++i) {
+            // The moved point is written with six decimals.
+            EXPECT_NEAR(other[i][0], moved[i][0], 1e-5) << type;
+            apart = std::max(apart, std::fabs(other[i][0] - unmoved[i][0]));
+        }
+        EXPECT_GT(apart, 0.05) << type;
+    }
+}
+
+// Octave 1 of a fractal is read at the doubled position, moved by (19.19, 7.43, 31.71) and by the
+// same cells.
+TEST(Seeds, MoveEachOctaveByTheSameCells) {
+    const auto places = random_cells(200, 9, 13);
+    const std::array<double, 3> offset = offset_of(65535);
+    const auto octave = [&](double k) {
+        const std::string nodes =
+            moved_point(1 + k,
+                        {offset[0] + k * 19.19, offset[1] + k * 7.43, offset[2] + k * 31.71}) +
+            one("value_noise", R"("point": {"from": "p.vector"}, "scale": 1)");
+        return values({nodes, "n.value"}, places);
+    };
+    const auto first = octave(0), second = octave(1);
+    const std::string fbm = R"("scale": 1, "basis": "value", "octaves": 2, "seed": 65535)";
+    const auto sum = values({one("fbm", fbm), "n.value"}, places);
+    for (size_t i = 0; i < places.size(); ++i)
+        EXPECT_NEAR(sum[i][0], (first[i][0] + 0.5 * second[i][0]) / 1.5, 2e-6);
+}
+
+// Scratches of another seed are other ones of the same density, and so are waves.
+TEST(Seeds, GiveOtherScratchesAndWaves) {
+    const auto places = random_cells(4000, 60, 14);
+    for (const char* type : {"scratches", "waves"}) {
+        const auto first = value_of(type, "", places),
+                   other = value_of(type, "\"seed\": 3", places);
+        double sum = 0, of_other = 0, apart = 0;
+        for (size_t i = 0; i < places.size(); ++i) {
+            sum += first[i] / 4000, of_other += other[i] / 4000;
+            apart += std::fabs(first[i] - other[i]) / 4000;
+        }
+        EXPECT_NEAR(sum, of_other, 0.02) << type;
+        EXPECT_GT(apart, 0.05) << type;
+    }
+}
 
 TEST(Dents, AreAPowerOfTurbulence) {
     const auto places = random_cells(500, 40, 5);

@@ -167,6 +167,27 @@ TEST(GradientShape, HasTheDocumentedShapes) {
             }
 }
 
+// Angles by the C library, in all eight octants and on their borders, and the slope of the angle.
+TEST(GradientShape, TurnsByTheExactAngle) {
+    const std::string nodes =
+        one("gradient_shape", R"("shape": "angular", "center": [0, 0], "arms": 64)") +
+        R"(, "g": {"type": "gradient_from_height", "in": {"height": {"from": "n.position"}}})";
+    auto points = random_cells(200, 2, 64);
+    for (const Point& p : {Point{1, 0}, Point{0, 1}, Point{-1, 1e-3}, Point{0, -1}, Point{0.5, 0.5},
+                           Point{0.5, -0.5}, Point{-0.5, 0.5}, Point{-0.5, -0.5}})
+        points.push_back(p);
+    const auto at = values({nodes, "n.position"}, points);
+    const auto slopes = values({nodes, "g.gradient"}, points);
+    constexpr double arms = 64 / (2 * pi_angle);
+    for (size_t i = 0; i < points.size(); ++i) {
+        const auto [x, y] = points[i];
+        EXPECT_NEAR(at[i][0], arms * std::atan2(y, x), 1e-6) << x << " " << y;
+        const double square = x * x + y * y;
+        EXPECT_NEAR(slopes[i][0] * square, arms * -y, 1e-6);
+        EXPECT_NEAR(slopes[i][1] * square, arms * x, 1e-6);
+    }
+}
+
 TEST(GradientShape, IsTheMeanOverThePixel) {
     for (const std::string extend : {"clamp", "repeat", "mirror"})
         for (const std::string easing : {"linear", "ease", "quadratic"})

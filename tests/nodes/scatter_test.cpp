@@ -156,6 +156,32 @@ TEST(Scatter, HasOneCopyOnTop) {
 }
 
 // Copies of any size are complete: the greatest value of domes has no jump.
+// The uv of a copy grows along its direction and not across it, by central differences.
+TEST(Scatter, HasTheDirectionInWhichItsUvGrows) {
+    constexpr double step = 1e-5;
+    for (const auto& [type, in] : {std::pair{"tile_sampler", tiles}, {"splatter", drops}}) {
+        const Scene directions{one(type, in), "n.direction"}, uvs{one(type, in), "n.uv"};
+        size_t turned = 0;
+        for (const Point& p : random_cells(60, 3, 92)) {
+            const auto direction = value(directions, p[0], p[1]);
+            const double x = direction[0], y = direction[1];
+            const auto moved = [&](double dx, double dy) {
+                const auto low = value(uvs, p[0] - step * dx, p[1] - step * dy),
+                           high = value(uvs, p[0] + step * dx, p[1] + step * dy);
+                return std::array{(high[0] - low[0]) / (2 * step), (high[1] - low[1]) / (2 * step)};
+            };
+            EXPECT_NEAR(std::hypot(x, y), 1, 1e-9) << type;
+            const auto along = moved(x, y), across = moved(-y, x);
+            if (std::fabs(along[0]) > 1e3) continue;  // another copy begins there
+            EXPECT_GT(along[0], 0.5) << type;
+            EXPECT_NEAR(along[1], 0, 1e-6) << type;
+            EXPECT_NEAR(across[0], 0, 1e-6) << type;
+            turned += std::fabs(y) > 0.3;
+        }
+        EXPECT_GT(turned, 10U) << type;
+    }
+}
+
 TEST(Scatter, IsNeverCut) {
     const std::pair<const char*, const char*> cases[] = {
         {"tile_sampler", R"("scale": [9, 9], "rotation_random": 180, "position_random": 1)"},

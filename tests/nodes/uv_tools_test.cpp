@@ -55,6 +55,51 @@ TEST(UvTools, KaleidoscopesRepeatASector) {
     }
 }
 
+// The bowl 0.5 (x^2 + 3 y^2) has the slope (x, 3 y), and so have its central differences.
+const char bowl[] = R"("u": {"type": "separate_vec2", "in": {"vector": {"from": "surface.uv0"}}},
+    "xx": {"type": "multiply", "in": {"a": {"from": "u.x"}, "b": {"from": "u.x"}}},
+    "yy": {"type": "multiply", "in": {"a": {"from": "u.y"}, "b": {"from": "u.y"}}},
+    "y3": {"type": "multiply", "in": {"a": {"from": "yy.result"}, "b": 1.5}},
+    "bowl": {"type": "multiply_add", "in": {"a": {"from": "xx.result"}, "b": 0.5,
+        "c": {"from": "y3.result"}}}, )";
+
+TEST(UvWarpSlope, MovesUphill) {
+    const std::string nodes =
+        bowl + one("uv_warp_slope", R"("value": {"from": "bowl.result"}, "amount": 0.2)");
+    const std::string downhill =
+        bowl + one("uv_warp_slope", R"("value": {"from": "bowl.result"}, "amount": -0.1,
+            "span": 0.3)");
+    for (const auto& [x, y] : {std::pair{0.3, 0.6}, {-1.2, 0.1}}) {
+        const auto up = value({nodes, "n.uv"}, x, y), slope = value({nodes, "n.slope"}, x, y),
+                   down = value({downhill, "n.uv"}, x, y);
+        EXPECT_NEAR(slope[0], x, 1e-9);
+        EXPECT_NEAR(slope[1], 3 * y, 1e-9);
+        EXPECT_NEAR(up[0], 1.2 * x, 1e-9);
+        EXPECT_NEAR(up[1], 1.6 * y, 1e-9);
+        EXPECT_NEAR(down[0], 0.9 * x, 1e-9);
+        EXPECT_NEAR(down[1], 0.7 * y, 1e-9);
+    }
+}
+
+// A relief that is read there has the slope of central differences.
+TEST(UvWarpSlope, HasAnExactSlope) {
+    constexpr double step = 1e-5;
+    const std::string nodes =
+        R"("w": {"type": "waves", "in": {"scale": 3}}, )" +
+        one("uv_warp_slope", R"("value": {"from": "w.value"}, "span": 0.02, "amount": 0.01)") +
+        R"(, "r": {"type": "waves", "in": {"uv": {"from": "n.uv"}, "amplitude": 0.1}},
+        "g": {"type": "gradient_from_height", "in": {"height": {"from": "r.height"}}})";
+    for (const auto& [x, y] : {std::pair{0.31, 0.62}, {0.87, -0.4}, {-2.3, 1.9}}) {
+        const auto at = [&](double dx, double dy) {
+            return value({nodes, "r.height"}, x + dx, y + dy)[0];
+        };
+        const auto slope = value({nodes, "g.gradient"}, x, y);
+        EXPECT_NEAR(slope[0], (at(step, 0) - at(-step, 0)) / (2 * step), 1e-6);
+        EXPECT_NEAR(slope[1], (at(0, step) - at(0, -step)) / (2 * step), 1e-6);
+        EXPECT_GT(std::fabs(slope[0]) + std::fabs(slope[1]), 0.05);
+    }
+}
+
 // The eight ways to turn and flip a square all occur, and each is one of the square.
 TEST(UvTools, TilesTurnAndFlip) {
     const std::string tile = one("uv_tile", R"("flip": true, "turn": true)");

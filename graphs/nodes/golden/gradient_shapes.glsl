@@ -6,7 +6,9 @@ struct WrinkleMaterial_gradient_shapes {
     vec3 color;  // base color, linear
 };
 const float gradient_shapes_min_box = 0.001953125;  // least width
+const float gradient_shapes_pi = 3.1415927;         // half a turn, in radians
 const float gradient_shapes_two_pi = 6.2831855;     // a turn, in radians
+const float gradient_shapes_min_area = 1e-36;       // smaller areas and squared lengths are zero
 
 vec2 wrinkle_gradient_shapes_clamped(float t) {
     float inside = clamp(t, 0.0, 1.0);
@@ -35,6 +37,20 @@ vec2 wrinkle_gradient_shapes_repeated(float t) {
     return vec2(count * 0.5 + 0.5 * f * f, f);
 }
 
+float wrinkle_gradient_shapes_exact_angle(vec2 p) {
+    vec2 side = abs(p);
+    float longer = max(side.x, side.y);
+    float t = longer != 0.0 ? min(side.x, side.y) / longer : 0.0;
+    float square = t * t;
+    float product = ((0.0028662258 * square + -0.016165737) * square + 0.042909615) * square;
+    float sum = product + -0.07528964;
+    float sum_2 = ((sum * square + 0.10656264) * square + -0.142089) * square + 0.19993551;
+    float octant = t * ((sum_2 * square + -0.33333147) * square + 1.0);
+    float quarter = side.y > side.x ? 1.5707964 - octant : octant;
+    float half_turn = p.x < 0.0 ? gradient_shapes_pi - quarter : quarter;
+    return p.y < 0.0 ? -half_turn : half_turn;
+}
+
 vec2 wrinkle_gradient_shapes_mirrored_2(float t) {
     float even = 2.0 * floor(0.5 * t + 0.5);
     float turn = t * 0.5;
@@ -57,10 +73,30 @@ WrinkleMaterial_gradient_shapes wrinkle_gradient_shapes(WrinkleSurface_gradient_
     vec2 grid_uv_dy = dFdy(s.uv0) * 3.0;
     vec2 tile_cell = floor(grid_uv);  // tile: Tile UV
     vec2 tile_uv = grid_uv - tile_cell - 0.5 + 0.5;
-    vec2 linear_difference = tile_uv - 0.5;  // linear: Gradient shape
-    float linear_difference_2 = 0.8660254 * linear_difference.x - -0.5 * linear_difference.y;
-    float linear_sum = -0.5 * linear_difference.x + 0.8660254 * linear_difference.y;
-    float linear_position = 0.5 + 0.5 * (vec2(linear_difference_2, linear_sum) / 0.5).x;
+    float index_result = tile_cell.y * 3.0 + tile_cell.x;  // index: Multiply and add
+    // is_reflected: Compare
+    float is_reflected_result = abs(index_result - 1.0) <= 1e-06 ? 1.0 : 0.0;
+    float is_radial_result = abs(index_result - 2.0) <= 1e-06 ? 1.0 : 0.0;  // is_radial: Compare
+    float is_diamond_result = abs(index_result - 3.0) <= 1e-06 ? 1.0 : 0.0;  // is_diamond: Compare
+    float is_square_result = abs(index_result - 4.0) <= 1e-06 ? 1.0 : 0.0;  // is_square: Compare
+    float is_angular_result = abs(index_result - 5.0) <= 1e-06 ? 1.0 : 0.0;  // is_angular: Compare
+    float is_spiral_result = abs(index_result - 6.0) <= 1e-06 ? 1.0 : 0.0;  // is_spiral: Compare
+    float is_petals_result = abs(index_result - 7.0) <= 1e-06 ? 1.0 : 0.0;  // is_petals: Compare
+    // is_quadratic: Compare
+    float is_quadratic_result = abs(index_result - 8.0) <= 1e-06 ? 1.0 : 0.0;
+    vec2 angular_here = tile_uv - 0.5;  // angular: Gradient shape
+    vec2 angular_vector = vec2(-angular_here.y, angular_here.x);
+    vec2 angular_quotient = angular_vector /
+            max(dot(angular_here, angular_here), gradient_shapes_min_area);
+    float angular_dot_product = dot(angular_quotient, grid_uv_dx);
+    vec2 angular_vector_2 = vec2(angular_dot_product, dot(angular_quotient, grid_uv_dy));
+    vec2 angular_turn_slope = angular_vector_2 / gradient_shapes_two_pi;
+    float angular_box = max(length(angular_turn_slope), gradient_shapes_min_box);
+    float angular_product = 0.5 * angular_box;
+    // linear: Gradient shape
+    float linear_difference = 0.8660254 * angular_here.x - -0.5 * angular_here.y;
+    float linear_sum = -0.5 * angular_here.x + 0.8660254 * angular_here.y;
+    float linear_position = 0.5 + 0.5 * (vec2(linear_difference, linear_sum) / 0.5).x;
     vec2 linear_product = grid_uv_dx.x * vec2(0.8660254, -0.5);
     vec2 linear_p_dx = (linear_product + grid_uv_dx.y * vec2(0.5, 0.8660254)) / 0.5;
     vec2 linear_product_2 = grid_uv_dy.x * vec2(0.8660254, -0.5);
@@ -73,7 +109,7 @@ WrinkleMaterial_gradient_shapes wrinkle_gradient_shapes(WrinkleSurface_gradient_
     vec2 linear_high = wrinkle_gradient_shapes_clamped(linear_clamped + linear_product_3);
     vec2 linear_low = wrinkle_gradient_shapes_clamped(linear_clamped - linear_product_3);
     vec2 linear_mean = (linear_high - linear_low) / linear_box;
-    vec2 reflected_p = linear_difference / 0.5;  // reflected: Gradient shape
+    vec2 reflected_p = angular_here / 0.5;  // reflected: Gradient shape
     float reflected_difference = 1.0 - abs(reflected_p).x;
     vec2 reflected_p_dx = grid_uv_dx / 0.5;
     vec2 reflected_sign = sign(reflected_p);
@@ -89,9 +125,6 @@ WrinkleMaterial_gradient_shapes wrinkle_gradient_shapes(WrinkleSurface_gradient_
     vec2 reflected_high = wrinkle_gradient_shapes_clamped(reflected_clamped + reflected_product);
     vec2 reflected_low = wrinkle_gradient_shapes_clamped(reflected_clamped - reflected_product);
     vec2 reflected_mean = (reflected_high - reflected_low) / reflected_box;
-    float index_result = tile_cell.y * 3.0 + tile_cell.x;  // index: Multiply and add
-    // is_reflected: Compare
-    float is_reflected_result = abs(index_result - 1.0) <= 1e-06 ? 1.0 : 0.0;
     // chart_1: Mix
     float chart_1_result = mix(linear_mean.x, reflected_mean.x, is_reflected_result);
     float radial_position = length(reflected_p);  // radial: Gradient shape
@@ -105,9 +138,8 @@ WrinkleMaterial_gradient_shapes wrinkle_gradient_shapes(WrinkleSurface_gradient_
     vec2 radial_high = wrinkle_gradient_shapes_clamped_2(radial_clamped + radial_product);
     vec2 radial_low = wrinkle_gradient_shapes_clamped_2(radial_clamped - radial_product);
     vec2 radial_mean = (radial_high - radial_low) / radial_box;
-    float is_radial_result = abs(index_result - 2.0) <= 1e-06 ? 1.0 : 0.0;  // is_radial: Compare
     float chart_2_result = mix(chart_1_result, radial_mean.x, is_radial_result);  // chart_2: Mix
-    vec2 diamond_p = linear_difference / 0.2;  // diamond: Gradient shape
+    vec2 diamond_p = angular_here / 0.2;  // diamond: Gradient shape
     vec2 diamond_side = abs(diamond_p);
     float diamond_position = diamond_side.x + diamond_side.y;
     float diamond_difference = diamond_position - 2.0 * floor(0.5 * diamond_position);
@@ -121,11 +153,10 @@ WrinkleMaterial_gradient_shapes wrinkle_gradient_shapes(WrinkleSurface_gradient_
     vec2 diamond_high = wrinkle_gradient_shapes_mirrored(diamond_difference + diamond_product);
     vec2 diamond_low = wrinkle_gradient_shapes_mirrored(diamond_difference - diamond_product);
     vec2 diamond_mean = (diamond_high - diamond_low) / diamond_box;
-    float is_diamond_result = abs(index_result - 3.0) <= 1e-06 ? 1.0 : 0.0;  // is_diamond: Compare
     float chart_3_result = mix(chart_2_result, diamond_mean.x, is_diamond_result);  // chart_3: Mix
     // square: Gradient shape
-    float square_difference = 0.9396926 * linear_difference.x - -0.34202015 * linear_difference.y;
-    float square_sum = -0.34202015 * linear_difference.x + 0.9396926 * linear_difference.y;
+    float square_difference = 0.9396926 * angular_here.x - -0.34202015 * angular_here.y;
+    float square_sum = -0.34202015 * angular_here.x + 0.9396926 * angular_here.y;
     vec2 square_p = vec2(square_difference, square_sum) / 0.25;
     vec2 square_side = abs(square_p);
     float square_position = max(square_side.x, square_side.y);
@@ -145,35 +176,9 @@ WrinkleMaterial_gradient_shapes wrinkle_gradient_shapes(WrinkleSurface_gradient_
     vec2 square_high = wrinkle_gradient_shapes_repeated(square_turned + square_product_3);
     vec2 square_low = wrinkle_gradient_shapes_repeated(square_turned - square_product_3);
     vec2 square_mean = (square_high - square_low) / square_box;
-    float is_square_result = abs(index_result - 4.0) <= 1e-06 ? 1.0 : 0.0;  // is_square: Compare
     float chart_4_result = mix(chart_3_result, square_mean.x, is_square_result);  // chart_4: Mix
-    float is_angular_result = abs(index_result - 5.0) <= 1e-06 ? 1.0 : 0.0;  // is_angular: Compare
-    float is_spiral_result = abs(index_result - 6.0) <= 1e-06 ? 1.0 : 0.0;  // is_spiral: Compare
-    float is_petals_result = abs(index_result - 7.0) <= 1e-06 ? 1.0 : 0.0;  // is_petals: Compare
-    float quadratic_width = length(radial_t_slope);  // quadratic: Gradient shape
-    float quadratic_reach = max(0.5 * quadratic_width, 1.0);
-    float quadratic_clamped = clamp(radial_position, -quadratic_reach, 1.0 + quadratic_reach);
-    float quadratic_box = max(quadratic_width, gradient_shapes_min_box);
-    float quadratic_product = 0.5 * quadratic_box;
-    vec2 quadratic_high = wrinkle_gradient_shapes_clamped_3(quadratic_clamped + quadratic_product);
-    vec2 quadratic_low = wrinkle_gradient_shapes_clamped_3(quadratic_clamped - quadratic_product);
-    vec2 quadratic_mean = (quadratic_high - quadratic_low) / quadratic_box;
-    // is_quadratic: Compare
-    float is_quadratic_result = abs(index_result - 8.0) <= 1e-06 ? 1.0 : 0.0;
-    // angular: Gradient shape
-    bool angular_test = abs(linear_difference.x) + abs(linear_difference.y) > 0.0;
-    float angular_choice = angular_test ? atan(linear_difference.y, linear_difference.x) : 0.0;
-    vec2 angular_product = vec2(grid_uv_dx.y, grid_uv_dy.y) * linear_difference.x;
-    vec2 angular_product_2 = vec2(grid_uv_dx.x, grid_uv_dy.x) * linear_difference.y;
-    float angular_product_3 = linear_difference.y * linear_difference.y;
-    float angular_sum = angular_product_3 + linear_difference.x * linear_difference.x;
-    float angular_choice_2 = angular_sum > 0.0 ? 1.0 / angular_sum : 0.0;
-    vec2 angular_product_4 = (angular_product - angular_product_2) * angular_choice_2;
-    vec2 angular_turn_slope = (angular_test ? angular_product_4 : vec2(0.0)) /
-            gradient_shapes_two_pi;
-    float angular_box = max(length(angular_turn_slope), gradient_shapes_min_box);
-    float angular_product_5 = 0.5 * angular_box;
-    float spiral_turn = angular_choice / gradient_shapes_two_pi;  // spiral: Gradient shape
+    // spiral: Gradient shape
+    float spiral_turn = wrinkle_gradient_shapes_exact_angle(angular_here) / gradient_shapes_two_pi;
     float spiral_difference = spiral_turn - floor(spiral_turn + 0.5);
     float spiral_position = spiral_difference * 3.0 + radial_position;
     float spiral_turned = spiral_position - floor(spiral_position);
@@ -186,8 +191,8 @@ WrinkleMaterial_gradient_shapes wrinkle_gradient_shapes(WrinkleSurface_gradient_
     float angular_turn = spiral_turn - 0.25;  // angular: Gradient shape (continued)
     float angular_position = angular_turn - floor(angular_turn + 0.5);
     float angular_turned = angular_position - floor(angular_position);
-    vec2 angular_high = wrinkle_gradient_shapes_repeated(angular_turned + angular_product_5);
-    vec2 angular_low = wrinkle_gradient_shapes_repeated(angular_turned - angular_product_5);
+    vec2 angular_high = wrinkle_gradient_shapes_repeated(angular_turned + angular_product);
+    vec2 angular_low = wrinkle_gradient_shapes_repeated(angular_turned - angular_product);
     vec2 angular_mean = (angular_high - angular_low) / angular_box;
     float chart_5_result = mix(chart_4_result, angular_mean.x, is_angular_result);  // chart_5: Mix
     float chart_6_result = mix(chart_5_result, spiral_mean.x, is_spiral_result);  // chart_6: Mix
@@ -200,6 +205,14 @@ WrinkleMaterial_gradient_shapes wrinkle_gradient_shapes(WrinkleSurface_gradient_
     vec2 petals_low = wrinkle_gradient_shapes_mirrored_2(petals_difference - petals_product_2);
     vec2 petals_mean = (petals_high - petals_low) / petals_box;
     float chart_7_result = mix(chart_6_result, petals_mean.x, is_petals_result);  // chart_7: Mix
+    float quadratic_width = length(radial_t_slope);  // quadratic: Gradient shape
+    float quadratic_reach = max(0.5 * quadratic_width, 1.0);
+    float quadratic_clamped = clamp(radial_position, -quadratic_reach, 1.0 + quadratic_reach);
+    float quadratic_box = max(quadratic_width, gradient_shapes_min_box);
+    float quadratic_product = 0.5 * quadratic_box;
+    vec2 quadratic_high = wrinkle_gradient_shapes_clamped_3(quadratic_clamped + quadratic_product);
+    vec2 quadratic_low = wrinkle_gradient_shapes_clamped_3(quadratic_clamped - quadratic_product);
+    vec2 quadratic_mean = (quadratic_high - quadratic_low) / quadratic_box;
     // chart_8: Mix
     float chart_8_result = mix(chart_7_result, quadratic_mean.x, is_quadratic_result);
     WrinkleMaterial_gradient_shapes m;
