@@ -21,6 +21,8 @@ MATERIALS = ["chipped_paint", "brushed_aluminium", "hammered_gold", "oxidised_co
              "scratched_plastic", "perforated_sheet", "varnished_oak", "leather", "old_brick_wall",
              "polished_marble", "terrazzo", "denim", "velvet", "snowy_rock",
              "wet_cobbles", "carbon_fibre", "crackle_ceramic", "skin", "lava"]
+REBUILT = ["rusted_metal", "clinker_bricks", "deck_planks", "veined_marble", "tartan_wool",
+           "crazy_paving", "forged_carbon", "scifi_panels"]
 HEIGHTS = ["gradient_noise", "simplex_noise", "value_noise", "worley_noise", "fbm", "turbulence",
            "ridged", "dents", "waves", "scratches", "checker", "brick", "hexagons", "pyramids",
            "domes", "weave"]
@@ -89,6 +91,11 @@ class Maker:
                                 "torus") for each in MATERIALS]
         self.sheet(pictures, 5, HERE / "gallery.jpg", "--compression", "jpeg:88")
 
+    def rebuilt(self):
+        pictures = [self.render(f"graphs/rebuilt/{each}.json", each, (300, 300))
+                    for each in REBUILT]
+        self.sheet(pictures, 4, HERE / "rebuilt.jpg", "--compression", "jpeg:88")
+
     def procedural_heights(self):
         pictures = [self.render(f"graphs/nodes/{each}.json", each, (130, 130), "--mesh",
                                 "sphere" if i < 8 else "plane", "--background", "plain")
@@ -122,6 +129,7 @@ def main():
         pictures = {"woven_strap": maker.woven_strap, "everything": maker.everything,
                     "teapot": maker.teapot, "skinned_tube": maker.skinned_tube,
                     "baked_teapot": maker.baked_teapot, "gallery": maker.gallery,
+                    "rebuilt": maker.rebuilt,
                     "procedural_heights": maker.procedural_heights,
                     "comparisons": maker.comparisons, "editor": maker.editor_picture}
         for name in options.names or pictures:
