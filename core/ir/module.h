@@ -27,6 +27,17 @@
 //             if the condition is false the next state is dropped.)
 // `loop` and `call` have type tuple; result(k) extracts a member.
 //
+// The power x^n of x = uv0.x, as print() writes it, with the depth of each value:
+//
+//   %2 float = swizzle.x %1              0
+//   %5 float = region_param 1.0          1: the product
+//   %6 float = region_param 1.1          1: the counter
+//   %7 float = mul %5 %2                 1; captures %2
+//   %8 float = add %6 %4                 1; captures the literal 1
+//   %9 bool = lt %6 %3                   1; captures n
+//   @1 loop of at most 64 (float, float) -> %9 %7 %8
+//   %10 tuple = loop @1 %2 %4            0
+//
 // Literals are scalars in double; a vector constant is a construct of literals. A node's
 // unconnected numbers are `parameter`s, so that frames, bases and errors never depend on a value;
 // expand() (ir/expand.h) can turn them into literals.
