@@ -17,12 +17,13 @@ struct MeshAttribute {
     uint32_t stride = 0;
 };
 
-// Returns null values for an attribute that the mesh lacks. The view is that along the normal.
+// Returns null values for an attribute that the mesh lacks. The view vector is the normal.
 MeshAttribute attribute_of(const Mesh& mesh, SurfaceInput input);
 
 // Returns the name of an input that the program needs and the mesh lacks, such as "uv1"; else "".
 std::string missing_input(const Mesh& mesh, const Program& program);
 
+// Returns false and appends an error if the mesh lacks uv0.
 bool has_uv_layout(const Mesh& mesh, const std::string& name, Diagnostics& diagnostics);
 
 // Returns false and appends an error if no triangle is in the baked unit square, or with `udim` in

@@ -53,9 +53,8 @@ bool write_file(const std::filesystem::path& path, std::string_view bytes, std::
 // rename and on the folder after it. Returns the system error, or none.
 std::error_code write_file_synced(const std::filesystem::path& path, std::string_view bytes);
 
-// As write_file() for several files: no file is replaced before all have been written under
-// temporary names, and files are replaced in this order, so if the process is killed the last file
-// is old as long as any other is. `why` then names the file too.
+// As write_file() for several files: all are written under temporary names, then replaced in this
+// order. If the last file is new, all are, even if the process was killed. `why` names the file.
 struct FileBytes {
     std::filesystem::path path;
     std::string_view bytes;

@@ -42,7 +42,7 @@ struct Difference {
 
 struct Comparison {
     size_t values = 0;    // all values, unstable ones included; a vector counts once
-    size_t unstable = 0;  // skipped: nudged inputs change them beyond tolerance
+    size_t unstable = 0;  // not compared: nudged inputs change them beyond tolerance
     size_t different = 0;
     std::optional<Difference> first;
 };

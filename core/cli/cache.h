@@ -1,6 +1,7 @@
 // Folder of cached results. The file of an entry is named by its cache key: the SHA-256 of all
 // inputs. Entries are written atomically (base/temporary.h), so any number of processes and threads
-// may share a folder. An entry begins with the SHA-256 of its key and of the SHA-256 of its bytes.
+// may share a folder. An entry begins with a version line and SHA-256(key + SHA-256(bytes)) in
+// hexadecimal.
 //
 // Entries are in 16 folders by the first digit of their key, each limited to a sixteenth of the
 // total. Eviction is least recently used first. Files that are not named like entries are ignored.

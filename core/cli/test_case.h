@@ -43,7 +43,7 @@ struct TestCase {
 // JSON Schema of test files, which `wrinkle test --schema` prints.
 std::string case_schema();
 
-// Returns the cases of a test file: `file_case` with the keys of the root if these have a case,
+// Returns the cases of a test file: `file_case` with the keys of the root if they define a case,
 // then one for each entry of "cases". Reports problems at their values. If `updating` is set,
 // `expect` and `points` may differ in length.
 std::vector<TestCase> read_case_keys(const json::Value& root, bool updating, TestCase file_case,

@@ -5,8 +5,8 @@
 // helper function has no node; each node that calls it, directly or through other helpers, gets a
 // copy of it with the node's line number.
 //
-// The copies are made in the text, by hand, because an inlined instruction keeps the line of its
-// helper and could not be attributed to a caller.
+// The source has the copies because an instruction that the optimiser inlines has the line of its
+// helper, so that it cannot be attributed to a caller.
 #pragma once
 
 #include <string>

@@ -4,8 +4,8 @@
 //
 // A register is an array of tile_points numbers, so the components of a vector are in separate
 // registers (structure of arrays):
-//   register 0: point 0, 1, ... 255
-//   register 1: point 0, 1, ... 255
+//   register 0: point 0, 1, ... 511
+//   register 1: point 0, 1, ... 511
 //
 // TileMemory is scratch memory that tiles reuse one after the other; it only grows. Constants are
 // not filled again for the same program.

@@ -25,7 +25,7 @@ struct Field {
 void append_filled(std::string& text, std::string_view pattern,
                    std::initializer_list<Field> fields);
 std::string filled(std::string_view pattern, std::initializer_list<Field> fields);
-// Appends an item to a list with commas; an empty item is left out.
+// Appends an item to a list with commas; skips an empty item.
 void append_item(std::string& list, std::string_view item);
 
 // Arguments and results of a material's function.
@@ -57,14 +57,14 @@ struct Language {
 
     // By op: the name of a call or an operator; for other syntax a pattern of the operands.
     std::array<std::string_view, tables::op_count> ops;
-    // Returns true if a built-in accepts a scalar for this operand together with vectors.
-    // `others`: each other operand but the first is a scalar too.
+    // Returns true if a built-in accepts a scalar for this operand together with vectors, as
+    // clamp(vec3, float, float). `others`: exactly two operands are scalars.
     bool (*takes_scalar)(Op op, size_t operand, bool others);
     std::string_view select = "$0 ? $1 : $2";
     bool select_is_call = false;
     std::string_view splat = "$t($0)";
     bool splat_is_cast = false;
-    bool has_mod = true;  // x - y floor(x / y)
+    bool has_mod = true;  // built-in mod(x, y) = x - y floor(x / y)
     std::string_view uint_literal = "$vu";
     bool uint_literal_is_int = false;  // $v is the int of the same bits
     std::string_view not_a_number = "uintBitsToFloat(0x7fc00000u)";

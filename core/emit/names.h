@@ -23,8 +23,8 @@ struct Symbols {
     std::vector<std::string> functions;   // by region
     std::string prefix;                   // begins the name of each function
     std::unordered_map<Id, std::string> constants;
-    // By region, where functions take the images and the block of numbers that they use: those
-    // parameters, and the arguments of a call.
+    // By region, for languages without global images: the parameters for the images and the uniform
+    // block that a function uses, and the arguments of its calls.
     std::vector<std::string> resource_parameters, resource_arguments;
     std::string material_parameters, material_arguments;  // the material's function
 };

@@ -190,8 +190,8 @@ struct Document {
     json::Value source;                       // the root as read; null for a new document
     bool edited = false;                      // set by every edit that changes something
     std::shared_ptr<const Wires> read_wires;  // as read; null if incomplete or with link errors
-    // Reason why part of the text was not read, as a clause or a problem: saving would lose that
-    // part.
+    // Reason why part of the text was not read, a clause or the first error as a line; saving would
+    // lose that part. "": all was read.
     std::string lost;
 
     const Node* find(std::string_view id) const;

@@ -63,7 +63,7 @@ Document set_graph_input(const Document&, GraphInput input);  // adds or replace
 // (graph/renamed.h). A name that is a former name of another input is invalid.
 Document rename_graph_input(const Document&, std::string_view name, std::string_view new_name,
                             bool is_known);
-// Also removes its wires, its values in presets, and conditions that name it.
+// Also removes its wires, outputs that read it, its values in presets, and conditions that name it.
 Document remove_graph_input(const Document&, std::string_view name);
 Document set_preset(const Document&, Preset preset);  // adds or replaces by name
 Document remove_preset(const Document&, std::string_view name);

@@ -3,8 +3,9 @@
 // "type": "graph:weave.json" names a file relative to the file that contains it; after
 // canonicalisation it must be inside the root. Files that are missing, outside the root or contain
 // themselves are errors at the node that names them; that node has no sub-graph here, so the files
-// form an acyclic graph. Shared files are stored once: iterate over files, not over uses. Nodes
-// call the inputs of their sub-graphs by current names (graph/renamed.h).
+// form an acyclic graph. Shared files are stored once: iterate over files, not over uses. In nodes
+// that use a sub-graph, former names of its inputs are replaced by the current ones
+// (graph/renamed.h).
 #pragma once
 
 #include <filesystem>
@@ -34,7 +35,7 @@ struct Project {
     // In breadth-first order of discovery: [0] is the top, then the files that it names, and so on.
     // For an order with sub-graphs first, see files_in_order() in lower/types.h.
     std::vector<File> files;
-    std::vector<std::string> preset_files;  // presets that were applied to the top graph
+    std::vector<std::string> preset_files;  // files of presets applied to the top graph
 
     const Document& top() const { return files[0].document; }
     // Returns the file of a sub-graph node of files[file]; nullptr if it has none.

@@ -19,11 +19,13 @@ namespace wrinkle::textures {
 
 // Lengths are in units of object space.
 //
-// Size of a repeat: texel * size of the image in texels; without `texel` that of one uv unit on
-// the mesh; without both 1. With `texel`, `tiling` is how many repeats of that size fit into a uv
-// unit, which without a mesh is as long as a repeat is wide; else it is 1. If the size is known,
-// heights are lengths on the surface (scale `surface`); otherwise slopes do not depend on the
-// surface (scale `unit`).
+//   given      size of a repeat             default of `tiling`
+//   texel      texel * size of the image    uv_length / size; without uv_length, width / size
+//   uv_length  uv_length                    1
+//   neither    1                            1
+//
+// If one is given, heights are lengths on the surface (scale `surface`); otherwise slopes do not
+// depend on the surface (scale `unit`).
 struct GraphOptions {
     std::optional<std::array<double, 2>> texel = {};  // width and height of a texel, > 0
     std::optional<double> uv_length = {};             // length of a uv unit on the mesh, > 0

@@ -33,8 +33,8 @@ inline bool has_zero_derivative(const Inst& inst) {
 }
 
 // Returns the values that the derivative of an instruction depends on, sorted: its operands; for a
-// result those of its call or loop, with the values that a loop captures; for a texture sample only
-// its uv.
+// result those of its call or loop, with the values that a loop captures; for a texture sample or a
+// component of it only the uv.
 std::vector<Id> reads_of(const Module& module, Id value);
 
 class ForwardDiff {

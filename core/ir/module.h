@@ -153,7 +153,7 @@ public:
     // If `id` is a result of a call of an open function, returns the value of that result in the
     // function's body; otherwise no_id.
     Id open_result(Id id) const;
-    // Derivatives of nested loops cost more with every level, and so does their execution.
+    // Maximum region depth: each level makes loops and their derivatives more expensive.
     static constexpr int max_region = 16;
     static constexpr int max_call = 48;  // passes over called functions recurse
     int depth() const { return static_cast<int>(open_.size()); }

@@ -35,7 +35,7 @@ struct Measure {
     double value = 0;
 };
 
-// Findings as listed above. `unexpected` is added only by callers that know the expected class.
+// `unexpected` is added only by callers that know the expected class.
 enum class MapDefect : uint8_t {
     tilt,
     unsigned_z,

@@ -25,7 +25,7 @@ struct VectorMeasures {
     double blue_spread = 0;  // range of blue
     double signed_z = 0;     // rms of blue - (1 + z) / 2, with z from red and green
     double unsigned_z = 0;   // rms of blue - z
-    double between_z = 0;    // rms of (1 + z) / 2 - z: how well the two differ
+    double between_z = 0;    // rms of (1 + z) / 2 - z: the separation of these two encodings
 };
 
 // Curl of the slopes (su, sv) of a normal map that is read as `gl`, clamped to +-4. Derivatives of

@@ -66,7 +66,8 @@ Bounds bounds_of(const Mesh& mesh);  // box of the drawn positions of all triang
 
 // Transforms positions by M, normals by cof(M) times the sign of det(M), tangents by M. If M
 // mirrors, the corner order of triangles and tangent.w are reversed, so that the outside stays
-// outside. Normals and tangents that M maps to zero are unchanged.
+// outside. Normals and tangents are normalised; those that M maps to zero are unchanged.
+// Precondition, as of append(): `displaced` is empty.
 void transform(Mesh& mesh, const glm::dmat4& m);
 
 // Appends `part` to `mesh`. The result has every attribute that at least one of them has; vertices
@@ -76,8 +77,9 @@ void append(Mesh& mesh, const Mesh& part);
 // Returns the mesh with smaller triangles and the same surface: every edge longer than `longest` is
 // split at its midpoint, repeatedly. Midpoint attributes are the mean of both ends; normals and
 // tangents are normalised. The split depends only on the two ends of an edge, so triangles that
-// share an edge or a uv seam still match. Facets stay flat. Stops before the mesh has more than
-// `max_triangles` triangles. longest <= 0 or NaN: returns the mesh unchanged.
+// share an edge or a uv seam still match. Facets stay flat. A pass splits a triangle into at most
+// four; there is no pass that could exceed `max_triangles`. longest <= 0 or NaN: returns the mesh
+// unchanged.
 Mesh subdivided(Mesh mesh, float longest, size_t max_triangles = 1'000'000);
 
 }  // namespace wrinkle

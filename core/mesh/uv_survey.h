@@ -18,7 +18,7 @@ struct UvSurvey {
     size_t triangles = 0;
     size_t without_area = 0;  // zero uv area, or a non-finite uv
     size_t mirrored = 0;      // clockwise in uv
-    glm::ivec2 square{0};     // baked without UDIM: (0, 0), or the only square with triangles
+    glm::ivec2 square{0};     // baked without UDIM: the only square with triangles, else (0, 0)
     size_t in_square = 0;     // triangles with area that overlap it
     size_t beyond_udim = 0;   // triangles with area that overlap unnumbered squares
     std::vector<glm::ivec2> udim_tiles;  // with triangles, sorted by number

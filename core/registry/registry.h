@@ -30,7 +30,7 @@ struct Port {
         none,  // required; a gradient or a derivative is flat, a material empty
         constant,
         surface,
-        absent  // no value: not a channel of a material; default_value is shown
+        absent  // no value: no channel is added to a material; default_value is only displayed
     };
     Kind kind = Kind::input;
     PortType type = PortType::float_;  // for inputs, outputs and fields
@@ -42,7 +42,7 @@ struct Port {
     std::array<double, 4> default_value{};  // a choice: its index, a flag: 0 or 1
     double soft_min = 0, soft_max = 0;      // slider range; equal: none
     double hard_min = 0, hard_max = 0;      // equal: none
-    bool clamps_wires = true;  // false: the ports that read a sub-graph's input clamp the value
+    bool clamps_wires = true;  // false: input of a sub-graph, clamped by the ports that read it
     std::vector<std::string> choices;
     Encoding encoding = Encoding::linear;  // for an image given as a bare path
 

@@ -1,7 +1,7 @@
 // The builder that a body records into, without passing it around, and the errors of a body.
 //
 // While a node's build() runs, the thunk (node.h) sets `builder` for this thread and this shared
-// object; it never crosses the C border. Outside of that every operation gives poison.
+// object; it is not passed over the C interface. At other times every operation returns poison.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,8 @@ namespace wrinkle::sdk {
 
 [[gnu::visibility("hidden")]] inline thread_local const wr_builder* builder = nullptr;
 
-// The number of a recorded value, as C knows it. Every type of values is made from one.
+// The id of a recorded value in the C interface. Float, vec3 and the other value types are
+// constructed from it.
 struct Raw {
     wr_value id = WR_POISON;
 };
@@ -30,7 +31,8 @@ inline Raw literal(uint32_t type, double value) {
     return {builder->literal(builder, type, &value)};
 }
 
-// Reports a problem on the node: "the width must not be 0". What has no value then is poison.
+// Reports a problem on the node: "the width must not be 0". The body continues; its outputs are not
+// used.
 inline void fail(const char* message) {
     if (builder) builder->error(builder, message);
 }

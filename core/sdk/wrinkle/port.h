@@ -1,7 +1,6 @@
 // How the ports of a node are described: types on wires, defaults, ranges, units.
 //
-// Types of ports: Float vec2 vec3 vec4 Gradient Derivative Image Material, and with a meaning of
-// their own
+// Types of ports: Float vec2 vec3 vec4 Gradient Derivative Image Material, and
 //   Height  a Float: a length of object space, positive outward
 //   Color   a vec3, linear
 //   Normal  a vec3: unit, object space unless the port says otherwise
@@ -27,7 +26,7 @@ struct Height;
 struct Color;
 struct Normal;
 
-// Wire type and body type of a port of type T; a type that no port has is a compile error.
+// Wire type and body type of a port of type T; any other T is a compile error.
 template <class T>
 struct PortTraits {
     static_assert(

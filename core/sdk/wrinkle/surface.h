@@ -12,11 +12,13 @@ struct Property {
     operator T() const { return T(builder ? Raw{builder->surface(builder, input)} : Raw{}); }
 };
 
-// Hidden: gcc makes one of equal names in all libraries of a process, which then stay loaded.
+// Hidden, because gcc makes such symbols unique in the process (STB_GNU_UNIQUE), and a library that
+// defines one is never unloaded.
 #pragma GCC visibility push(hidden)
 inline constexpr Property<vec3> position{WR_SURFACE_position};
 inline constexpr Property<vec3> normal{WR_SURFACE_normal};
-// As the front face has it, whatever the graph's rule for back faces; no default of a port.
+// Normal of the front face, not changed by the graph's rule for back faces; not valid as a port's
+// default.
 inline constexpr Property<vec3> front_normal{WR_SURFACE_FRONT_NORMAL};
 inline constexpr Property<vec4> tangent{WR_SURFACE_tangent};
 inline constexpr Property<vec2> uv0{WR_SURFACE_uv0};
@@ -28,7 +30,7 @@ inline constexpr Property<vec3> view{WR_SURFACE_view};
 inline constexpr Property<Float> facing{WR_SURFACE_facing};
 #pragma GCC visibility pop
 
-// The functions of math.h, of a property as of its value: normalize(surface::normal).
+// Overloads of the functions of math.h that read a property: normalize(surface::normal).
 namespace detail {
 template <class T>
 T value_of(Property<T> property) {
