@@ -6,11 +6,11 @@
 //               smoothstep from 0.25 to 0.75 cells (M. Mikkelsen's filtered noise). A layer of
 //               noise is multiplied by it; a pattern with a non-zero mean fades to its mean.
 // spread(p)     extent of the pixel per axis: the box around it, for exact box filters.
-// lost_slope    reports the slopes in p that a filter removed, by their variance, to
-//               normal_variance(): a height of 0 to add to the filtered one, outside of functions
-//               and loops. Of a pattern with flat parts it is the variance times the share of the
-//               area that slopes, because the highlight of flat parts is narrow: one lobe of all
-//               the variance would be too wide.
+// lost_slope    a height of 0 that passes the variance of the slopes in p that a filter removed to
+//               normal_variance(). Add it to the filtered height, outside of functions and loops.
+//               For a pattern with flat parts, multiply the variance by the share of the area that
+//               slopes: the highlight of flat parts is narrow, and one lobe with all the variance
+//               would be too wide.
 // box_width(x)  width of the box that has the variance of a number over the pixel, if it changes
 //               linearly: the length of its screen differentials, whatever the pixel's rotation.
 // All are detached: they weight a slope but do not contribute to it. Zero differentials give a zero
@@ -29,7 +29,7 @@ sdk::Float footprint(V p) {
 inline sdk::Float fade(sdk::Float footprint) {
     return named("fade", 1 - sdk::smoothstep(0.25, 0.75, footprint));
 }
-// That of the pattern at p * scale, for the footprint of p.
+// fade() of a pattern in p * scale, from the footprint of p.
 inline sdk::Float fade(sdk::Float footprint, sdk::Float scale) {
     return fade(footprint * detach(abs(scale)));
 }
@@ -38,7 +38,7 @@ inline sdk::Float fade(sdk::Float footprint, sdk::Float scale) {
 inline sdk::Float lost_share(sdk::Float fade) {
     return 1 - fade * fade;
 }
-// The variance is that of each component; the covariance is (xx, yy, xy).
+// `variance`: of each component of the slope, uncorrelated; `covariance`: (xx, yy, xy).
 inline sdk::Float lost_slope(sdk::vec3 p, sdk::Float variance) {
     return with_slope(0, p, with_covariance(sdk::vec3(0), detach(variance)));
 }

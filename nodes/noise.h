@@ -27,13 +27,13 @@ struct Noise {
 //   value     hashed numbers at lattice points, joined by the same quintic: C2
 enum class Basis { gradient, simplex, value };
 inline constexpr const char* basis_names[] = {"gradient", "simplex", "value"};
-// A seed other than 0 has other random numbers (random.h).
+// Each seed gives other random numbers (random.h).
 Noise noise_function(Basis basis, int seed);
 double slope_variance(Basis basis);  // mean square of one component of the slope
 
 inline constexpr int most_octaves = 8;
 
-// Octaves of a layer: each `lacunarity` times finer than the one before and `gain` times as strong.
+// Octaves of a noise, each `lacunarity` times finer than the one before and `gain` times as strong.
 // Octave k is read at point * scale * lacunarity^k + k * (19.19, 7.43, 31.71).
 struct Fractal {
     sdk::vec3 point;
@@ -50,13 +50,13 @@ struct Octave {
     sdk::Float fade, previous;
 };
 
-// Returns the slope variance per axis that the fades remove from the weighted mean of octaves, if
-// it is 1 for each of them on unit cells.
+// Returns the slope variance per axis that the fades remove from the weighted mean of octaves, in
+// units of the slope variance of one octave on unit cells. `width` is the footprint of the point.
 sdk::Float lost_octaves(const Fractal& fractal, sdk::Float width);
 
-// Returns the weighted mean of height(Octave) over the octaves, in the range of one layer, from a
-// function `name` of the generated code.
-// `slope_variance` is that of one octave on unit cells, per axis.
+// Returns the weighted mean of height(Octave) over the octaves, in the range of one octave, from a
+// function `name` of the generated code. `slope_variance` is that of one octave on unit cells, per
+// axis.
 template <class Height>
 sdk::Float mean_of_octaves(const char* name, const Fractal& fractal, double slope_variance,
                            Height height) {
