@@ -1,7 +1,7 @@
 // Updates everything derived from the document, in stages with versions (CompileState):
 //   edit     the document differs from requested_snapshot: a new model and layout
 //   request  a job for the compiler thread: requested_version + 1
-//   build    its result: finished_version, unless it belongs to another file (`first`)
+//   build    its result: State::built.version, unless it belongs to another file (`first`)
 //   preview  the shader is sent, and its problems return: diagnosed_version
 // A newer job replaces a waiting one. Cosmetic edits need no build; a value is sent as a uniform.
 #pragma once

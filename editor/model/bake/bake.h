@@ -15,14 +15,14 @@ struct BakeJob {
 };
 
 // Files are renamed from temporary files when all are complete; on failure or cancellation before
-// that, no file appears and folders made for them are removed. Warnings report on the mesh and on
-// the numbers.
+// that, no file appears and folders made for them are removed. Warnings: faults of the mesh and its
+// uvs, numbers that are not finite or were clamped.
 TaskOutcome bake_maps(const BakeJob& job, const Registry& registry, TaskProgress& progress);
 
 // Bakes the current document as a task; stores the choices in the settings.
 void start_bake(Session& session, const BakeChoices& choices);
 
-// Returns the path on disk: relative paths start at the graph's folder, "~" at home.
+// Returns choices.into as a path on disk: relative to the graph's folder; "~" is the home folder.
 std::filesystem::path place_of(const Session& session, const BakeChoices& choices);
 
 // Returns the maps that the document's outputs provide.

@@ -19,11 +19,11 @@ struct PendingAction {
     enum class Kind : uint8_t { nothing, quit, new_graph, open, recover, leave, import };
     Kind kind = Kind::nothing;
     std::filesystem::path file;  // for open; for recover, the recovery file; for import, the folder
-    size_t depth = 0;            // for leave: index in State::outer of the graph to return to
+    size_t depth = 0;            // for leave: index in Session::parent_graphs of the target
     std::shared_ptr<const Document> document = {};  // for import
 };
 
-// Modal prompt that the user must answer first (panels/questions.h draws it).
+// Modal prompt that the user must answer first (panels/questions.cpp draws it).
 struct Question {
     enum class Kind : uint8_t {
         none,
@@ -49,11 +49,11 @@ struct Question {
     bool wants_path() const { return kind == Kind::open || kind == Kind::save_as; }
 };
 
-// Carries out the intent, or prompts for unsaved work first.
+// Carries out the action, or prompts for unsaved work first.
 void request_action(Session& session, const PendingAction& intent);
-// Saves the unsaved graphs that the intent closes, the innermost first, then carries it out.
+// Saves the unsaved graphs that the action closes, the innermost first, then carries it out.
 void save_and_carry_out(Session& session, const PendingAction& intent);
-// Carries out the intent; before quitting, prompts if a background task is running.
+// Carries out the action; before quitting, prompts if a background task is running.
 void carry_out(Session& session, const PendingAction& intent);
 
 // Answers to the question. If an answer fails, the question remains open with the reason in

@@ -1,4 +1,5 @@
-// The part of a document that the preview shows, as a document made for it.
+// Builds the document that the preview compiles: the graph's outputs or one node, and with a
+// comparison a second normal.
 #pragma once
 
 #include <map>
@@ -25,7 +26,7 @@ struct PreviewRequest {
     bool operator==(const PreviewRequest&) const = default;
 };
 
-// The output of the made document with the other normal, object space.
+// Output of the requested document with the other normal, object space.
 inline constexpr const char* against_output = "wrinkle_against";
 
 struct Requested {

@@ -35,7 +35,7 @@ struct Settings {
     static constexpr size_t max_recent = 10, max_dismissed = 500;
 
     int width = 1600, height = 900;  // window size
-    // Panes as fractions (panels/panes.h); 0 is the default size.
+    // Panes as fractions (panels/regions.h); 0 is the default size.
     float side = 0, preview = 0, problems = 0;
     std::string theme = "dark";                 // or "light"
     float scale = 1;                            // interface scale

@@ -2,9 +2,9 @@
 // computed in the background, one image at a time, once for each version of a file.
 //
 // Images of the top graph are examined when it is opened and when their files change, dropped ones
-// before they get a node. If a node's use of an image does not match the image, there is a remark,
-// shown in the problems and on the node until it is resolved or dismissed permanently: the settings
-// store dismissals by file version.
+// before they get a node. If a node's use of an image does not match the image, there is a remark
+// (ImageWarning), shown in the problems and on the node until it is resolved or dismissed
+// permanently: the settings store dismissals by file version.
 #pragma once
 
 #include <filesystem>
@@ -59,7 +59,7 @@ struct Images {
     std::map<std::string, std::filesystem::path> paths;  // by the names in the graph
     std::map<std::filesystem::path, Examined> known;
     std::vector<std::filesystem::path> wanted;  // pending; the first one is examined now
-    uint64_t changes = 0;                       // version of all inputs of remarks but the document
+    uint64_t changes = 0;  // increases when a result or `paths` changes: remarks are updated
 
     std::vector<ImageWarning> remarks;
     Document remarks_of;

@@ -1,5 +1,5 @@
 // Background work, one task at a time: name, progress, cancellation and outcome. The strip above
-// the status bar shows it (panels/task_strip.h).
+// the status bar shows it (panels/task_strip.cpp).
 #pragma once
 
 #include <atomic>

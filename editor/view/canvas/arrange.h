@@ -17,11 +17,11 @@ Document snapped(const State& state);  // to the grid of 8
 // possible, and fits frames around the nodes that were in them. Lengths in canvas units, positions
 // on the grid.
 //
-// A column holds nodes of equal depth; a node with no more wires from nodes than wires to readers
-// is next to its readers. Sweeps over the columns move each card to the height of its wires, in the
-// gaps between wires of other cards. The result is the sweep with the fewest hidden wires, then
-// with the smallest sum of height differences of wires. Cards do not overlap. O(sweeps * cards *
-// wires that cross a column) at most.
+// A column holds nodes of equal depth; but a node with at least as many outgoing wires as incoming
+// wires from nodes is in the column left of its nearest user. Sweeps over the columns move each
+// card to the height of its wires, in the gaps between wires of other cards. The result is the
+// sweep with the fewest hidden wires, then with the smallest sum of height differences of wires.
+// Cards do not overlap. O(sweeps * cards * wires that cross a column) at most.
 struct Tidied {
     Document document;
     Borders borders;

@@ -33,7 +33,7 @@ Hit pick(const State& state, ImVec2 mouse);
 void draw_graph(const State& state, ImDrawList& list);
 void draw_gesture(const State& state, ImDrawList& list);  // feedback of the gesture in progress
 void update_gesture(State& state, bool active);
-void name_targets(State& state);
+void name_targets(State& state);  // for scripts and tests (input/targets.h)
 // The rectangle of the hit row of a card, which a tooltip must not cover.
 About about_hit(const CanvasState& canvas, const Hit& hit);
 

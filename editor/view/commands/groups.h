@@ -1,5 +1,4 @@
-// Parts of the command table, one per menu; and common functions for
-// Command::why_not.
+// Parts of the command table, one per menu; and common functions for Command::why_not.
 #pragma once
 
 #include "editor/view/commands/commands.h"

@@ -1,4 +1,4 @@
-// DropState files that wait for processing.
+// Dropped files that wait for processing.
 #pragma once
 
 #include <imgui.h>

@@ -48,8 +48,9 @@ std::string why_not(const State& state, const Gesture& wire, const Card& card, c
 
 void open_palette(Dialogs& dialogs, ImVec2 at, const Gesture& wire);
 
-// Return the selected node if it is the only one, and a sub-graph; otherwise nullptr.
+// Returns the selected node if exactly one is selected; otherwise nullptr.
 const Node* selected_node(const State& state);
+// Returns selected_node() if it is a sub-graph; otherwise nullptr.
 const Node* selected_group(const State& state);
 // Opens its graph (document/levels.h).
 void open_selected_group(State& state);
@@ -60,9 +61,8 @@ void group_selected(State& state);
 // Inlines the one selected sub-graph in one undo step; its file remains.
 void ungroup_selected(State& state);
 
-// Proposes nodes between a source and the ends of its wire: they take the type `from` and return
-// one that all ends take.
-// Returns at most `most` choices, the best first; empty if no single node converts.
+// Returns node types that convert a wire: they take the type `from` and return one that all of
+// `ends` take. At most `most`, the best first; empty if no single node converts.
 std::vector<Offer::Choice> between(const Registry& registry, PortType from,
                                    const std::vector<PortType>& ends, size_t most = 3);
 

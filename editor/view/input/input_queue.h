@@ -3,7 +3,8 @@
 // ImGui 1.86 sees only the state of keys and buttons at the start of a frame: it misses a key that
 // is pressed and released between two frames. Each frame therefore takes events only up to the
 // first one that would hide another; the rest waits for the next frame. Window, scripts and tests
-// all use the queue. Keys are GLFW key codes, letters by the character they produce.
+// all use the queue. Keys are GLFW key codes; for letters and digits, of the character that the key
+// produces in the current keyboard layout.
 #pragma once
 
 #include <deque>

@@ -27,8 +27,8 @@ inline ImTextureID texture_id(uint32_t texture) {
     return reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture));
 }
 
-// Draws the outline of the type's pin; `unit` is half its size. A pin that is not `filled` is
-// filled with `ground`.
+// Draws a pin in the shape of its type; `unit` is half its size. If not `filled`, it is an outline
+// with `ground` inside.
 void draw_pin(ImDrawList& list, PortType type, ImVec2 center, float unit, ImU32 color, bool filled,
               ImU32 ground);
 

@@ -12,8 +12,8 @@ public:
     void use_gl() { gl_ = true; }
     void forget() { texture_ = 0; }  // after its GL context was destroyed
 
-    // Replaces the contents: RGBA8 previews, one after the other. Stores as many as the maximum
-    // texture size allows.
+    // Replaces the contents: RGBA8 previews of width x height texels each, one after the other.
+    // Stores as many as the maximum texture size allows.
     void fill(std::span<const uint8_t> texels, uint32_t width, uint32_t height);
 
     uint32_t texture() const { return texture_; }  // 0: none

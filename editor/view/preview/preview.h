@@ -49,7 +49,7 @@ public:
     const PreviewImage& newest();
     const PreviewImage& shown() const { return image_; }  // the last result, without polling
     uint64_t asked() const { return job_.version; }
-    // No job is pending, nor is a smoother drawing of the last one.
+    // Returns true if no job is pending, including the smooth drawing of the last one.
     bool idle() const;
     void wait_idle();
     bool has_thread() const { return worker_ != nullptr; }

@@ -30,7 +30,7 @@ void drop_cards(State& state);  // selects the pressed card or box if nothing mo
 // there is no better one.
 Hit snap_wire(const State& state, ImVec2 mouse);
 void begin_wire(State& state, const Card& card, const Pin& pin);
-void lift_wire(State& state);
+void lift_wire(State& state);  // at the first motion: detaches a wire that began at its input
 void drop_wire(State& state);
 
 // The wire of a drag between two cards: forward, else backward to a free input. Its pins fit best:
