@@ -30,7 +30,7 @@ namespace wrinkle::editor {
 //
 // `actions N`: at most N user actions so far. Each click, wheel, drag, stroke, drop and chord of
 // keys is one action, as is each typed text with the Enter that commits it; `say` counts as well.
-// `other`: the preview compares two sides.
+// `stale`: the preview shows an older graph. `other`: it compares two sides.
 //
 // A step begins when the input of the previous step is consumed, build and preview are those of the
 // newest document, and a few more frames have been drawn.

@@ -11,7 +11,7 @@ namespace wrinkle::editor {
 
 // The panel: fills the current ImGui window.
 //
-//   drag on empty ground     box select
+//   drag on empty ground     box select; Ctrl + Shift: lasso
 //   middle drag, Alt + drag  pan
 //   wheel                    zoom at the pointer
 //   drag a header or body    move the selection
@@ -19,7 +19,7 @@ namespace wrinkle::editor {
 //   drag pin to pin          connect; from a connected input: detach the wire; to empty ground:
 //                            open the palette, filtered by fitting types
 //   double-click a field     type a value
-//   double-click a header    rename
+//   double-click a header    rename; on the card of a sub-graph, off its name: open it
 //   double-click a wire      insert a reroute
 //   drop a loose node on a wire   insert it into the wire
 //   Alt + right drag         from node to node: connect the best-fitting pins

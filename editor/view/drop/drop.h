@@ -10,7 +10,8 @@ namespace wrinkle::editor {
 //   an image on empty canvas      a source node; shown if the graph has no output `normal` yet
 //   an image on a wire            its bump is added to the one on the wire
 //   an image on a node with one   replaces the node's image
-//   a mesh, or an HDR image on the preview   sets the preview's mesh or environment
+//   an HDR image on the preview   becomes its environment
+//   a mesh, anywhere              becomes the preview's mesh
 //   a graph                       is opened
 //   a preset file                 becomes a preset of the graph, and is chosen
 //   a folder                      its textures become a new graph (document/texture_import.h)
