@@ -35,8 +35,8 @@ MipChain radiance_of(const Image& image);
 // the assumption N = V = R (Karis, "Real Shading in Unreal Engine 4", 2013): half of the levels are
 // below roughness 0.3, where a lobe is narrow, and reflections do not stretch at grazing angles. A
 // texel takes up to 256 samples, each from the mip level of the image with texels as large as the
-// sample's solid angle (Krivanek and Colbert 2008). The irradiance is the cosine-weighted mean of 64
-// x 32 directions, over pi.
+// sample's solid angle (Krivanek and Colbert 2008). The irradiance is the cosine-weighted mean of
+// 64 x 32 directions, over pi.
 EnvironmentCube prefilter(const Image& image);
 double roughness_of_level(int level);
 
