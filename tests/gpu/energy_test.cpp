@@ -214,7 +214,7 @@ TEST_F(LobeTest, DirectionalLightsAddUpToTheEnvironment) {
 TEST_F(LobeTest, LightAndEyeCanBeExchanged) {
     struct Single {
         Values values;
-        double roughness, f0;  // of the gain
+        double roughness, f0;  // arguments of the gain
     };
     const std::vector<Single> lobes = {
         {{{"color", 0.5}, {"specular_weight", 0}, {"base_diffuse_roughness", 0.8}}, 0, 0},

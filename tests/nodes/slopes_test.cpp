@@ -319,12 +319,14 @@ TEST(EveryNode, HasTheSlopesOfItsDifferences) {
                 "splatter.height", "splatter.value", "splatter.mask"});
 }
 
-// With inputs that vary too, in small pixels. The middle of a cell is constant in the cell.
+// With inputs that vary too, in small pixels. The middle of a cell and the direction of a copy are
+// constant in it.
 TEST(EveryNode, HasTheSlopesOfItsInputs) {
     expect_other_slopes(
-        true, {"bricks.center", "checker.center", "domes.center", "hexagons.center",
-               "tile_sampler.center", "voronoi.center", "weave.center", "decal_box.attenuation",
-               "decal_capsule.attenuation", "planar_uv.weight"});
+        true,
+        {"bricks.center", "checker.center", "domes.center", "hexagons.center", "splatter.direction",
+         "tile_sampler.center", "tile_sampler.direction", "voronoi.center", "weave.center",
+         "decal_box.attenuation", "decal_capsule.attenuation", "planar_uv.weight"});
 }
 
 }  // namespace
