@@ -247,22 +247,26 @@ std::string moved_point(double factor, const std::array<double, 3>& by) {
 // noise are cells of the skewed lattice.
 TEST(Seeds, MoveANoiseByCells) {
     const std::vector<Point> places = random_cells(200, 9, 12);
-    const std::pair<std::string, std::string> noises[] = {
-        {"gradient_noise", R"(, "octaves": 1)"},
-        {"simplex_noise", ""},
-        {"value_noise", ""},
-        {"worley_noise", ""},
-        {"fbm", R"(, "octaves": 1)"},
-        {"turbulence", R"(, "octaves": 1)"},
-        {"ridged", R"(, "octaves": 1)"},
-        {"dents", R"(, "octaves": 1, "threshold": 0)"}};
-    for (const auto& [type, in] : noises) {
+    struct Noise {
+        std::string type, in;
+    };
+    const Noise noises[] = {{"gradient_noise", R"(, "octaves": 1)"},
+                            {"simplex_noise", ""},
+                            {"value_noise", ""},
+                            {"worley_noise", ""},
+                            {"fbm", R"(, "octaves": 1)"},
+                            {"turbulence", R"(, "octaves": 1)"},
+                            {"ridged", R"(, "octaves": 1)"},
+                            {"dents", R"(, "octaves": 1, "threshold": 0)"}};
+    for (const Noise& noise : noises) {
+        const std::string& type = noise.type;
         std::array<double, 3> offset = offset_of(7);
         const double skew = type == "simplex_noise" ? (offset[0] + offset[1] + offset[2]) / 6 : 0;
         for (double& each : offset)
             each -= skew;
         const auto read_noise = [&](const std::string& nodes, const std::string& more) {
-            return values({nodes + one(type, R"("scale": 1)" + more + in), "n.value"}, places);
+            return values({nodes + one(type, R"("scale": 1)" + more + noise.in), "n.value"},
+                          places);
         };
         const auto other = read_noise("", R"(, "seed": 7)"), unmoved = read_noise("", "");
         const auto moved = read_noise(moved_point(1, offset), R"(, "point": {"from": "p.vector"})");

@@ -89,11 +89,11 @@ TEST(UvWarpSlope, HasAnExactSlope) {
         one("uv_warp_slope", R"("value": {"from": "w.value"}, "span": 0.02, "amount": 0.01)") +
         R"(, "r": {"type": "waves", "in": {"uv": {"from": "n.uv"}, "amplitude": 0.1}},
         "g": {"type": "gradient_from_height", "in": {"height": {"from": "r.height"}}})";
-    for (const auto& [x, y] : {std::pair{0.31, 0.62}, {0.87, -0.4}, {-2.3, 1.9}}) {
+    for (const std::array<double, 2>& p : {std::array{0.31, 0.62}, {0.87, -0.4}, {-2.3, 1.9}}) {
         const auto at = [&](double dx, double dy) {
-            return value({nodes, "r.height"}, x + dx, y + dy)[0];
+            return value({nodes, "r.height"}, p[0] + dx, p[1] + dy)[0];
         };
-        const auto slope = value({nodes, "g.gradient"}, x, y);
+        const auto slope = value({nodes, "g.gradient"}, p[0], p[1]);
         EXPECT_NEAR(slope[0], (at(step, 0) - at(-step, 0)) / (2 * step), 1e-6);
         EXPECT_NEAR(slope[1], (at(0, step) - at(0, -step)) / (2 * step), 1e-6);
         EXPECT_GT(std::fabs(slope[0]) + std::fabs(slope[1]), 0.05);
