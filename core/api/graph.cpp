@@ -127,8 +127,8 @@ Problems Graph::check(bool vertex_tangents) const noexcept {
 }
 
 // The enumerators of both have the same order.
-static_assert(static_cast<int>(InputFile::Kind::plugin) ==
-              static_cast<int>(wrinkle::InputFile::Kind::plugin));
+static_assert(static_cast<int>(InputFile::Kind::preset) ==
+              static_cast<int>(wrinkle::InputFile::Kind::preset));
 
 std::vector<InputFile> Graph::inputs() const noexcept {
     struct Listed {

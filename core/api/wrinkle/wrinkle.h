@@ -118,7 +118,7 @@ struct Evaluated {
 };
 
 struct InputFile {
-    enum class Kind { graph, image, plugin };
+    enum class Kind { graph, image, plugin, preset };
     Kind kind = Kind::graph;
     std::string path;  // relative if the path of the graph is
 };
