@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
-"""Makes the pictures of README and docs again, all but far_highlight.png, with the programs of a
+"""Renders the images of README and docs, all but far_highlight.png, with the programs of a
 build.
 
 usage: docs/images/make.py [--programs FOLDER] [NAME...]
 
-Without names it makes all. It needs oiiotool, and xvfb-run for the picture of the editor where
+Without names it renders all. It needs oiiotool, and xvfb-run for the image of the editor where
 there is no display.
 """
 import argparse
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import tempfile
@@ -17,18 +18,15 @@ import tempfile
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 FONT = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf"
-MATERIALS = ["chipped_paint", "brushed_aluminium", "hammered_gold", "oxidised_copper", "car_paint",
-             "scratched_plastic", "perforated_sheet", "varnished_oak", "leather", "old_brick_wall",
-             "polished_marble", "terrazzo", "denim", "velvet", "snowy_rock",
-             "wet_cobbles", "carbon_fibre", "crackle_ceramic", "skin", "lava"]
-REBUILT = ["rusted_metal", "clinker_bricks", "deck_planks", "veined_marble", "tartan_wool",
-           "crazy_paving", "forged_carbon", "scifi_panels"]
-HEIGHTS = ["gradient_noise", "simplex_noise", "value_noise", "worley_noise", "fbm", "turbulence",
-           "ridged", "dents", "waves", "scratches", "checker", "brick", "hexagons", "pyramids",
-           "domes", "weave"]
 COMPARED = [("blends", None), ("blends", "naive"), ("blends", "overlay"), ("blends", "rnm"),
             ("mirrored_uvs", None), ("mirrored_uvs", "naive"),
             ("volume_gradient", None), ("volume_gradient", "naive")]
+
+
+def graphs_of(page, folder):
+    """The graphs of a folder that a page names, in its order."""
+    names = dict.fromkeys(re.findall(r"`(\w+)`", (ROOT / "docs" / page).read_text()))
+    return [name for name in names if (ROOT / "graphs" / folder / f"{name}.json").exists()]
 
 
 class Maker:
@@ -41,7 +39,7 @@ class Maker:
                        stdout=subprocess.DEVNULL)
 
     def render(self, graph, name, size, *options):
-        """A picture twice as large, reduced: edges of meshes are smooth then."""
+        """An image twice as large, reduced: edges of meshes are smooth then."""
         large, small = self.folder / f"{name}.large.png", self.folder / f"{name}.png"
         width, height = size
         self.run(self.wrinkle, "render", graph, "-o", large, "--size", f"{2 * width}x{2 * height}",
@@ -50,14 +48,14 @@ class Maker:
                  f"{width}x{height}", "-o", small)
         return small
 
-    def sheet(self, pictures, columns, out, *options):
-        rows = (len(pictures) + columns - 1) // columns
-        self.run("oiiotool", "--nosoftwareattrib", *pictures, "--mosaic:pad=0",
+    def sheet(self, images, columns, out, *options):
+        rows = (len(images) + columns - 1) // columns
+        self.run("oiiotool", "--nosoftwareattrib", *images, "--mosaic:pad=0",
                  f"{columns}x{rows}", *options, "-o", out)
 
-    def titled(self, picture, title, width):
-        out = picture.with_suffix(".titled.png")
-        self.run("oiiotool", "--nosoftwareattrib", picture, "--cut",
+    def titled(self, image, title, width):
+        out = image.with_suffix(".titled.png")
+        self.run("oiiotool", "--nosoftwareattrib", image, "--cut",
                  f"{width}x{width + 24}+0+0",
                  f"--text:x={width // 2}:y={width + 17}:xalign=center:size=13:font={FONT}",
                  title, "-o", out)
@@ -87,32 +85,32 @@ class Maker:
                  "jpeg:92", "-o", HERE / "baked_teapot.jpg")
 
     def gallery(self):
-        pictures = [self.render(f"graphs/materials/{each}.json", each, (320, 320), "--mesh",
-                                "torus") for each in MATERIALS]
-        self.sheet(pictures, 5, HERE / "gallery.jpg", "--compression", "jpeg:88")
+        images = [self.render(f"graphs/materials/{each}.json", each, (320, 320), "--mesh",
+                                "torus") for each in graphs_of("gallery.md", "materials")]
+        self.sheet(images, 5, HERE / "gallery.jpg", "--compression", "jpeg:88")
 
     def rebuilt(self):
-        pictures = [self.render(f"graphs/rebuilt/{each}.json", each, (300, 300))
-                    for each in REBUILT]
-        self.sheet(pictures, 4, HERE / "rebuilt.jpg", "--compression", "jpeg:88")
+        images = [self.render(f"graphs/rebuilt/{each}.json", each, (300, 300))
+                    for each in graphs_of("gallery.md", "rebuilt")]
+        self.sheet(images, 4, HERE / "rebuilt.jpg", "--compression", "jpeg:88")
 
     def procedural_heights(self):
-        pictures = [self.render(f"graphs/nodes/{each}.json", each, (130, 130), "--mesh",
+        images = [self.render(f"graphs/nodes/{each}.json", each, (130, 130), "--mesh",
                                 "sphere" if i < 8 else "plane", "--background", "plain")
-                    for i, each in enumerate(HEIGHTS)]
-        self.sheet(pictures, 8, HERE / "procedural_heights.png")
+                    for i, each in enumerate(graphs_of("procedural-heights.md", "nodes")[:16])]
+        self.sheet(images, 8, HERE / "procedural_heights.png")
 
     def comparisons(self):
-        pictures = []
+        images = []
         for graph, against in COMPARED:
             view = ["--view", "difference", "--against", against] if against else []
             name = f"{graph}-{against}" if against else graph
-            picture = self.render(f"graphs/compare/{graph}.json", name, (184, 184), "--background",
+            image = self.render(f"graphs/compare/{graph}.json", name, (184, 184), "--background",
                                   "plain", *view)
-            pictures.append(self.titled(picture, name, 184))
-        self.sheet(pictures, 4, HERE / "comparisons.png")
+            images.append(self.titled(image, name, 184))
+        self.sheet(images, 4, HERE / "comparisons.png")
 
-    def editor_picture(self):
+    def editor_image(self):
         shot = [self.editor, "graphs/woven_strap.json", "--size", 1600, 900, "--state",
                 self.folder / "state", "--shot", HERE / "editor.png"]
         self.run(*([] if os.environ.get("DISPLAY") else ["xvfb-run", "-a"]), *shot)
@@ -126,15 +124,15 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         maker = Maker(options.programs.resolve(), pathlib.Path(folder))
-        pictures = {"woven_strap": maker.woven_strap, "everything": maker.everything,
+        images = {"woven_strap": maker.woven_strap, "everything": maker.everything,
                     "teapot": maker.teapot, "skinned_tube": maker.skinned_tube,
                     "baked_teapot": maker.baked_teapot, "gallery": maker.gallery,
                     "rebuilt": maker.rebuilt,
                     "procedural_heights": maker.procedural_heights,
-                    "comparisons": maker.comparisons, "editor": maker.editor_picture}
-        for name in options.names or pictures:
+                    "comparisons": maker.comparisons, "editor": maker.editor_image}
+        for name in options.names or images:
             print(name)
-            pictures[name]()
+            images[name]()
 
 
 if __name__ == "__main__":
