@@ -1,4 +1,4 @@
-#include "image/guard.h"
+#include "image/codec_support.h"
 
 #include <algorithm>
 #include <cstdio>

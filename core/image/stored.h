@@ -4,8 +4,8 @@
 // nearest even; overflow becomes infinity, NaN stays NaN. The conversion to float is exact except
 // for the division by 255 or 65535 in float.
 //
-// Written by hand for integers because OpenImageIO's conversion is in the module that programs load
-// only to open a file, and does not define the value of NaN.
+// Written by hand for integers because OpenImageIO's conversion is in a module that is loaded for
+// some formats only, and does not define the value of NaN.
 #pragma once
 
 #include <cstddef>

@@ -13,7 +13,7 @@
 #include <string>
 #include <utility>
 
-#include "image/guard.h"
+#include "image/codec_support.h"
 
 namespace wrinkle::oiio {
 

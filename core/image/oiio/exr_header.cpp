@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "image/guard.h"
+#include "image/codec_support.h"
 
 namespace wrinkle::oiio {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "image/codec.h"
-#include "image/guard.h"
+#include "image/codec_support.h"
 #include "image/oiio/exr_header.h"
 #include "image/oiio/image_writer.h"
 #include "image/oiio/settings.h"

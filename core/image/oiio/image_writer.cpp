@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "image/guard.h"
+#include "image/codec_support.h"
 #include "image/oiio/exr_file.h"
 #include "image/oiio/output_file.h"
 #include "image/oiio/settings.h"

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "image/guard.h"
+#include "image/codec_support.h"
 #include "image/png/session.h"
 
 struct WrinkleImageReader {

@@ -23,7 +23,10 @@ Session::Session(const char* path, Access access)
     const auto create = access == Access::read ? png_create_read_struct : png_create_write_struct;
     png_ = create(PNG_LIBPNG_VER_STRING, this, fail, ignore_warning);
     if (png_) info_ = png_create_info_struct(png_);
-    if (!info_) throw std::bad_alloc();
+    if (!info_) {
+        destroy();
+        throw std::bad_alloc();
+    }
     if (access == Access::read)
         png_set_read_fn(png_, nullptr, read);
     else
@@ -32,6 +35,10 @@ Session::Session(const char* path, Access access)
 }
 
 Session::~Session() {
+    destroy();
+}
+
+void Session::destroy() {
     if (access_ == Access::read)
         png_destroy_read_struct(&png_, &info_, nullptr);
     else

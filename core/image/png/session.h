@@ -7,7 +7,7 @@
 #include <csetjmp>
 
 #include "base/file.h"
-#include "image/guard.h"
+#include "image/codec_support.h"
 
 namespace wrinkle::png {
 
@@ -33,6 +33,7 @@ public:
     void close_file();
 
 private:
+    void destroy();
     [[noreturn]] static void fail(png_structp png, png_const_charp text);
     static void read(png_structp png, png_bytep bytes, size_t size);
     static void write(png_structp png, png_bytep bytes, size_t size);
