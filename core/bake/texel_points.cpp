@@ -67,6 +67,7 @@ void TexelPoints::fill_constants(size_t stride, float* planes) const {
 
 void TexelPoints::fill(const Coverage& coverage, const TexelRect& rect, size_t stride,
                        float* planes, TriangleCache& cache) const {
+    if (!planes) return;  // the program has no inputs
     float* out = planes;
     for (uint32_t y = 0; y < rect.height; ++y) {
         const uint32_t* owners = coverage.owners.data() + size_t{y} * rect.width;
