@@ -78,8 +78,8 @@ void append(Mesh& mesh, const Mesh& part);
 // split at its midpoint, repeatedly. Midpoint attributes are the mean of both ends; normals and
 // tangents are normalised. The split depends only on the two ends of an edge, so triangles that
 // share an edge or a uv seam still match. Facets stay flat. A pass splits a triangle into at most
-// four; there is no pass that could exceed `max_triangles`. longest <= 0 or NaN: returns the mesh
-// unchanged.
+// four; a pass that could exceed `max_triangles` is not begun. Returns the mesh unchanged if
+// longest <= 0 or NaN.
 Mesh subdivided(Mesh mesh, float longest, size_t max_triangles = 1'000'000);
 
 }  // namespace wrinkle

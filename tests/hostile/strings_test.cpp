@@ -177,9 +177,8 @@ protected:
         return get("out/text.glsl");
     }
 
-    // Runs another command; successive calls cycle through the list. Loading OpenImageIO takes
-    // `eval` 40 times as long as a compilation, so only a third of the payloads of a position run
-    // one: each position is run with each command twice.
+    // Runs another command; successive calls cycle through the list. A third of the payloads of a
+    // position run one: each position is run with each command twice.
     void run_another(const std::string& label) {
         static const std::vector<std::vector<std::string>> commands = {
             {"check", "graph.json"},

@@ -155,7 +155,6 @@ TEST(Scatter, HasOneCopyOnTop) {
     EXPECT_GT(hidden, 30U);
 }
 
-// Copies of any size are complete: the greatest value of domes has no jump.
 // The uv of a copy grows along its direction and not across it, by central differences.
 TEST(Scatter, HasTheDirectionInWhichItsUvGrows) {
     constexpr double step = 1e-5;
@@ -182,6 +181,7 @@ TEST(Scatter, HasTheDirectionInWhichItsUvGrows) {
     }
 }
 
+// Copies of any size are complete: the greatest value of domes has no jump.
 TEST(Scatter, IsNeverCut) {
     const std::pair<const char*, const char*> cases[] = {
         {"tile_sampler", R"("scale": [9, 9], "rotation_random": 180, "position_random": 1)"},

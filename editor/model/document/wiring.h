@@ -73,7 +73,7 @@ Document insert_in_wire(const Document& document, const Connection& wire, const 
 
 // Swaps the first two inputs of the first type that the node has at least twice, preferring inputs
 // with a value or a wire and ignoring inputs with a surface property as default. Returns the
-// document unchanged if there is no such type.
+// document unchanged if no type has two.
 Document swap_inputs(const Model& model, const Document& document, const std::string& id);
 
 // Returns true if no wire is connected to the node.
