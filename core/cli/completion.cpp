@@ -144,7 +144,8 @@ private:
                 found_.insert(shape);
             for (const char* end : {".obj", ".glb", ".gltf"})
                 offer_files(typed, end, found_);
-        } else if (option.get_positional() && kind != "LOG") {
+        } else if (option.get_positional() &&
+                   (kind == "FILE" || kind == "GRAPH" || kind == "PATH")) {
             offer_files(typed, kind == "PATH" ? ".test.json" : ".json", found_);
         }
     }

@@ -42,7 +42,7 @@ bool has(const Names& names, const std::string& name) {
 }
 
 TEST_F(CompletionTest, OffersCommands) {
-    EXPECT_EQ(offered({"c"}), (Names{"check", "compile", "completion", "convert"}));
+    EXPECT_EQ(offered({"c"}), (Names{"check", "compare", "compile", "completion", "convert"}));
     EXPECT_TRUE(has(offered({""}), "render"));
     EXPECT_FALSE(has(offered({""}), "complete"));
     EXPECT_EQ(offered({}), Names{});

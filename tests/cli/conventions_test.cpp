@@ -9,7 +9,7 @@ using Names = std::vector<std::string>;
 
 const Names commands = {"check",      "compile",    "eval",        "render", "convert", "lint",
                         "test",       "format",     "upgrade",     "inputs", "nodes",   "plugins",
-                        "new-plugin", "completion", "explain-log", "bake",   "import"};
+                        "new-plugin", "completion", "explain-log", "bake",   "import",  "compare"};
 
 TEST_F(ConventionsTest, HelpListsEveryCommand) {
     const Ran ran = run({"--help"});

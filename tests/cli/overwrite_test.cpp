@@ -56,6 +56,8 @@ TEST_F(OverwriteTest, NoCommandReplacesWhatItReads) {
     expect_refused({"compile", "g.json", "@words", "-o", "words"});
     expect_refused({"convert", "map.png", "--from", "height", "--to", "normal", "-o", "map.png"});
     expect_refused({"render", "g.json", "-o", "map.png"});
+    expect_refused({"compare", "map.png", "map.png", "-o", "map.png"});
+    expect_refused({"compare", "map.png", "map.png", "-o", "a.exr", "--exposure-map", "a.exr"});
     const Names bake = {"bake", "g.json", "--mesh", "plane.obj", "--size", "8", "--map", "color"};
     for (const Names& more :
          {Names{"-o", "map.png"}, Names{"-o", "new.png", "-MD", "-MF", "plane.obj"},

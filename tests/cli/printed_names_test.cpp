@@ -54,6 +54,7 @@ TEST_F(PrintedNamesTest, NamesOfFilesAreEscaped) {
              {"test", evil + ".test.json"},
              {"format", "--check", evil + "unformatted.json"},
              {"lint", missing},
+             {"compare", missing, missing},
              {"import", missing, "-o", "out.json"},
              {"import", ".", "-o", evil + "/missing/x"},
              {"inputs", evil + "unformatted.json"},

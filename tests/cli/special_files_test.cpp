@@ -69,6 +69,7 @@ TEST_F(SpecialFilesTest, AreRefusedByEveryCommand) {
              {"explain-log", "g.json", "*.json"},
              {"convert", "*.png", "--to", "height", "-o", "out.png"},
              {"lint", "*.png"},
+             {"compare", "*.png", "*.png"},
              {"import", "*_color.png", "-o", "out.json", "--root", "/"},
              {"test", "*.test.json"}})
         expect_refused(words);

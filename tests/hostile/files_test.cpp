@@ -237,6 +237,7 @@ TEST_F(HostileFiles, AsImagesAndMeshesKeepTheContract) {
          {"out.png"}},
         {"base.png", {"convert", "base.png", "-o", "out.exr", "--to", "derivative"}, {"out.exr"}},
         {"base.png", {"lint", "base.png", "--json"}},
+        {"base.png", {"compare", "base.png", "base.png", "-o", "out.png"}, {"out.png"}},
         {"wall/a_normal.png", {"import", "wall", "-o", "out.json"}, {"out.json"}},
         {"wall/a_height.png",
          {"import", "wall/a_normal.png", "wall/a_height.png", "-o", "out.json"},

@@ -44,6 +44,7 @@ const std::vector<Command>& commands() {
         {{"convert", "height.png", "-o", "out.exr", "--to", "slopes", "--mips"}, {"out.exr"}},
         {{"convert", "height.png", "-o", "out.png", "--to", "normal"}, {"out.png"}},
         {{"lint", "height.png", "--json"}},
+        {{"compare", "height.png", "height.png", "-o", "out.png"}, {"out.png"}},
         {{"import", "height.png", "-o", "out.json"}, {"out.json"}},
         {{"test", ".", "--report", "out"}, {"out"}},
         {{"test", ".", "--update"}, {"golden", "graph.test.json"}},
