@@ -55,6 +55,27 @@ function(wrinkle_library name)
     target_link_libraries(wrinkle_${name} PUBLIC ${ARG_LINK})
 endfunction()
 
+# wrinkle_embed(FOLDER HEADER NAMESPACE): the files of a folder as constants in a header of the build
+# folder; FOLDER/plugin.cpp.in is NAMESPACE::plugin_cpp_in.
+function(wrinkle_embed folder header namespace)
+    file(GLOB texts CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${texts})
+    set(constants)
+    foreach(file ${texts})
+        get_filename_component(name ${file} NAME)
+        string(MAKE_C_IDENTIFIER ${name} name)
+        file(READ ${file} text)
+        string(APPEND constants
+            "inline constexpr std::string_view ${name} = R\"text(${text})text\";\n")
+    endforeach()
+    file(CONFIGURE OUTPUT ${header} @ONLY CONTENT [[
+#pragma once
+#include <string_view>
+namespace @namespace@ {
+@constants@}
+]])
+endfunction()
+
 # wrinkle_test(NAME [PROGRAMS] LINK LIBRARIES): PROGRAMS labels a test that starts programs.
 function(wrinkle_test name)
     cmake_parse_arguments(ARG "PROGRAMS" "" "LINK" ${ARGN})

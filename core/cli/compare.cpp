@@ -17,10 +17,6 @@ namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
 
-std::string size_text(const Image& image) {
-    return std::to_string(image.width) + " x " + std::to_string(image.height);
-}
-
 bool is_map_name(const std::string& file) {
     const std::string extension = fs::path(file).extension().string();
     return extension == ".png" || extension == ".jpg" || extension == ".jpeg" ||

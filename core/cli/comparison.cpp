@@ -84,6 +84,10 @@ std::string percentiles_json(const report::Pooling& pooled) {
 
 }  // namespace
 
+std::string size_text(const Image& image) {
+    return std::to_string(image.width) + " x " + std::to_string(image.height);
+}
+
 double mean_of(const Comparison& comparison, const report::Pooling& pooled) {
     return comparison.metric == "rms" ? pooled.root_mean_square() : pooled.mean();
 }

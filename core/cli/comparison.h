@@ -32,6 +32,8 @@ struct Comparison {
     std::string map_file, exposure_file;  // written files, else ""
 };
 
+std::string size_text(const Image& image);  // "640 x 480"
+
 // Mean of the map; of `rms` the root mean square over all pixels.
 double mean_of(const Comparison& comparison, const report::Pooling& pooled);
 

@@ -1,15 +1,13 @@
 // wrinkle compile FILE...: compiles graphs to shaders.
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <functional>
-#include <future>
 #include <optional>
-#include <thread>
 
 #include "base/file.h"
 #include "cli/arguments.h"
 #include "cli/compile_graph.h"
+#include "cli/jobs.h"
 #include "cli/output.h"
 #include "cli/outputs.h"
 #include "cli/session.h"
@@ -108,24 +106,10 @@ struct CompileCommand {
         return outcomes;
     }
 
-    // Number of threads: --jobs or one per processor; at most one per graph.
-    size_t threads() const {
-        const unsigned wanted = jobs ? jobs : std::max(1u, std::thread::hardware_concurrency());
-        return std::min<size_t>(wanted, outputs.files.size());
-    }
+    size_t threads() const { return thread_count(jobs, outputs.files.size()); }
 
     void each_graph(const std::function<void(size_t)>& use) const {
-        std::atomic<size_t> next{0};
-        const auto work = [&] {
-            for (size_t i = next++; i < outputs.files.size(); i = next++)
-                use(i);
-        };
-        std::vector<std::future<void>> helpers(threads() - 1);
-        for (std::future<void>& helper : helpers)
-            helper = std::async(std::launch::async, work);
-        work();
-        for (std::future<void>& helper : helpers)
-            helper.get();  // rethrows an exception of `use`
+        for_each_item(outputs.files.size(), threads(), use);
     }
 
     Outcome compile_one(const std::string& file, const Compilation& with) const {

@@ -1,42 +1,303 @@
-// wrinkle test PATH...: runs regression cases (cli/test_case.h).
+// wrinkle test PATH...: runs regression cases (cli/test_case.h), reviews and accepts their results.
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <iterator>
+#include <set>
 
+#include "base/checksum.h"
+#include "base/file.h"
+#include "base/printable.h"
+#include "cli/arguments.h"
+#include "cli/jobs.h"
 #include "cli/output.h"
+#include "cli/test_accept.h"
+#include "cli/test_baselines.h"
+#include "cli/test_report.h"
+#include "cli/test_review.h"
 #include "cli/test_run.h"
 #include "gpu/context.h"
+#include "report/results_json.h"
 
 namespace wrinkle::cli {
+namespace fs = std::filesystem;
 namespace {
+
+using report::Check;
+using report::Results;
+using report::Status;
+
+std::string time_now() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&now, &utc));
+    return text;
+}
+
+// Returns the part, 1 to `count`, of a name: by its hash, so that a new test moves no other.
+unsigned shard_of(const std::string& name, unsigned count) {
+    return static_cast<unsigned>(std::stoull(sha256(name).substr(0, 8), nullptr, 16) % count) + 1;
+}
+
+std::string shell_quoted(const std::string& word) {
+    const bool plain = !word.empty() && std::ranges::all_of(word, [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("/._-+,:@%", c);
+    });
+    if (plain) return word;
+    std::string quoted = "'";
+    for (const char c : word)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
 
 struct TestCommand {
     CommonOptions common;
-    TestOptions options;
-    std::vector<std::string> paths;
-    bool schema = false;
+    std::vector<std::string> paths, names, shards;
+    std::string report_folder, shard;
+    unsigned jobs = 0;
+    bool schema = false, update = false, review = false, is_ci = false;
 
-    int run() const {
+    int run() {
         gpu::Context::prefer_quick_programs();
         if (schema) return write_result("-", case_schema());
-        if (paths.empty())
-            return fail(exit_usage,
-                        "test needs NAME.test.json, or a folder with such files; "
-                        "--help lists more");
+        if (const std::string why = wrong_usage(); !why.empty()) return fail(exit_usage, why);
         Diagnostics diagnostics;
         const Nodes nodes = load_nodes(common, diagnostics);
+        if (!shards.empty()) return merge();
+        if (paths.empty()) return approve_last_run(nodes.registry);
         const auto tests = find_tests(paths, diagnostics);
         if (diagnostics.has_errors()) return report(diagnostics, common.diagnostics);
-        TestRun run(nodes.registry, common, options);
-        for (const auto& file : tests)
-            run.test(file, diagnostics);
-        const TestTally& tally = run.tally();
+        return run_tests(tests, nodes.registry, diagnostics);
+    }
+
+    std::string wrong_usage() {
+        const bool approves = review || !names.empty();
+        if (!shards.empty() && !(paths.empty() && !approves && !update))
+            return "--merge goes with --report and the formats of CI systems only";
+        if (!shards.empty() && report_folder.empty()) return "--merge needs --report DIR";
+        if (paths.empty() && !approves && shards.empty())
+            return "test needs NAME.test.json, or a folder with such files; --help lists more";
+        if (!names.empty() && !paths.empty())
+            return "--accept takes the results of the last run: run the tests first, without it";
+        if (!names.empty() && (review || update))
+            return "--accept, --review and --update exclude each other";
+        if (review && update) return "--review and --update exclude each other";
+        if (is_ci && (update || approves)) return "--ci writes no baselines";
+        if (!shard.empty() && !parse_shard())
+            return "--shard " + shard + ": expected I/N with 1 <= I <= N, such as 2/4";
+        return "";
+    }
+
+    struct Shard {
+        unsigned index = 1, count = 1;
+    };
+    std::optional<Shard> parse_shard() const {
+        if (shard.empty()) return Shard{};
+        unsigned numbers[2];
+        if (!parse_numbers<unsigned>(shard, '/', numbers)) return {};
+        if (numbers[0] < 1 || numbers[0] > numbers[1]) return {};
+        return Shard{numbers[0], numbers[1]};
+    }
+
+    fs::path folder() const { return report_folder.empty() ? default_report : report_folder; }
+
+    int run_tests(std::vector<fs::path> tests, const Registry& registry, Diagnostics& diagnostics) {
+        const auto start = std::chrono::steady_clock::now();
+        Results results;
+        results.version = WRINKLE_VERSION;
+        results.command = command_of_run();
+        results.started = time_now();
+        if (const auto part = *parse_shard(); part.count > 1)
+            std::erase_if(tests, [&](const fs::path& test) {
+                return shard_of(near_path(test).generic_string(), part.count) != part.index;
+            });
+        const TestSettings settings{registry, common, folder()};
+        std::vector<TestOutcome> outcomes(tests.size());
+        for_each_item(tests.size(), thread_count(jobs, tests.size()), [&](size_t i) {
+            outcomes[i] = run_test_file(read_test_file(tests[i]), settings);
+        });
+        std::string environment;
+        std::vector<report::CaseUses> uses;
+        for (TestOutcome& outcome : outcomes) {
+            uses.insert(uses.end(), outcome.uses.begin(), outcome.uses.end());
+            take(outcome, results, environment, diagnostics);
+        }
+        results.causes = report::likely_causes(uses);
+        add_deleted(tests, results);
+        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+        results.seconds = passed.count();
+        if (!environment.empty()) results.problems.push_back(environment);
+        return finish(results, environment, registry, diagnostics);
+    }
+
+    static void take(TestOutcome& outcome, Results& results, std::string& environment,
+                     Diagnostics& diagnostics) {
+        diagnostics.append_once(outcome.problems);
+        if (results.driver.empty()) results.driver = outcome.driver;
+        if (environment.empty()) environment = outcome.environment;
+        results.checks.insert(results.checks.end(), std::make_move_iterator(outcome.checks.begin()),
+                              std::make_move_iterator(outcome.checks.end()));
+    }
+
+    // Searches the folders that were named, not those of files that were named.
+    void add_deleted(const std::vector<fs::path>& tests, Results& results) const {
+        std::error_code ignored;
+        std::set<fs::path> folders;
+        for (const fs::path& test : tests)
+            if (std::ranges::any_of(paths, [&](const std::string& path) {
+                    return fs::is_directory(path, ignored) && inside(path, test);
+                }))
+                folders.insert(test.parent_path());
+        const auto part = *parse_shard();
+        std::vector<fs::path> files = unread_baselines({folders.begin(), folders.end()});
+        std::erase_if(files, [&](const fs::path& file) {
+            return shard_of(near_path(file).generic_string(), part.count) != part.index;
+        });
+        for (Check& check : deleted_checks(files))
+            results.checks.push_back(std::move(check));
+    }
+
+    int finish(Results& results, std::string& environment, const Registry& registry,
+               Diagnostics& diagnostics) {
+        Acceptance accepted;
+        const auto to_update = [&](const Check& check) {
+            return update && (check.status == Status::failed || check.status == Status::added);
+        };
+        if (update) accepted = accept(results, folder(), to_update, registry, common);
+        if (review) accepted = review_results(results, folder(), registry, common);
+        if (environment.empty()) environment = accepted.environment;
+        for (const std::string& sentence : accepted.refused)
+            diagnostics.error(sentence);
+        write_folder(results, environment);
+        return conclude(results, environment, diagnostics);
+    }
+
+    // The default folder is written only for checks that are not passed. That it cannot be written
+    // matters only if a folder was named, or if something is to be accepted from it.
+    void write_folder(const Results& results, std::string& environment) const {
+        if (report_folder.empty() && results.count(Status::passed) == results.checks.size())
+            return remove_report(folder());
+        std::string why;
+        if (write_report(results, folder(), why)) return;
+        if (!report_folder.empty() && environment.empty()) environment = why;
+    }
+
+    int conclude(const Results& results, const std::string& environment,
+                 Diagnostics& diagnostics) const {
         const bool json = common.diagnostics == "json";
-        if (json) diagnostics.append(run.failures());
-        if (json && !tally.environment.empty()) diagnostics.error(tally.environment);
+        if (json) diagnostics.append(failed_checks(results));
+        if (json && !environment.empty()) diagnostics.error(environment);
+        std::fputs(failures_text(results).c_str(), stdout);
+        for (const std::string& cause : results.causes)
+            std::printf("likely cause: %s\n", printable(cause).c_str());
         const int code = report(diagnostics, common.diagnostics);
-        if (!json && !tally.environment.empty()) print_error(tally.environment);
-        std::printf("%zu passed, %zu failed\n", tally.passed, tally.failed);
-        if (!tally.environment.empty()) return exit_environment;
-        return tally.failed > 0 ? int{exit_input} : code;
+        if (!json && !environment.empty()) print_error(environment);
+        if (const std::string hint = hint_of(results); !hint.empty())
+            std::printf("%s\n", printable(hint).c_str());
+        std::printf("%s\n", counts_text(results).c_str());
+        if (!environment.empty()) return exit_environment;
+        return is_failure(results) ? int{exit_input} : code;
+    }
+
+    // Failures of cases that ran, as problems.
+    static Diagnostics failed_checks(const Results& results) {
+        Diagnostics failures;
+        for (const Check& check : results.checks)
+            if (is_pending(check) || check.kind == report::CheckKind::cost)
+                if (check.status != Status::passed)
+                    failures.add({Severity::error,
+                                  {check.file, check.line, check.column},
+                                  check.pointer,
+                                  "",
+                                  check.message,
+                                  check.expected});
+        return failures;
+    }
+
+    bool is_failure(const Results& results) const {
+        return results.count(Status::failed) + results.count(Status::error) +
+                       results.count(Status::deleted) >
+                   0 ||
+               (in_ci() && results.count(Status::added) > 0);
+    }
+
+    bool in_ci() const {
+        const char* value = std::getenv("CI");
+        return is_ci || (value && *value && std::string_view(value) != "false");
+    }
+
+    std::string hint_of(const Results& results) const {
+        if (std::ranges::none_of(results.checks, is_pending)) return "";
+        const std::string where = report_folder.empty() ? "" : " --report " + report_folder;
+        return "report: " + (folder() / "index.html").string() + "; wrinkle test" + where +
+               " --review shows each difference, --accept ID writes it";
+    }
+
+    // --accept and --review of the last run.
+    int approve_last_run(const Registry& registry) {
+        Diagnostics diagnostics;
+        std::error_code ignored;
+        if (!fs::exists(folder() / results_file, ignored))
+            return fail(
+                exit_usage,
+                folder().string() + " has no results that differ; run `wrinkle test PATH` first");
+        auto results = report::read_results(folder() / results_file, diagnostics);
+        if (!results) return report(diagnostics, common.diagnostics);
+        const Acceptance accepted = review ? review_results(*results, folder(), registry, common)
+                                           : accept_named(*results, registry, diagnostics);
+        std::string environment = accepted.environment;
+        if (!diagnostics.has_errors()) write_folder(*results, environment);
+        if (!review)
+            for (const std::string& file : accepted.written)
+                std::printf("%s\n", printable(file).c_str());
+        for (const std::string& sentence : accepted.refused)
+            diagnostics.error(sentence);
+        const int code = report(diagnostics, common.diagnostics);
+        return environment.empty() ? code : fail(exit_environment, environment);
+    }
+
+    Acceptance accept_named(Results& results, const Registry& registry, Diagnostics& diagnostics) {
+        for (const std::string& name : names)
+            if (std::ranges::none_of(results.checks, [&](const Check& check) {
+                    return is_pending(check) && selects(name, check);
+                }))
+                diagnostics.error(
+                    "--accept " + name + ": no result of the last run that differs has this name",
+                    "new, changed, deleted, all, or an id that the run printed");
+        if (diagnostics.has_errors()) return {};
+        const auto accepts = [&](const Check& check) {
+            return std::ranges::any_of(
+                names, [&](const std::string& name) { return selects(name, check); });
+        };
+        return accept(results, folder(), accepts, registry, common);
+    }
+
+    int merge() {
+        Results results;
+        std::string why;
+        if (!make_report_folder(folder(), why)) return fail(exit_environment, why);
+        for (const std::string& each : shards)
+            if (!merge_report(each, folder(), results, why)) return fail(exit_input, why);
+        std::ranges::stable_sort(results.checks, {}, &Check::test);
+        std::string environment;
+        write_folder(results, environment);
+        Diagnostics diagnostics;
+        return conclude(results, environment, diagnostics);
+    }
+
+    std::string command_of_run() const {
+        std::string command = "wrinkle test";
+        for (const std::string& path : paths)
+            command += " " + shell_quoted(path);
+        for (const std::string& path : common.plugin_paths)
+            command += " --plugin-path " + shell_quoted(path);
+        if (!common.root.empty()) command += " --root " + shell_quoted(common.root);
+        if (common.no_tangents) command += " --no-tangents";
+        return command;
     }
 };
 
@@ -47,11 +308,23 @@ void declare_test(CLI::App& app, Run& run) {
         add_command<TestCommand>(app, run, "test", "Runs the regression cases of graphs");
     sub.add_option("PATH", c.paths, "NAME.test.json, or folders that are searched for such files");
     sub.add_flag("--schema", c.schema, "Prints the JSON Schema of such files, and runs none");
-    sub.add_flag("--update", c.options.update,
-                 "Writes golden files and the 'expect' values that differ");
-    sub.add_option("--report", c.options.report,
-                   "Gets the texts and pictures that differ from golden files")
+    sub.add_option("-j", c.jobs, "Threads; 0 is one for each core")->capture_default_str();
+    sub.add_option("--shard", c.shard, "Runs part I of N of the test files")->type_name("I/N");
+    sub.add_flag("--update", c.update,
+                 "Writes the golden files and the 'expect' values that differ or are new");
+    sub.add_flag(
+        "--review", c.review,
+        "Shows each difference and reads whether to write it; without PATH, those of the last run");
+    sub.add_option("--accept", c.names,
+                   "Writes differences of the last run: new, changed, deleted, all, or ids")
+        ->type_name("NAME...");
+    sub.add_flag("--ci", c.is_ci, "New cases fail, and nothing is accepted; set if CI is");
+    sub.add_option("--report", c.report_folder,
+                   std::string("Folder of the report; default: ") + default_report +
+                       ", if there is a difference")
         ->type_name("DIR");
+    sub.add_option("--merge", c.shards, "Merges the reports of shards into --report; runs no case")
+        ->type_name("DIR...");
     declare_common(sub, c.common, false);
 }
 

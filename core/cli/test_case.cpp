@@ -62,8 +62,39 @@ fs::path TestCase::golden(const std::string& extension) const {
     return file.parent_path() / "golden" / (name + extension);
 }
 
-std::vector<TestCase> read_test_cases(const fs::path& file, bool updating,
-                                      Diagnostics& diagnostics) {
+std::vector<fs::path> TestCase::golden_files() const {
+    std::vector<fs::path> files;
+    if (glsl) files.push_back(golden(".glsl"));
+    if (render) files.push_back(golden(".png"));
+    return files;
+}
+
+std::string TestCase::full_name() const {
+    return near_path(file.parent_path() / name).generic_string();
+}
+
+std::string TestCase::flat_name() const {
+    std::string flat;
+    for (const fs::path& part : fs::path(full_name()))
+        if (part != "." && part != ".." && part != "/" && !part.empty())
+            flat += (flat.empty() ? "" : "-") + part.string();
+    return flat;
+}
+
+fs::path root_of(const TestCase& test, const CommonOptions& common) {
+    if (!common.root.empty()) return common.root;
+    return test.file.has_parent_path() ? test.file.parent_path() : ".";
+}
+
+fs::path near_path(const fs::path& path) {
+    const fs::path normal = path.lexically_normal();
+    if (!path.is_absolute()) return normal;
+    std::error_code ignored;
+    const fs::path relative = normal.lexically_relative(fs::current_path(ignored));
+    return relative.empty() || *relative.begin() == ".." ? normal : relative;
+}
+
+std::vector<TestCase> read_test_cases(const fs::path& file, Diagnostics& diagnostics) {
     Diagnostics own;
     std::vector<TestCase> cases;
     TestCase test;
@@ -74,11 +105,17 @@ std::vector<TestCase> read_test_cases(const fs::path& file, bool updating,
     if (const auto text = read_text(file.string(), own)) {
         test.text = *text;
         const json::Parsed parsed = json::parse(*text, file.string(), own);
-        if (!own.has_errors()) cases = read_case_keys(parsed.root, updating, std::move(test), own);
+        if (!own.has_errors()) cases = read_case_keys(parsed.root, std::move(test), own);
     }
     diagnostics.append(own);
     if (own.has_errors()) return {};
     return cases;
+}
+
+std::string container_text(const json::Value& container) {
+    const std::string_view text = container.source();
+    const size_t begin = container.offset();
+    return std::string(text.substr(begin, end_of_container(text, begin) - begin));
 }
 
 std::string with_expect(const TestCase& test, const std::vector<std::string>& entries) {

@@ -1,4 +1,4 @@
-// Comparison of results with the expected values of a test.
+#include "cli/test_compare.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,13 @@
 #include "base/normals.h"
 #include "base/standard_outputs.h"
 #include "base/text.h"
-#include "cli/test_run.h"
+#include "cli/comparison.h"
+#include "image/texels.h"
 #include "json/write.h"
+#include "report/colormap.h"
+#include "report/flip.h"
+#include "report/measures.h"
+#include "report/pooling.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -51,59 +56,141 @@ std::string lanes_text(const Lanes& lanes) {
     return lanes.size() == 1 ? text : "[" + text + "]";
 }
 
-// Returns one sentence if the values differ by more than the tolerance, otherwise "".
-std::string disagreement(const TestCase& test, uint32_t port_type, const Lanes& expected,
-                         const Lanes& got) {
-    const bool is_normal = port_type == WR_PORT_normal;
-    const double tolerance = is_normal ? test.tolerance_deg : test.tolerance;
-    const double distance =
-        is_normal ? degrees_between(expected, got) : max_distance(expected, got);
-    if (distance <= tolerance) return "";
-    const std::string unit = is_normal ? " degrees" : "";
-    return "expected " + lanes_text(expected) + ", got " + lanes_text(got) + ": " +
-           short_number(distance) + unit + " apart, " + short_number(tolerance) + unit + " allowed";
+report::Measured measured(const TestCase& test, const OutputColumn& column, const Lanes& expected,
+                          const Lanes& got) {
+    const bool is_normal = column.port_type == WR_PORT_normal;
+    report::Measured result;
+    result.name = column.name;
+    result.expected = lanes_text(expected);
+    result.actual = lanes_text(got);
+    result.value = is_normal ? degrees_between(expected, got) : max_distance(expected, got);
+    result.limit = is_normal ? test.tolerance_deg : test.tolerance;
+    result.unit = is_normal ? "degrees" : "";
+    return result;
+}
+
+std::string disagreement(const report::Measured& measured) {
+    const std::string unit = measured.unit.empty() ? "" : " " + measured.unit;
+    return "expected " + measured.expected + ", got " + measured.actual + ": " +
+           short_number(measured.value) + unit + " apart, " + short_number(measured.limit) + unit +
+           " allowed";
 }
 
 std::string source_of(const Document& document, const std::string& output) {
     const Output* found = document.find_output(output);
-    return found ? " (" + found->from.link.text() + ")" : "";
+    return found ? found->from.link.text() : "";
+}
+
+// Compares one output; returns one sentence, or "" if it is within the limit.
+std::string compare_output(const TestCase& test, const json::Member& expected,
+                           const std::vector<OutputColumn>& columns, size_t point,
+                           report::Measured& result) {
+    const auto column = std::ranges::find(columns, result.name, &OutputColumn::name);
+    if (column == columns.end()) return "the graph has no such output";
+    const auto wanted = lanes_of(expected.value, column->lanes);
+    if (!wanted)
+        return "expected " + json::one_line(expected.value) + ", which is not " +
+               std::to_string(column->lanes) + " numbers";
+    const auto first = column->values.begin() + static_cast<long>(point * column->lanes);
+    const std::string node = result.node;
+    result =
+        measured(test, *column, *wanted, Lanes(first, first + static_cast<long>(column->lanes)));
+    result.node = node;
+    return result.within() ? "" : disagreement(result);
+}
+
+struct Measure {
+    Image map;
+    double mean = 0;
+};
+
+Measure measure(const std::string& metric, Image expected, Image got) {
+    if (metric == "flip")
+        for (Image* image : {&expected, &got})
+            decode_srgb(*image);
+    Measure result;
+    result.map = metric == "rms"    ? report::steps_apart(expected, got)
+                 : metric == "flip" ? report::flip(expected, got, report::default_pixels_per_degree)
+                                    : report::degrees_apart(expected, got);
+    const report::Pooling pooled(result.map);
+    result.mean = metric == "rms" ? pooled.root_mean_square() : pooled.mean();
+    return result;
+}
+
+// The measure of the map: shows normals in degrees and all else as it is seen.
+std::string map_measure(const RenderCase& render) {
+    if (render.metric != "rms") return render.metric;
+    return render.options.view == gpu::View::normal ? "degrees" : "flip";
+}
+
+const char* unit_of(const std::string& metric) {
+    return metric == "rms" ? "of 255" : metric == "degrees" ? "degrees" : "FLIP";
+}
+
+// Holds the numbers of a measure to the limits of the case.
+std::vector<report::Measured> held(const RenderCase& render, const Measure& measure) {
+    const report::Pooling pooled(measure.map);
+    std::vector<report::Measured> all;
+    const auto hold = [&](const char* name, double value, double limit, const char* unit) {
+        all.push_back({name, "", shortest(limit), short_number(value), value, limit, unit});
+    };
+    const char* unit = unit_of(render.metric);
+    hold(render.metric == "rms" ? "root mean square" : "mean", measure.mean,
+         render.tolerance.value_or(default_tolerance(render.metric)), unit);
+    if (render.max_pixel) hold("largest", pooled.max(), *render.max_pixel, unit);
+    if (render.max_over)
+        hold("pixels over",
+             static_cast<double>(pooled.count_above(static_cast<float>(render.over))),
+             *render.max_over, "pixels");
+    return all;
+}
+
+std::string place_of(const report::Pooling& pooled) {
+    return "at most " + short_number(pooled.max()) + " at " + std::to_string(pooled.max_x()) + "," +
+           std::to_string(pooled.max_y());
 }
 
 }  // namespace
 
-std::vector<std::string> differences(const TestCase& test, const Document& document,
-                                     const json::Value& expected,
-                                     const std::vector<OutputColumn>& columns, size_t point) {
-    std::vector<std::string> result;
+CaseComparison compare_point(const TestCase& test, const Document& document,
+                             const json::Value& expected, const std::vector<OutputColumn>& columns,
+                             size_t point) {
+    CaseComparison result;
     for (const json::Member& member : expected.children()) {
-        const std::string name(output_name(member.key));
-        const std::string what = "output '" + name + "'" + source_of(document, name) + ": ";
-        const auto column = std::ranges::find(columns, name, &OutputColumn::name);
-        if (column == columns.end()) {
-            result.push_back(what + "the graph has no such output");
-            continue;
-        }
-        const auto wanted = lanes_of(member.value, column->lanes);
-        if (!wanted) {
-            result.push_back(what + "expected " + json::one_line(member.value) + ", which is not " +
-                             std::to_string(column->lanes) + " numbers");
-            continue;
-        }
-        const auto first = column->values.begin() + static_cast<long>(point * column->lanes);
-        const Lanes got(first, first + static_cast<long>(column->lanes));
-        const std::string difference = disagreement(test, column->port_type, *wanted, got);
-        if (!difference.empty()) result.push_back(what + difference);
+        report::Measured& output = result.measured.emplace_back();
+        output.name = output_name(member.key);
+        output.node = source_of(document, output.name);
+        output.expected = json::one_line(member.value);
+        const std::string fault = compare_output(test, member, columns, point, output);
+        if (fault.empty()) continue;
+        result.difference += (result.difference.empty() ? "" : "; ") + ("output '" + output.name) +
+                             "'" + (output.node.empty() ? "" : " (" + output.node + ")") + ": " +
+                             fault;
     }
     return result;
 }
 
-double image_difference(const Image& expected, const Image& got) {
-    if (expected.width != got.width || expected.height != got.height) return -1;
-    const Image a = to_rgba(expected), b = to_rgba(got);
-    double sum = 0;
-    for (size_t i = 0; i < a.data.size(); ++i)
-        sum += std::pow((a.data[i] - b.data[i]) * 255.0, 2);
-    return std::sqrt(sum / static_cast<double>(a.data.size()));
+ImageComparison compare_images(const RenderCase& render, const Image& expected, const Image& got) {
+    ImageComparison result;
+    if (expected.width != got.width || expected.height != got.height) {
+        result.difference =
+            "the image is " + size_text(got) + ", its golden file " + size_text(expected);
+        return result;
+    }
+    result.measured = held(render, measure(render.metric, expected, got));
+    for (const report::Measured& each : result.measured)
+        if (!each.within())
+            result.difference += (result.difference.empty() ? "the image differs by " : "; ") +
+                                 each.actual + " " + each.unit + ", " + each.expected + " allowed";
+    if (result.difference.empty()) return result;
+    result.map_measure = map_measure(render);
+    const Measure shown = measure(result.map_measure, expected, got);
+    const report::Pooling pooled(shown.map);
+    if (pooled.max() > 0 && result.map_measure == "degrees") result.map_scale = pooled.max();
+    result.map = report::colored(shown.map, report::magma, result.map_scale);
+    result.difference += std::string("; ") + unit_of(result.map_measure) + " " +
+                         short_number(shown.mean) + " on average, " + place_of(pooled);
+    return result;
 }
 
 }  // namespace wrinkle::cli

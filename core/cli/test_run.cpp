@@ -1,20 +1,26 @@
 #include "cli/test_run.h"
 
+#include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include "base/file.h"
-#include "base/printable.h"
 #include "base/text.h"
 #include "cli/eval_text.h"
+#include "cli/evaluation.h"
+#include "cli/material_run.h"
 #include "cli/meshes.h"
-#include "cli/output.h"
+#include "cli/test_accept.h"
+#include "cli/test_compare.h"
 #include "image/load.h"
 #include "json/write.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
+
+using report::Check;
+using report::CheckKind;
+using report::Status;
 
 constexpr Precision precision = Precision::single;  // precision of shaders
 
@@ -38,11 +44,6 @@ bool is_finite(const std::vector<OutputColumn>& columns, size_t point) {
     return true;
 }
 
-// Names the case in messages.
-std::string title(const TestCase& test) {
-    return test.file.string() + (test.entry.empty() ? "" : ": case " + test.entry);
-}
-
 // Opens the mesh of a render case; a path is resolved like the image paths of the graph. Returns
 // std::nullopt and reports an error on failure.
 std::optional<Mesh> mesh_of(const RenderCase& render, const Project& project,
@@ -57,217 +58,339 @@ std::optional<Mesh> mesh_of(const RenderCase& render, const Project& project,
     return {};
 }
 
-}  // namespace
+// Returns the path of the node of each line.
+std::vector<std::string> nodes_of_lines(const Shader& shader, const Module& module) {
+    std::vector<std::string> nodes;
+    for (const uint32_t node : shader.reflection.lines)
+        nodes.emplace_back(node == no_node ? "" : module.nodes[node].path);
+    return nodes;
+}
 
-void TestRun::test(const fs::path& file, Diagnostics& diagnostics) {
-    Diagnostics reading;
-    std::vector<TestCase> cases = read_test_cases(file, options_.update, reading);
-    conclude(file.string(), reading, diagnostics);
-    for (size_t i = 0; i < cases.size(); ++i) {
-        Diagnostics own;
-        run(cases[i], own);
-        conclude(title(cases[i]), own, diagnostics);
-        // An update may have moved the text of the cases after it.
-        if (options_.update) cases = read_test_cases(file, true, diagnostics);
+void set_new(Check& check) {
+    check.status = Status::added;
+    check.message =
+        check.baseline.empty() ? "expects nothing yet" : check.baseline + " does not exist yet";
+    check.expected = "--accept or --update writes it";
+}
+
+class Stopwatch {
+public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
-}
 
-// Counts a case that could not run, and appends its problems.
-void TestRun::conclude(const std::string& title, const Diagnostics& own, Diagnostics& diagnostics) {
-    diagnostics.append_once(own);
-    if (!own.has_errors()) return;
-    ++tally_.failed;
-    std::printf("FAIL %s\n", printable(title + ": cannot be run").c_str());
-}
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
-void TestRun::run(const TestCase& test, Diagnostics& diagnostics) {
-    CommonOptions common = common_;
-    common.set = test.set;
-    if (!test.preset.empty()) common.presets = {preset_of(test, diagnostics)};
-    const std::string graph = test.graph.string();
-    for (const fs::path& file : {test.graph, test.golden(".glsl"), test.golden(".png")})
-        refuse_outside(file, test, diagnostics);
-    const Overrides overrides = parse_overrides(common, diagnostics);
+// Runs one case.
+class CaseRun {
+public:
+    CaseRun(const TestCase& test, const TestSettings& settings, TestOutcome& outcome)
+        : test_(test), settings_(settings), common_(settings.common), outcome_(outcome) {}
+
+    void run() {
+        compile();
+        if (!problems_.has_errors() && test_.points.count() > 0) check_points();
+        if (!problems_.has_errors() && test_.glsl) check_text();
+        if (!problems_.has_errors() && !test_.budget.empty()) check_budget();
+        if (!problems_.has_errors() && test_.render) check_image();
+        outcome_.problems.append_once(problems_);
+        if (problems_.has_errors()) add_error();
+        add_uses();
+    }
+
+private:
+    void compile();
+    void read_images();
+    void refuse_outside(const fs::path& file);
+    std::string preset_path();
+    void check_points();
+    void check_text();
+    void check_budget();
+    void check_image();
+    void compare_image(const Image& image, Check check);
+    bool save(const Image& image, const char* folder, std::string& path);
+    Check begin(CheckKind kind, const std::string& name, const json::Value& place) const;
+    void end(Check check);
+    void add_error();
+    void add_uses();
+
+    const TestCase& test_;
+    const TestSettings& settings_;
+    CommonOptions common_;  // with the preset and the values of the case
+    TestOutcome& outcome_;
+    Diagnostics problems_;
+    std::optional<MaterialRun> given_, screen_;  // given and screen differentials
+    Shader shader_;
+    double compile_ms_ = 0;
+    TextureStore textures_;
+    Stopwatch watch_;  // since the last check
+};
+
+void CaseRun::compile() {
+    common_.set = test_.set;
+    if (!test_.preset.empty()) common_.presets = {preset_path()};
+    for (const fs::path& file : {test_.graph, test_.golden(".glsl"), test_.golden(".png")})
+        refuse_outside(file);
+    const Overrides overrides = parse_overrides(common_, problems_);
     if (overrides.is_sweep())
-        diagnostics.error(test.file.string() + ": 'set' holds a sweep", "one value");
-    std::optional<MaterialRun> given, screen;
-    TextureStore textures;
-    const auto compile = [&](const MaterialOptions& options, std::optional<MaterialRun>& result) {
+        problems_.error(test_.file.string() + ": 'set' holds a sweep", "one value");
+    const std::string graph = test_.graph.string();
+    const auto compile_to = [&](std::optional<MaterialRun>& result,
+                                const MaterialOptions& options) {
         const auto keep = [&](size_t, const MaterialRun& run, Diagnostics&) { result = run; };
-        if (!diagnostics.has_errors())
-            compile_runs(graph, common, registry_, overrides, options, keep, diagnostics);
+        if (!problems_.has_errors())
+            compile_runs(graph, common_, settings_.registry, overrides, options, keep, problems_);
     };
-    const bool displaced = test.render && test.render->options.displace;
-    if (test.points.count() > 0 || displaced)
-        compile({.given_differentials = true, .runs_calls = "eval"}, given);
-    if (test.glsl || test.render) compile({.runs_calls = "render"}, screen);
-    if (diagnostics.has_errors()) return;
-    Shader shader;
-    if (screen) shader = emit_function(*screen, material_name(graph), diagnostics);
-    if (diagnostics.has_errors()) return;
-    if (given) read_textures(textures, given->compiled, given->project, diagnostics);
-    if (!diagnostics.has_errors() && test.render)
-        read_textures(textures, screen->compiled, screen->project, diagnostics);
-    if (!diagnostics.has_errors() && test.points.count() > 0)
-        values(test, *given, textures, diagnostics);
-    if (diagnostics.has_errors()) return;
-    if (test.glsl) text(test, shader);
-    if (!test.render) return;
-    const auto still = mesh_of(*test.render, screen->project, common, diagnostics);
-    std::optional<Mesh> moved;
-    if (still && displaced) moved = displaced_mesh(*still, *given, textures, diagnostics);
-    if (still && !diagnostics.has_errors())
-        image(test, shader, *still, moved, textures, diagnostics);
+    const bool displaced = test_.render && test_.render->options.displace;
+    if (test_.points.count() > 0 || displaced)
+        compile_to(given_, {.given_differentials = true, .runs_calls = "eval"});
+    const Stopwatch watch;
+    if (test_.glsl || test_.render || !test_.budget.empty())
+        compile_to(screen_, {.runs_calls = "render"});
+    if (problems_.has_errors()) return;
+    if (screen_) shader_ = emit_function(*screen_, material_name(graph), problems_);
+    compile_ms_ = watch.seconds() * 1000;
+    if (!problems_.has_errors()) read_images();
+}
+
+void CaseRun::read_images() {
+    if (given_) read_textures(textures_, given_->compiled, given_->project, problems_);
+    if (test_.render && !problems_.has_errors())
+        read_textures(textures_, screen_->compiled, screen_->project, problems_);
 }
 
 // Reports an error if `file`, which is derived from the name of the test, is outside the root after
 // links are resolved. The same rule applies to files that a graph names.
-void TestRun::refuse_outside(const fs::path& file, const TestCase& test, Diagnostics& diagnostics) {
-    const fs::path folder = test.file.has_parent_path() ? test.file.parent_path() : ".";
-    const fs::path root = common_.root.empty() ? folder : fs::path(common_.root);
+void CaseRun::refuse_outside(const fs::path& file) {
+    const fs::path root = root_of(test_, common_);
     if (inside(root, link_target(file))) return;
-    diagnostics.error(file.string() + ": leads outside the root " + root.string(),
-                      "a file below it, or another root with --root");
+    problems_.error(file.string() + ": leads outside the root " + root.string(),
+                    "a file below it, or another root with --root");
 }
 
 // Returns the preset with the path of a file relative to the working folder.
-std::string TestRun::preset_of(const TestCase& test, Diagnostics& diagnostics) {
-    if (!test.preset.ends_with(".json")) return test.preset;
-    const fs::path file = test.file.parent_path() / test.preset;
-    refuse_outside(file, test, diagnostics);
+std::string CaseRun::preset_path() {
+    if (!test_.preset.ends_with(".json")) return test_.preset;
+    const fs::path file = test_.file.parent_path() / test_.preset;
+    refuse_outside(file);
     return file.string();
 }
 
-void TestRun::values(const TestCase& test, const MaterialRun& run, const TextureStore& textures,
-                     Diagnostics& diagnostics) {
-    const auto columns = evaluate_points(run, textures, {test.points}, precision, diagnostics);
+void CaseRun::check_points() {
+    const auto columns = evaluate_points(*given_, textures_, {test_.points}, precision, problems_);
     if (!columns) return;
-    std::vector<bool> differs(test.points.count());
-    for (size_t point = 0; point < test.points.count(); ++point) {
-        const json::Value expected = entry_of(test, point);
-        const auto sentences = differences(test, run.project.top(), expected, *columns, point);
-        differs[point] = !sentences.empty() || expected.size() == 0;
-        if (options_.update && is_finite(*columns, point))
-            pass();
-        else if (options_.update)
-            fail(test, test.points.sources[point], "",
-                 "point " + std::to_string(point) + ": " + values_json(*columns, point, precision) +
-                     " is not finite");
-        else if (sentences.empty())
-            pass();
-        else
-            fail(test, test.points.sources[point], "",
-                 "point " + std::to_string(point) + ", " + joined(sentences, "; "));
+    for (size_t point = 0; point < test_.points.count(); ++point) {
+        Check check =
+            begin(CheckKind::point, "points/" + std::to_string(point), test_.points.sources[point]);
+        const json::Value expected = entry_of(test_, point);
+        CaseComparison compared =
+            compare_point(test_, given_->project.top(), expected, *columns, point);
+        const auto columns_named = named_by(expected, *columns);
+        check.message = std::move(compared.difference);
+        if (expected.size() == 0)
+            set_new(check);
+        else if (!check.message.empty())
+            check.status = Status::failed;
+        check.actual_text = values_json(columns_named, point, precision);
+        if (!is_finite(columns_named, point)) {
+            check.status = Status::failed;
+            check.message = check.actual_text + " is not finite";
+        }
+        check.measured = std::move(compared.measured);
+        if (expected.size() > 0) check.expected_text = json::one_line(expected);
+        end(std::move(check));
     }
-    if (options_.update) update_values(test, *columns, differs);
 }
 
-// Rewrites "expect"; entries within the tolerance are copied unchanged.
-void TestRun::update_values(const TestCase& test, const std::vector<OutputColumn>& columns,
-                            const std::vector<bool>& differs) {
-    std::vector<std::string> entries;
-    bool changed = test.expect.size() != test.points.count();
-    for (size_t point = 0; point < test.points.count(); ++point) {
-        const json::Value entry = entry_of(test, point);
-        if (!is_finite(columns, point)) return;
-        changed = changed || differs[point];
-        entries.push_back(differs[point] ? values_json(named_by(entry, columns), point, precision)
-                                         : json::one_line(entry));
-    }
-    if (changed) write(test.file, with_expect(test, entries));
-}
-
-void TestRun::text(const TestCase& test, const Shader& shader) {
-    const fs::path golden = test.golden(".glsl");
-    if (options_.update) {
-        if (write(golden, shader.source)) pass();
-        return;
-    }
+void CaseRun::check_text() {
+    Check check = begin(CheckKind::text, "glsl", test_.object.find("glsl"));
+    const fs::path golden = test_.golden(".glsl");
+    check.baseline = golden.string();
     std::string why;
+    std::error_code ignored;
     const auto expected = read_file(golden, why);
-    const std::string difference =
-        expected ? text_difference(*expected, shader.source) : why + "; --update writes it";
-    if (difference.empty()) return pass();
-    fail(test, {}, "/glsl", golden.string() + ": " + difference);
-    if (may_report(test, golden)) write(report_path(test, ".glsl"), shader.source);
-}
-
-void TestRun::image(const TestCase& test, const Shader& shader, const Mesh& still,
-                    const std::optional<Mesh>& moved, const TextureStore& textures,
-                    Diagnostics& diagnostics) {
-    Diagnostics environment;
-    const RenderOptions& options = test.render->options;
-    auto renderer = OffscreenRenderer::make(options, still, environment);
-    if (!renderer) {
-        tally_.environment = environment.list().front().message;
-        return;
+    if (!expected) {
+        check.message = golden.string() + ": " + why;
+        if (!fs::exists(golden, ignored))
+            set_new(check);
+        else
+            check.status = Status::failed;
+    } else if (*expected != shader_.source) {
+        check.status = Status::failed;
+        check.message = golden.string() + ": " + text_difference(*expected, shader_.source);
+        check.expected_text = *expected;
     }
-    if (moved) renderer->show(*moved);
-    const auto drawn = renderer->draw(shader, textures, diagnostics);
-    if (!drawn) return;
-    const fs::path golden = test.golden(".png");
-    if (options_.update) {
-        if (save(drawn->image, golden)) pass();
-        return;
+    if (check.status != Status::passed) {
+        check.actual_text = shader_.source;
+        check.nodes_of_lines = nodes_of_lines(shader_, screen_->compiled.module);
     }
-    Diagnostics missing;
-    const auto expected = load_image(golden, missing);
-    const double distance = expected ? image_difference(*expected, drawn->image) : -1;
-    if (distance >= 0 && distance <= test.render->tolerance) return pass();
-    fail(test, {}, "/render",
-         golden.string() + ": " +
-             (!expected      ? missing.list().front().message + "; --update writes it"
-              : distance < 0 ? "is of another size"
-                             : "the picture differs by " + std::to_string(distance) + " of 255, " +
-                                   shortest(test.render->tolerance) + " allowed"));
-    if (may_report(test, golden)) save(drawn->image, report_path(test, ".png"));
+    end(std::move(check));
 }
 
-bool TestRun::may_report(const TestCase& test, const fs::path& golden) {
-    if (options_.report.empty()) return false;
-    const std::string read[] = {golden, test.file, test.graph};
-    const std::string made[] = {report_path(test, golden.extension())};
-    const std::string why = overwrite_fault(made, read);
-    if (!why.empty()) tally_.environment = why;
-    return why.empty();
-}
-
-bool TestRun::write(const fs::path& path, std::string_view bytes) {
-    std::error_code ignored;
-    fs::create_directories(path.parent_path(), ignored);
+void CaseRun::check_budget() {
+    Check check = begin(CheckKind::cost, "budget", test_.budget_value);
     std::string why;
-    if (write_file(path, bytes, why)) return true;
-    tally_.environment = path.string() + ": " + why;
-    return false;
+    const auto measured = measure_budget(
+        test_.budget, {screen_->compiled.module, shader_.source.size(), compile_ms_}, why);
+    if (!measured) {
+        check.status = Status::error;
+        check.message = "its cost cannot be counted: " + why;
+        outcome_.environment = check.message;
+    } else {
+        check.measured = *measured;
+        for (const report::Measured& each : check.measured)
+            if (!each.within())
+                check.message += (check.message.empty() ? "" : "; ") + each.name + " is " +
+                                 each.actual + ", " + each.expected + " allowed" +
+                                 (each.node.empty() ? "" : ", most of it in " + each.node);
+        if (!check.message.empty()) check.status = Status::failed;
+    }
+    end(std::move(check));
 }
 
-bool TestRun::save(const Image& image, const fs::path& path) {
+void CaseRun::check_image() {
+    Check check = begin(CheckKind::image, "render", test_.render->value);
+    check.baseline = test_.golden(".png").string();
+    const auto still = mesh_of(*test_.render, screen_->project, common_, problems_);
+    std::optional<Mesh> moved;
+    if (still && test_.render->options.displace)
+        moved = displaced_mesh(*still, *given_, textures_, problems_);
+    if (problems_.has_errors()) return;
+    Diagnostics environment;
+    auto renderer = OffscreenRenderer::make(test_.render->options, *still, environment);
+    if (!renderer) {
+        check.status = Status::error;
+        check.message = outcome_.environment = environment.list().front().message;
+        return end(std::move(check));
+    }
+    outcome_.driver = gpu::Context::renderer_name();
+    if (moved) renderer->show(*moved);
+    if (const auto drawn = renderer->draw(shader_, textures_, problems_))
+        compare_image(drawn->image, std::move(check));
+}
+
+void CaseRun::compare_image(const Image& image, Check check) {
+    Diagnostics missing;
     std::error_code ignored;
-    fs::create_directories(path.parent_path(), ignored);
+    const auto expected = load_image(check.baseline, missing);
+    ImageComparison compared;
+    if (!expected) {
+        check.message = missing.list().front().message;
+        if (!fs::exists(check.baseline, ignored))
+            set_new(check);
+        else
+            check.status = Status::failed;
+    } else {
+        compared = compare_images(*test_.render, *expected, image);
+        check.measured = std::move(compared.measured);
+        check.message = std::move(compared.difference);
+        if (!check.message.empty()) check.status = Status::failed;
+    }
+    if (check.status != Status::passed) {
+        check.width = image.width;
+        check.height = image.height;
+        save(image, "actual", check.actual_image);
+        if (expected) save(*expected, "expected", check.expected_image);
+        if (!compared.map.empty()) save(compared.map, "map", check.map_image);
+        check.map_measure = compared.map_measure;
+        check.map_scale = compared.map_scale;
+    }
+    end(std::move(check));
+}
+
+// Sets `path`, relative to the report's folder.
+bool CaseRun::save(const Image& image, const char* folder, std::string& path) {
+    const fs::path relative = fs::path(folder) / (test_.flat_name() + ".png");
+    const fs::path file = settings_.folder / relative;
+    std::error_code ignored;
+    fs::create_directories(file.parent_path(), ignored);
     Diagnostics problems;
-    if (save_image(image, path, {}, problems)) return true;
-    tally_.environment = problems.list().front().message;
+    if (save_image(image, file, {}, problems)) {
+        path = relative.generic_string();
+        return true;
+    }
+    outcome_.environment = problems.list().front().message;
     return false;
 }
 
-// Includes the folder in the file name, so that tests in different folders do not collide.
-fs::path TestRun::report_path(const TestCase& test, const std::string& extension) const {
-    std::string name;
-    for (const fs::path& part : test.file.parent_path().lexically_normal())
-        if (part != "." && part != ".." && part != "/" && !part.empty())
-            name += part.string() + "-";
-    return fs::path(options_.report) / (name + test.name + extension);
+Check CaseRun::begin(CheckKind kind, const std::string& name, const json::Value& place) const {
+    Check check;
+    check.kind = kind;
+    check.test = test_.full_name();
+    check.name = name;
+    check.file = test_.file.string();
+    check.graph = test_.graph.string();
+    const Diagnostic at = diagnose(place, "", "", "");
+    check.line = at.where.line;
+    check.column = at.where.column;
+    check.pointer = at.pointer;
+    return check;
 }
 
-// Records a failure at `place`, or at the JSON pointer `pointer` if `place` has no location.
-void TestRun::fail(const TestCase& test, const json::Value& place, const char* pointer,
-                   const std::string& sentence) {
-    ++tally_.failed;
-    std::printf("FAIL %s\n", printable(title(test) + ": " + sentence).c_str());
-    failures_.add(place.has_location()
-                      ? diagnose(place, "", sentence, "")
-                      : Diagnostic{Severity::error, Location{test.file.string()},
-                                   test.object.pointer() + pointer, "", sentence, ""});
+void CaseRun::end(Check check) {
+    check.seconds = watch_.seconds();
+    watch_ = {};
+    if (check.status != Status::passed) {
+        check.inputs = hash_of_inputs(test_, settings_.registry, settings_.common);
+    } else {
+        check.actual_text.clear();
+        check.expected_text.clear();
+        check.measured.clear();
+    }
+    outcome_.checks.push_back(std::move(check));
+}
+
+void CaseRun::add_error() {
+    Check check = begin(CheckKind::none, "case", test_.object);
+    check.status = Status::error;
+    check.message = "cannot be run";
+    for (const Diagnostic& each : problems_.list())
+        if (each.severity == Severity::error) {
+            check.message += ": " + to_text(each);
+            break;
+        }
+    end(std::move(check));
+}
+
+void CaseRun::add_uses() {
+    const std::optional<MaterialRun>& run = given_ ? given_ : screen_;
+    if (!run) return;
+    report::CaseUses& uses = outcome_.uses.emplace_back();
+    for (const Check& check : outcome_.checks)
+        if (check.test == test_.full_name() && check.status == Status::failed) uses.failed = true;
+    for (const std::string& path : input_paths(run->project, settings_.registry))
+        uses.uses.push_back("file " + near_path(path).generic_string());
+    for (const Project::File& file : run->project.files)
+        for (const auto& node : file.document.nodes)
+            uses.uses.push_back("node " + node->type);
+}
+
+}  // namespace
+
+TestFile read_test_file(const fs::path& path) {
+    TestFile file;
+    file.path = path;
+    file.cases = read_test_cases(path, file.problems);
+    return file;
+}
+
+TestOutcome run_test_file(const TestFile& file, const TestSettings& settings) {
+    TestOutcome outcome;
+    outcome.problems = file.problems;
+    if (file.problems.has_errors()) {
+        Check check;
+        check.test = near_path(file.path).generic_string();
+        check.name = "file";
+        check.file = file.path.string();
+        check.status = Status::error;
+        check.message = "cannot be run: " + to_text(file.problems.list().front());
+        outcome.checks.push_back(check);
+    }
+    for (const TestCase& test : file.cases)
+        CaseRun(test, settings, outcome).run();
+    return outcome;
 }
 
 }  // namespace wrinkle::cli

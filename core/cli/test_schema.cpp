@@ -7,6 +7,7 @@
 #include "cli/meshes.h"
 #include "cli/output.h"
 #include "cli/session.h"
+#include "cli/test_budget.h"
 #include "cli/test_case.h"
 #include "cpu/columns.h"
 #include "json/write.h"
@@ -77,11 +78,20 @@ struct CaseReader {
     void take(const Member& member, bool& truth) {
         if (wants(member.value, Kind::boolean, member.key)) truth = member.value.as_boolean();
     }
-    void take(const Member& member, double& tolerance) {
+    template <class Number>
+    void take_limit(const Member& member, Number& limit) {
         if (!wants(member.value, Kind::number, member.key)) return;
-        tolerance = member.value.as_number();
-        if (tolerance < 0)
+        limit = member.value.as_number();
+        if (member.value.as_number() < 0)
             error(member.value, std::string(member.key) + " is negative", "0 or more");
+    }
+
+    void take_metric(const Value& value) {
+        if (!wants(value, Kind::string, "metric")) return;
+        test.render->metric = value.as_string();
+        if (!std::ranges::count(image_metrics, test.render->metric))
+            error(value, "metric: there is no '" + test.render->metric + "'",
+                  joined(image_metrics, ", "));
     }
 
     void take_set(const Value& value) {
@@ -111,6 +121,7 @@ struct CaseReader {
     }
 
     void take_render(const Value& value);
+    void take_budget(const Value& value);
     void take_mesh(const Member& member) {
         take(member, options().mesh);
         test.render->mesh = member.value;
@@ -179,10 +190,34 @@ const std::vector<CaseKey>& render_keys() {
         {"displace", "As `wrinkle render --displace`", R"("type": "boolean")",
          boolean(options.displace), "true",
          [](auto& reader, auto& member) { reader.take(member, reader.options().displace); }},
-        {"tolerance", "Root mean square of all channels, in 8-bit steps", tolerance_schema,
-         shortest(defaults.tolerance), "2",
-         [](auto& reader, auto& member) { reader.take(member, reader.test.render->tolerance); }}};
+        {"metric", "Measure of the difference, as `wrinkle compare --metric`",
+         "\"enum\": " + json::string_array(image_metrics), json_quoted(defaults.metric),
+         R"("flip")", [](auto& reader, auto& member) { reader.take_metric(member.value); }},
+        {"tolerance",
+         "Limit of the mean; of rms, of the root mean square. Default: rms 1, flip 0.01, "
+         "degrees 0.2",
+         tolerance_schema, "", "2",
+         [](auto& reader, auto& member) {
+             reader.take_limit(member, reader.test.render->tolerance);
+         }},
+        {"max_pixel", "Limit of every pixel", tolerance_schema, "", "0.3",
+         [](auto& reader, auto& member) {
+             reader.take_limit(member, reader.test.render->max_pixel);
+         }},
+        {"over", "Pixels above this value are counted", tolerance_schema, shortest(defaults.over),
+         "0.1",
+         [](auto& reader, auto& member) { reader.take_limit(member, reader.test.render->over); }},
+        {"max_over", "Limit of that count", tolerance_schema, "", "20",
+         [](auto& reader, auto& member) {
+             reader.take_limit(member, reader.test.render->max_over);
+         }}};
     return keys;
+}
+
+std::string budget_properties(const std::string& indent) {
+    return joined(budget_names(), ",\n", [&](const std::string& name) {
+        return indent + json_quoted(name) + ": {\"type\": \"number\", \"minimum\": 0}";
+    });
 }
 
 // Keys of a file and of the entries of "cases".
@@ -209,10 +244,10 @@ const std::vector<CaseKey>& case_keys() {
          [](auto& reader, auto& member) { reader.take_expect(member.value); }},
         {"tolerance_deg", "For outputs of type normal: an angle in degrees", tolerance_schema,
          shortest(defaults.tolerance_deg), "0.1",
-         [](auto& reader, auto& member) { reader.take(member, reader.test.tolerance_deg); }},
+         [](auto& reader, auto& member) { reader.take_limit(member, reader.test.tolerance_deg); }},
         {"tolerance", "For every other number: an absolute difference", tolerance_schema,
          shortest(defaults.tolerance), "0.001",
-         [](auto& reader, auto& member) { reader.take(member, reader.test.tolerance); }},
+         [](auto& reader, auto& member) { reader.take_limit(member, reader.test.tolerance); }},
         {"glsl", "A case: the GLSL of the function form is golden/NAME.glsl",
          R"("type": "boolean")", boolean(defaults.glsl), "true",
          [](auto& reader, auto& member) { reader.take(member, reader.test.glsl); }},
@@ -220,7 +255,12 @@ const std::vector<CaseKey>& case_keys() {
          "\"type\": \"object\", \"additionalProperties\": false, \"properties\": {\n" +
              properties(render_keys(), "      ") + "}",
          "", R"({"mesh": "torus", "size": "256x256"})",
-         [](auto& reader, auto& member) { reader.take_render(member.value); }}};
+         [](auto& reader, auto& member) { reader.take_render(member.value); }},
+        {"budget", "A case: limits of the cost, as `wrinkle compile --cost` counts it",
+         "\"type\": \"object\", \"additionalProperties\": false, \"properties\": {\n" +
+             budget_properties("      ") + "}",
+         "", R"({"alu": 120, "texture_reads": 4})",
+         [](auto& reader, auto& member) { reader.take_budget(member.value); }}};
     return keys;
 }
 
@@ -266,33 +306,42 @@ std::string definitions() {
 }
 
 void CaseReader::take_render(const Value& value) {
-    if (value.is(Kind::object)) test.render.emplace();
+    if (value.is(Kind::object)) test.render.emplace().value = value;
     read_keys(value, "render", render_keys());
 }
 
-bool has_case(const TestCase& test) {
-    return test.points.count() > 0 || test.glsl || test.render;
+void CaseReader::take_budget(const Value& value) {
+    if (!wants(value, Kind::object, "budget")) return;
+    const auto names = budget_names();
+    test.budget_value = value;
+    for (const Member& member : value.children()) {
+        BudgetLimit& budget = test.budget.emplace_back(std::string(member.key));
+        take_limit(member, budget.limit);
+        if (!std::ranges::count(names, budget.name))
+            error(member.value, "budget: there is no '" + budget.name + "'",
+                  did_you_mean(budget.name, names, joined(names, ", ")));
+    }
 }
 
-// Reports the object of a test without a case, and entries of 'expect' that do not go with points.
-void check_case(CaseReader& reader, bool updating) {
+bool has_case(const TestCase& test) {
+    return test.points.count() > 0 || test.glsl || test.render || !test.budget.empty();
+}
+
+// Reports the object of a test without a case, and more entries of 'expect' than points.
+void check_case(CaseReader& reader) {
     const TestCase& test = reader.test;
     const Value& object = test.object;
     if (!has_case(test))
         reader.error(
             object,
             "there is no case in this " + std::string(test.entry.empty() ? "file" : "entry"),
-            "points, \"glsl\": true or render");
-    if (updating) return;
-    for (const Member& entry : test.expect.children())
-        if (entry.value.size() == 0)
-            reader.error(entry.value, "this entry expects nothing", "at least one output");
+            "points, \"glsl\": true, render or budget");
     const size_t points = test.points.count(), expected = test.expect.size();
-    if (expected != points)
-        reader.error(object.has("expect") ? test.expect : object,
+    if (expected > points)
+        reader.error(test.expect,
                      std::to_string(points) + " points, but " + std::to_string(expected) +
                          " entries in 'expect'",
-                     "one for each point; --update writes them");
+                     "at most one for each point");
 }
 
 }  // namespace
@@ -308,7 +357,11 @@ std::string case_schema() {
            "\n  },\n" + definitions() + "}\n";
 }
 
-std::vector<TestCase> read_case_keys(const Value& root, bool updating, TestCase file_case,
+double default_tolerance(std::string_view metric) {
+    return metric == "flip" ? 0.01 : metric == "degrees" ? 0.2 : 1;
+}
+
+std::vector<TestCase> read_case_keys(const Value& root, TestCase file_case,
                                      Diagnostics& diagnostics) {
     std::vector<TestCase> tests;
     std::set<std::string> names;
@@ -321,8 +374,9 @@ std::vector<TestCase> read_case_keys(const Value& root, bool updating, TestCase 
     settings.expect = {};
     settings.glsl = false;
     settings.render.reset();
+    settings.budget.clear();
     const bool has_entries = file.cases.size() > 0;
-    if (has_case(file_case) || !has_entries) check_case(file, updating);
+    if (has_case(file_case) || !has_entries) check_case(file);
     if (has_case(file_case)) tests.push_back(file_case);
     for (const Member& member : file.cases.children()) {
         TestCase& test = tests.emplace_back(settings);
@@ -336,7 +390,7 @@ std::vector<TestCase> read_case_keys(const Value& root, bool updating, TestCase 
         else if (!names.insert(test.entry).second)
             reader.error(member.value, "two entries of 'cases' have the name '" + test.entry + "'",
                          "different names");
-        check_case(reader, updating);
+        check_case(reader);
     }
     return tests;
 }

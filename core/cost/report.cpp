@@ -23,21 +23,23 @@ std::string cells(const ShaderCost& cost, size_t units) {
     return text;
 }
 
+std::vector<NamedCount> named(const ShaderCost& cost) {
+    return {{"alu", cost.alu},
+            {"transcendental", cost.transcendental},
+            {"divisions", cost.divisions},
+            {"texture_reads", cost.reads},
+            {"texture_queries", cost.queries},
+            {"derivatives", cost.derivatives},
+            {"derivative_numbers", cost.derivative_lanes},
+            {"branches", cost.branches},
+            {"loops", cost.loops}};
+}
+
 // Return the members of a JSON object, without braces.
 std::string members(const ShaderCost& cost) {
-    const std::pair<const char*, uint32_t> all[] = {{"alu", cost.alu},
-                                                    {"transcendental", cost.transcendental},
-                                                    {"divisions", cost.divisions},
-                                                    {"texture_reads", cost.reads},
-                                                    {"texture_queries", cost.queries},
-                                                    {"derivatives", cost.derivatives},
-                                                    {"derivative_numbers", cost.derivative_lanes},
-                                                    {"branches", cost.branches},
-                                                    {"loops", cost.loops}};
-    std::string text;
-    for (const auto& [name, value] : all)
-        text += (text.empty() ? "\"" : ", \"") + std::string(name) + "\": " + std::to_string(value);
-    return text;
+    return joined(named(cost), ", ", [](const NamedCount& each) {
+        return json_quoted(each.name) + ": " + std::to_string(each.count);
+    });
 }
 
 std::string members(const ShaderCost& cost, size_t units) {
@@ -56,6 +58,12 @@ std::map<std::string_view, size_t> units_by_node(const Reflection& reflection) {
 }
 
 }  // namespace
+
+std::vector<NamedCount> named_counts(const CostReport& report) {
+    std::vector<NamedCount> all = named(report.total);
+    all.push_back({"texture_units", report.texture_units});
+    return all;
+}
 
 CostReport cost_report(const Shader& shader, const SpirvCount& count) {
     const Reflection& r = shader.reflection;

@@ -6,6 +6,7 @@
 // is then part of "the surface point". Instructions that the optimiser removes cost nothing.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,6 +40,13 @@ CostReport cost_report(const Shader& shader, const SpirvCount& count);
 // Thread-safe.
 std::optional<CostReport> measure_cost(const Module& module, Differentials differentials,
                                        std::string& why);
+
+// Numbers of the total by the names of to_json(): "alu", ..., "texture_units".
+struct NamedCount {
+    const char* name;
+    uint64_t count;
+};
+std::vector<NamedCount> named_counts(const CostReport& report);
 
 // Human-readable report: totals, with loop bodies once if that differs, then one line per node.
 //   ALU div reads derivs units  node

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Renders the images of README and docs, all but far_highlight.png, with the programs of a
-build.
+"""Renders the images of README and docs, all but far_highlight.png and report.png, with the
+programs of a build.
 
 usage: docs/images/make.py [--programs FOLDER] [NAME...]
 

@@ -90,13 +90,15 @@ TEST_F(OverwriteTest, AManifestDoesNotReplaceItsPlugin) {
     expect_refused({"plugins", "--manifest", "./ripples.so"});
 }
 
-TEST_F(OverwriteTest, AReportDoesNotReplaceAGoldenFile) {
+TEST_F(OverwriteTest, AReportReplacesNoOtherPage) {
     put("inner.test.json", R"({"glsl": true})");
     put("golden/inner.glsl", "old");
+    put("golden/index.html", "mine");
     const Ran ran = run({"test", "inner.test.json", "--report", "golden"});
     EXPECT_EQ(ran.code, 3) << ran.err;
-    EXPECT_TRUE(says(ran.err, "would replace the input"));
+    EXPECT_TRUE(says(ran.err, "golden/index.html: is not of a report"));
     EXPECT_EQ(get("golden/inner.glsl"), "old");
+    EXPECT_EQ(get("golden/index.html"), "mine");
 }
 
 TEST_F(OverwriteTest, FormattingStillReplacesItsGraph) {

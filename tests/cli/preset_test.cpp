@@ -330,7 +330,7 @@ TEST_F(PresetTest, CasesHaveTheirOwn) {
 )");
     const Ran ran = run({"test", "g.test.json"});
     EXPECT_EQ(ran.code, 1);
-    EXPECT_TRUE(says(ran.out, "FAIL g.test.json: case wrong: point 0, output 'color'"));
+    EXPECT_TRUE(says(ran.out, "FAIL g.wrong/points/0: output 'color'"));
     EXPECT_TRUE(ran.out.ends_with("4 passed, 1 failed\n")) << ran.out << ran.err;
     EXPECT_EQ(run({"test", "--update", "g.test.json"}).code, 0);
     EXPECT_TRUE(says(get("g.test.json"), "\"color\": [1, 1, 1]"));

@@ -26,11 +26,11 @@ protected:
     template <class Use>
     void each_key(Use use) const {
         const json::Value top = schema.find("properties");
-        ASSERT_EQ(top.size(), 9U);
+        ASSERT_EQ(top.size(), 10U);
         for (const json::Member& member : top.children())
             use("", member.key, member.value);
         const json::Value render = top.find("render").find("properties");
-        ASSERT_EQ(render.size(), 6U);
+        ASSERT_EQ(render.size(), 10U);
         for (const json::Member& member : render.children())
             use("render", member.key, member.value);
     }

@@ -31,9 +31,10 @@ TEST_F(TestTest, FailsWithAllThatIsToBeKnown) {
     put("a.test.json", one_degree_off);
     const Ran ran = run({"test", "."});
     EXPECT_EQ(ran.code, 1);
-    EXPECT_TRUE(says(ran.out, "a.test.json: point 0, output 'normal' (end.normal)"));
+    EXPECT_TRUE(says(ran.out, "FAIL a/points/0: output 'normal' (end.normal)"));
     EXPECT_TRUE(says(ran.out, "expected [-0.6138705, 0, 0.7894067], got [-0.6"));
     EXPECT_TRUE(says(ran.out, "1 degrees apart, 0.05 degrees allowed"));
+    EXPECT_TRUE(says(ran.out, "(./a.test.json:2)"));
     EXPECT_TRUE(ran.out.ends_with("0 passed, 1 failed\n"));
 }
 
@@ -41,6 +42,7 @@ TEST_F(TestTest, FailedCasesAreDiagnosticsInJson) {
     put("a.json", tilt_graph());
     std::string text = one_degree_off;
     put("a.test.json", text.insert(1, "\"glsl\": true,"));
+    put("golden/a.glsl", "other");
     put("b.json", tilt_graph());
     put("b.test.json", tilted);
     const Ran ran = run({"test", "a.test.json", "b.test.json", "--diagnostics", "json"});
@@ -118,9 +120,13 @@ TEST_F(TestTest, UpdateRewritesOnlyWhatDiffers) {
 TEST_F(TestTest, UpdateAddsWhatIsExpected) {
     put("b.json", ramp_graph("2"));
     put("b.test.json", "{\n  \"points\": [{\"uv0\": [1, 0]}]\n}\n");
-    const Ran without = run({"test", "b.test.json"});
-    EXPECT_EQ(without.code, 1);
-    EXPECT_TRUE(says(without.err, "--update"));
+    const Ran without = run({"test", "b.test.json"}, "", {"CI="});
+    EXPECT_EQ(without.code, 0);
+    EXPECT_TRUE(says(without.out, "NEW b/points/0: expects nothing yet (b.test.json:2)"));
+    EXPECT_TRUE(without.out.ends_with("0 passed, 0 failed, 1 new\n"));
+    for (const Ran& ci : {run({"test", "b.test.json", "--ci"}, "", {"CI="}),
+                          run({"test", "b.test.json"}, "", {"CI=true"})})
+        EXPECT_EQ(ci.code, 1) << ci.out;
     EXPECT_EQ(run({"test", "b.test.json", "--update"}).code, 0);
     EXPECT_EQ(get("b.test.json"),
               "{\n  \"points\": [{\"uv0\": [1, 0]}],\n  \"expect\": [\n    {\"value\": 2}\n  "
@@ -131,7 +137,7 @@ TEST_F(TestTest, UpdateAddsWhatIsExpected) {
 TEST_F(TestTest, ComparesTexts) {
     put("a.json", tilt_graph("0.75"));
     put("a.test.json", "{\"glsl\": true}");
-    const Ran missing = run({"test", "a.test.json"});
+    const Ran missing = run({"test", "a.test.json", "--ci"});
     EXPECT_EQ(missing.code, 1);
     EXPECT_TRUE(says(missing.out, "golden/a.glsl"));
     EXPECT_EQ(run({"test", "a.test.json", "--update"}).code, 0);
@@ -142,10 +148,12 @@ TEST_F(TestTest, ComparesTexts) {
     EXPECT_EQ(changed.code, 1);
     EXPECT_TRUE(says(changed.out, "line "));
     EXPECT_TRUE(says(changed.out, "0.75"));
-    EXPECT_EQ(get("out/a.glsl"), run({"compile", "a.json"}).out);
+    const json::Value check = parsed(get("out/results.json")).find("checks").at(0);
+    EXPECT_EQ(check.find("actual_text").as_string(), run({"compile", "a.json"}).out);
+    EXPECT_EQ(check.find("expected_text").as_string(), get("golden/a.glsl"));
 }
 
-TEST_F(TestTest, ComparesPictures) {
+TEST_F(TestTest, ComparesImages) {
     put("a.json", tilt_graph("0.75"));
     put("a.test.json", R"({"render": {"mesh": "plane", "size": "24x24", "view": "normal"}})");
     EXPECT_EQ(run({"test", "a.test.json", "--update"}).code, 0);
@@ -153,8 +161,9 @@ TEST_F(TestTest, ComparesPictures) {
     put("a.json", tilt_graph("0.25"));
     const Ran changed = run({"test", "a.test.json", "--report", "out"});
     EXPECT_EQ(changed.code, 1);
-    EXPECT_TRUE(says(changed.out, "the picture differs by"));
-    EXPECT_TRUE(exists("out/a.png"));
+    EXPECT_TRUE(says(changed.out, "the image differs by"));
+    for (const char* folder : {"expected", "actual", "map"})
+        EXPECT_TRUE(exists("out/" + std::string(folder) + "/a.png"));
 }
 
 TEST_F(TestTest, DrawsOnMeshFilesBesideTheGraph) {
@@ -169,21 +178,21 @@ TEST_F(TestTest, DrawsOnMeshFilesBesideTheGraph) {
     EXPECT_EQ(run({"test", "in"}).out.substr(0, 4), "FAIL");
 }
 
-TEST_F(TestTest, PicturesWithoutADriverAreTheEnvironmentsFault) {
+TEST_F(TestTest, ImagesWithoutADriverAreTheEnvironmentsFault) {
     put("a.json", tilt_graph());
     put("a.test.json", R"({"render": {"size": "24x24"}})");
     const Ran ran = run({"test", "a.test.json"}, "", without_gl());
     EXPECT_EQ(ran.code, 3);
     EXPECT_TRUE(says(ran.err, "OpenGL"));
-    EXPECT_TRUE(ran.out.ends_with("0 passed, 0 failed\n"));
+    EXPECT_TRUE(says(ran.out, "ERROR a/render: OpenGL"));
+    EXPECT_TRUE(ran.out.ends_with("0 passed, 1 failed\n"));
 }
 
 TEST_F(TestTest, RefusesBadFiles) {
     put("a.json", tilt_graph());
     const std::vector<std::pair<std::string, std::string>> cases = {
         {R"({"point": []})", "did you mean 'points'?"},
-        {R"({"points": [{"normal": [0, 0, 1]}], "expect": []})", "1 points"},
-        {R"({"points": [{"normal": [0, 0, 1]}], "expect": [{}]})", "expects nothing"},
+        {R"({"points": [{"normal": [0, 0, 1]}], "expect": [{}, {}]})", "1 points"},
         {R"({"points": [{"normal": [0, 0, 1]}], "expect": [5]})", "an object"},
         {R"({"points": [{}], "expect": [{"normal": [0, 0, 1]}]})", "lacks 'normal'"},
         {R"({"glsl": 1})", "a.test.json:1:10"},
@@ -195,6 +204,10 @@ TEST_F(TestTest, RefusesBadFiles) {
         {R"({"render": {"mesh": "a.json"}})", "a.json"},
         {R"({"render": {"size": "9"}})", "512x512"},
         {R"({"render": {"viewed": "uv"}})", "did you mean 'view'?"},
+        {R"({"render": {"metric": "psnr"}})", "there is no 'psnr' (rms, flip, degrees)"},
+        {R"({"render": {"max_over": -1}})", "max_over is negative"},
+        {R"({"budget": {"alus": 3}})", "did you mean 'alu'?"},
+        {R"({"budget": {"alu": "3"}})", "alu is a string (a number)"},
         {R"({"glsl": true, "set": ["tilt.volume=0:1:2"]})", "sweep"},
         {R"({"glsl": true, "set": ["nobody.volume=0"]})", "nobody"},
         {"{}", "there is no case"},

@@ -26,7 +26,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/cpu", {"base", "ir", "image", "contract"}},
     {"core/image", {"base", "oiio", "openexr", "libdeflate", "png", "tbb"}},
     {"core/maps", {"base", "image", "tbb", "kissfft"}},
-    {"core/report", {"base", "image", "tbb"}},
+    {"core/report", {"base", "json", "image", "tbb"}},
     {"core/import", {"base", "json", "graph", "image", "maps"}},
     {"core/mesh", {"base", "glm", "mesh files"}},
     {"core/gpu", {"base", "emit", "ir", "image", "mesh", "contract", "glm", "gl", "tbb"}},

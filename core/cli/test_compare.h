@@ -1,0 +1,34 @@
+// Comparison of the results of a case with its baselines.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/test_case.h"
+#include "cpu/columns.h"
+#include "graph/document.h"
+#include "image/image.h"
+#include "report/results.h"
+
+namespace wrinkle::cli {
+
+struct CaseComparison {
+    std::vector<report::Measured> measured;
+    std::string difference;  // one sentence, "" if all is within the limits
+};
+
+// Compares the outputs of a point with `expected`, an object with the values of some or all of
+// them. An output that the graph lacks is a difference. `document` provides the node of each
+// output.
+CaseComparison compare_point(const TestCase& test, const Document& document,
+                             const json::Value& expected, const std::vector<OutputColumn>& columns,
+                             size_t point);
+
+struct ImageComparison : CaseComparison {
+    Image map;  // the difference in color; empty if there is none or the sizes differ
+    std::string map_measure;
+    double map_scale = 1;
+};
+ImageComparison compare_images(const RenderCase& render, const Image& expected, const Image& got);
+
+}  // namespace wrinkle::cli
