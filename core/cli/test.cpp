@@ -16,6 +16,7 @@
 #include "cli/output.h"
 #include "cli/test_accept.h"
 #include "cli/test_baselines.h"
+#include "cli/test_formats.h"
 #include "cli/test_report.h"
 #include "cli/test_review.h"
 #include "cli/test_run.h"
@@ -56,6 +57,7 @@ std::string shell_quoted(const std::string& word) {
 
 struct TestCommand {
     CommonOptions common;
+    CiFormats formats;
     std::vector<std::string> paths, names, shards;
     std::string report_folder, shard;
     unsigned jobs = 0;
@@ -172,8 +174,15 @@ struct TestCommand {
         if (environment.empty()) environment = accepted.environment;
         for (const std::string& sentence : accepted.refused)
             diagnostics.error(sentence);
-        write_folder(results, environment);
+        write_outputs(results, environment);
         return conclude(results, environment, diagnostics);
+    }
+
+    void write_outputs(const Results& results, std::string& environment) const {
+        write_folder(results, environment);
+        std::string why;
+        if (!write_formats(formats, results, folder(), in_ci(), why) && environment.empty())
+            environment = why;
     }
 
     // The default folder is written only for checks that are not passed. That it cannot be written
@@ -284,7 +293,7 @@ struct TestCommand {
             if (!merge_report(each, folder(), results, why)) return fail(exit_input, why);
         std::ranges::stable_sort(results.checks, {}, &Check::test);
         std::string environment;
-        write_folder(results, environment);
+        write_outputs(results, environment);
         Diagnostics diagnostics;
         return conclude(results, environment, diagnostics);
     }
@@ -325,6 +334,7 @@ void declare_test(CLI::App& app, Run& run) {
         ->type_name("DIR");
     sub.add_option("--merge", c.shards, "Merges the reports of shards into --report; runs no case")
         ->type_name("DIR...");
+    declare_formats(sub, c.formats);
     declare_common(sub, c.common, false);
 }
 

@@ -193,4 +193,18 @@ ImageComparison compare_images(const RenderCase& render, const Image& expected, 
     return result;
 }
 
+Image side_by_side(const std::vector<const Image*>& images) {
+    const uint32_t width = images.front()->width, height = images.front()->height;
+    Image joined =
+        make_image(width * static_cast<uint32_t>(images.size()), height, 3, PixelType::u8);
+    for (size_t i = 0; i < images.size(); ++i) {
+        const Image rgba = to_rgba(*images[i]);
+        for (uint32_t y = 0; y < height; ++y)
+            for (uint32_t x = 0; x < width; ++x)
+                std::copy_n(rgba.texel(x, y), 3,
+                            joined.texel(static_cast<uint32_t>(i) * width + x, y));
+    }
+    return joined;
+}
+
 }  // namespace wrinkle::cli

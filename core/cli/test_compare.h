@@ -31,4 +31,7 @@ struct ImageComparison : CaseComparison {
 };
 ImageComparison compare_images(const RenderCase& render, const Image& expected, const Image& got);
 
+// Returns one RGB image of images of one size, from left to right.
+Image side_by_side(const std::vector<const Image*>& images);
+
 }  // namespace wrinkle::cli

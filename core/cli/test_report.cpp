@@ -16,10 +16,10 @@ using report::Check;
 using report::Status;
 
 constexpr const char* page_file = "index.html";
-constexpr std::array image_folders = {"expected", "actual", "map"};
+constexpr std::array image_folders = {"expected", "actual", "map", "joined"};
 
-std::array<std::string Check::*, 3> image_members() {
-    return {&Check::expected_image, &Check::actual_image, &Check::map_image};
+std::array<std::string Check::*, 4> image_members() {
+    return {&Check::expected_image, &Check::actual_image, &Check::map_image, &Check::joined_image};
 }
 
 // Removes images that no check names, and folders without any.

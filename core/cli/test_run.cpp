@@ -293,7 +293,10 @@ void CaseRun::compare_image(const Image& image, Check check) {
         check.height = image.height;
         save(image, "actual", check.actual_image);
         if (expected) save(*expected, "expected", check.expected_image);
-        if (!compared.map.empty()) save(compared.map, "map", check.map_image);
+        if (!compared.map.empty()) {
+            save(compared.map, "map", check.map_image);
+            save(side_by_side({&*expected, &image, &compared.map}), "joined", check.joined_image);
+        }
         check.map_measure = compared.map_measure;
         check.map_scale = compared.map_scale;
     }

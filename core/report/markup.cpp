@@ -14,8 +14,6 @@ namespace wrinkle::report {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double max_excess = 1e9;  // shown for limits of 0
-
 std::string cell(const std::string& text, const char* kind = "") {
     return "<td" + std::string(kind) + ">" + html(text) + "</td>";
 }
@@ -31,12 +29,6 @@ std::string milliseconds(double seconds) {
     char text[32];
     std::snprintf(text, sizeof text, seconds < 0.01 ? "%.1f ms" : "%.0f ms", seconds * 1000);
     return text;
-}
-
-double excess(const Measured& measured) {
-    if (std::isnan(measured.value)) return max_excess;
-    if (measured.limit == 0) return measured.value > 0 ? max_excess : 0;
-    return std::min(measured.value / measured.limit, max_excess);
 }
 
 std::string numbers_markup(const Check& check) {
@@ -131,10 +123,10 @@ std::string data_uri(const std::string& image, const fs::path& folder) {
 // The number that exceeds its limit most, as text and as a bar.
 std::string worst_markup(const Check& check) {
     const auto worst = std::ranges::max_element(check.measured, {},
-                                                [](const Measured& each) { return excess(each); });
+                                                [](const Measured& each) { return each.excess(); });
     if (worst == check.measured.end()) return "";
     // Logarithmic: the limit is at a quarter, 1000 times the limit at the end.
-    const double part = std::clamp(0.25 + std::log10(excess(*worst)) / 4, 0.0, 1.0) * 100;
+    const double part = std::clamp(0.25 + std::log10(worst->excess()) / 4, 0.0, 1.0) * 100;
     return "<span class=\"worst\"><span class=\"bar\" aria-hidden=\"true\"><span style=\"width:" +
            number(part) + "%\"></span></span>" +
            html(number(worst->value) + " " + worst->unit + " / " + number(worst->limit)) +
@@ -166,13 +158,6 @@ std::string html(std::string_view text) {
     return escaped;
 }
 
-double excess(const Check& check) {
-    double largest = 0;
-    for (const Measured& each : check.measured)
-        largest = std::max(largest, excess(each));
-    return largest;
-}
-
 InlinedImages inlined_images(const Check& check, const fs::path& folder) {
     return {data_uri(check.expected_image, folder), data_uri(check.actual_image, folder),
             data_uri(check.map_image, folder)};
@@ -185,7 +170,7 @@ std::string check_markup(const Check& check, const InlinedImages& images, bool i
     const std::string hint =
         check.expected.empty() ? "" : "<p class=\"hint\">" + html(check.expected) + "</p>\n";
     return "<details class=\"check " + status + "\" id=\"" + id + "\" data-status=\"" + status +
-           "\" data-excess=\"" + number(excess(check)) + "\" data-seconds=\"" +
+           "\" data-excess=\"" + number(check.excess()) + "\" data-seconds=\"" +
            number(check.seconds) + "\"" + (is_open ? " open" : "") + ">\n<summary><span " +
            "class=\"status\">" + status + "</span><span class=\"name\">" + id + "</span>" +
            worst_markup(check) + "<span class=\"time\">" + milliseconds(check.seconds) +

@@ -23,7 +23,4 @@ InlinedImages inlined_images(const Check& check, const std::filesystem::path& fo
 // One check that is not passed: a <details> element.
 std::string check_markup(const Check& check, const InlinedImages& images, bool is_open);
 
-// The difference and limit of the number that exceeds its limit most: 0 if there is none.
-double excess(const Check& check);
-
 }  // namespace wrinkle::report

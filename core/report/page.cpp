@@ -13,20 +13,6 @@ namespace wrinkle::report {
 namespace fs = std::filesystem;
 namespace {
 
-// Errors first, then failures by how far they exceed their limits.
-std::vector<size_t> by_severity(const Results& results) {
-    std::vector<size_t> order;
-    for (size_t i = 0; i < results.checks.size(); ++i)
-        if (results.checks[i].status != Status::passed) order.push_back(i);
-    constexpr std::array<int, 5> ranks = {4, 1, 0, 3, 2};  // by Status
-    const auto key = [&](size_t i) {
-        const Check& check = results.checks[i];
-        return std::pair(ranks[static_cast<size_t>(check.status)], -excess(check));
-    };
-    std::ranges::stable_sort(order, {}, key);
-    return order;
-}
-
 std::string script() {
     return std::string(page_texts::report_js) + std::string(page_texts::images_js);
 }
@@ -109,7 +95,7 @@ std::string passed_list(const Results& results) {
 }  // namespace
 
 std::string page(const Results& results, const fs::path& folder, uint64_t max_bytes) {
-    const std::vector<size_t> order = by_severity(results);
+    const std::vector<size_t> order = results.by_severity();
     std::string checks;
     size_t left_out = 0;
     for (const size_t i : order) {

@@ -42,6 +42,9 @@ struct Measured {
     double value = 0, limit = 0;  // the difference and its limit; of a cost, the cost
     std::string unit;             // "degrees", "of 255"; "" for plain numbers
     bool within() const { return value <= limit; }
+    // value / limit, at most max_excess, also for a limit of 0 and a value that is not a number.
+    double excess() const;
+    static constexpr double max_excess = 1e9;
 };
 
 struct Check {
@@ -70,6 +73,9 @@ struct Check {
     double map_scale = 0;            // value of the map's last color
     uint32_t width = 0, height = 0;  // size of the images
 
+    std::string joined_image;  // the images side by side, for systems that show one
+
+    double excess() const;  // the largest of its numbers; 0 if there is none
     // Unique in a run, and the same in every run: "graphs/rings.old/render".
     std::string id() const { return test + "/" + name; }
 };
@@ -85,6 +91,8 @@ struct Results {
     std::vector<Check> checks;          // in the order of their files
 
     size_t count(Status status) const;
+    // Indices of the checks that are not passed: errors, failures by their excess, deleted, new.
+    std::vector<size_t> by_severity() const;
 };
 
 }  // namespace wrinkle::report

@@ -50,6 +50,7 @@ void visit_members(Check& check, Visit&& visit) {
     visit("expected_image", check.expected_image);
     visit("actual_image", check.actual_image);
     visit("map_image", check.map_image);
+    visit("joined_image", check.joined_image);
     visit("map_measure", check.map_measure);
     visit("map_scale", check.map_scale);
     visit("width", check.width);
@@ -211,10 +212,11 @@ std::optional<Results> read_results(const fs::path& file, Diagnostics& diagnosti
             visit_members(results, Reader(root, own));
     }
     for (const Check& check : results.checks)
-        for (const std::string& image : {check.expected_image, check.actual_image, check.map_image})
+        for (const std::string& image :
+             {check.expected_image, check.actual_image, check.map_image, check.joined_image})
             if (!is_inside(image))
                 own.add(file_problem(Severity::error, file.string(),
-                                     "names a image outside its folder: " + image, ""));
+                                     "names an image outside its folder: " + image, ""));
     diagnostics.append(own);
     if (own.has_errors()) return {};
     return results;

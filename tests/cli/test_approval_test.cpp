@@ -230,6 +230,29 @@ TEST_F(ApprovalTest, AReportThatCannotBeWrittenLetsTheCasesRun) {
     EXPECT_TRUE(ran.out.ends_with("0 passed, 4 failed, 1 new\n")) << ran.out;
 }
 
+TEST_F(ApprovalTest, CiSystemsGetTheirFormats) {
+    const Ran ran =
+        test({"t", "--junit", "j/r.xml", "--tap", "r.tap", "--github", "--report", "out"});
+    EXPECT_EQ(ran.code, 3) << "the folder j is missing";
+    fs::create_directories(folder / "j");
+    const auto attachment = [&](const std::string& base) {
+        EXPECT_EQ(test({"t", "--junit", "j/r.xml", "--report", "out", "--attachments", base}).code,
+                  1);
+        const std::string xml = get("j/r.xml");
+        const size_t begin = xml.find("[[ATTACHMENT|");
+        return begin == xml.npos ? "" : xml.substr(begin + 13, xml.find("]]", begin) - begin - 13);
+    };
+    EXPECT_EQ(attachment("project"), "out/joined/t-a.png");
+    EXPECT_EQ(attachment("xml"), "../out/joined/t-a.png");
+    EXPECT_EQ(attachment("absolute"), folder / "out/joined/t-a.png");
+    EXPECT_EQ(attachment("none"), "");
+    EXPECT_TRUE(exists("out/joined/t-a.png"));
+    EXPECT_TRUE(says(get("j/r.xml"), "tests=\"5\" failures=\"4\" errors=\"0\" skipped=\"1\""));
+    EXPECT_TRUE(says(test({"t", "--ci", "--tap", "r.tap", "--github"}).out,
+                     "::error file=t/a.test.json,line=2"));
+    EXPECT_TRUE(says(get("r.tap"), "not ok 5 - t/b/glsl"));
+}
+
 TEST_F(ApprovalTest, ThreadsGiveTheSameOutput) {
     EXPECT_EQ(test({"t", "-j", "1"}).out, test({"t", "-j", "3"}).out);
 }

@@ -1,4 +1,8 @@
-"""Opens the report of seeded errors in Chromium: its cause, its keys, and axe-core (npm)."""
+"""Opens the report of seeded errors in Chromium: its cause, its keys, and axe-core (npm).
+
+Its JUnit file is read by two packages of npm.
+"""
+import json
 import pathlib
 import re
 import shutil
@@ -7,6 +11,7 @@ import sys
 import time
 
 AXE = "axe-core@4.14.1"
+JUNIT_READERS = ["junit2json@4.0.0", "test-results-parser@0.4.6"]
 POLICY = re.compile(r'<meta\s+http-equiv="Content-Security-Policy"[^>]*>')
 
 
@@ -83,8 +88,7 @@ AXE_RUN = """addEventListener('load', () => setTimeout(async () => {
 
 
 def check_accessibility(chromium, html, folder):
-    subprocess.run(["npm", "install", "--no-audit", "--no-fund", "--silent", AXE],
-                   cwd=folder, check=True)
+    install([AXE], folder)
     axe = (folder / "node_modules/axe-core/axe.min.js").read_text()
     page = folder / "axe.html"
     light = title_of(dump(chromium, with_script(html, axe + AXE_RUN, page)))
@@ -97,14 +101,46 @@ def check_accessibility(chromium, html, folder):
     assert "html-has-lang" in found and "color-contrast" in found, "axe misses seeded errors"
 
 
+READ_JUNIT = """import fs from 'fs';
+import {parse} from 'junit2json';
+import parser from 'test-results-parser';
+const file = process.argv[2];
+const first = await parse(fs.readFileSync(file, 'utf8'));
+const second = parser.parse({type: 'junit', files: [file]});
+console.log(JSON.stringify([
+  [first.failures, first.errors, first.testsuite.length],
+  [second.failed, second.errors, second.suites.length]]));
+"""
+
+
+def check_junit(folder):
+    install(JUNIT_READERS, folder)
+    (folder / "read.mjs").write_text(READ_JUNIT)
+    read = json.loads(subprocess.run(["node", "read.mjs", "results.xml"], cwd=folder, check=True,
+                                     stdout=subprocess.PIPE, text=True).stdout)
+    results = json.loads((folder / "report/results.json").read_text())
+    checks = results["checks"]
+    count = {name: sum(check["status"] == name for check in checks)
+             for name in ("failed", "new", "deleted", "error")}
+    expected = [count["failed"] + count["new"] + count["deleted"], count["error"],
+                len({check["test"] for check in checks})]
+    assert read == [expected, expected], f"{read} {expected}"
+
+
+def install(packages, folder):
+    subprocess.run(["npm", "install", "--no-audit", "--no-fund", "--silent", *packages],
+                   cwd=folder, check=True)
+
+
 def main():
     wrinkle, source, build, chromium = sys.argv[1:]
     folder = pathlib.Path(build) / "page"
     shutil.rmtree(folder / "graphs", ignore_errors=True)
     shutil.copytree(pathlib.Path(source) / "graphs", folder / "graphs")
     seed_errors(folder / "graphs")
-    run = subprocess.run([wrinkle, "test", "graphs", "--ci", "--report", "report"], cwd=folder,
-                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    run = subprocess.run([wrinkle, "test", "graphs", "--ci", "--report", "report", "--junit",
+                          "results.xml"], cwd=folder, stdout=subprocess.PIPE,
+                         stderr=subprocess.PIPE, text=True)
     assert run.returncode == 1, run.stdout
     page = folder / "report/index.html"
     html = page.read_text()
@@ -114,10 +150,11 @@ def main():
         assert cause in html.replace("&quot;", '"'), cause
     start = time.monotonic()
     assert "Failed</h1>" in dump(chromium, page, ["--virtual-time-budget=1"])
-    print(f"{page.stat().st_size / 1e6:.1f} MB, loaded in {time.monotonic() - start:.2f} s with Chromium")
+    print(f"{page.stat().st_size / 1e6:.1f} MB, loaded in {time.monotonic() - start:.2f} s")
     keys = title_of(dump(chromium, with_script(html, KEYS, folder / "keys.html")))
     assert keys == "[1,true,1,2,3,4,5,0,2,1,1,true]", keys
     check_accessibility(chromium, html, folder)
+    check_junit(folder)
 
 
 main()

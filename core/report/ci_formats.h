@@ -1,0 +1,32 @@
+// Results in the formats of CI systems (docs/ci.md). Names are the same in every run. Texts are
+// escaped: characters that a format does not allow are U+FFFD, terminal sequences are removed.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "report/results.h"
+
+namespace wrinkle::report {
+
+struct CiOptions {
+    bool new_fails = false;  // checks with Status::added are failures; else they are skipped
+    // Returns the path of an image of the results as it is written; empty: no attachments.
+    std::function<std::string(const std::string&)> attachment;
+};
+
+// JUnit XML as GitLab, Jenkins, GitHub actions and Azure DevOps read it: one <testsuite> per case,
+// one <testcase> per check. A difference is a <failure>, a check that could not run an <error>. The
+// attachment of a check is its joined image.
+std::string junit(const Results& results, const CiOptions& options);
+
+// TAP version 14.
+std::string tap(const Results& results, const CiOptions& options);
+
+// Commands of GitHub Actions, one line each: "::error file=...::...". At most 10, because GitHub
+// shows no more for a step: errors first, then the worst failures; the last has the number of the
+// rest.
+std::string github_annotations(const Results& results, const CiOptions& options);
+
+}  // namespace wrinkle::report
