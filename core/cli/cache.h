@@ -20,6 +20,7 @@ namespace wrinkle::cli {
 class Cache {
 public:
     static constexpr size_t parts = 16;
+    static constexpr uint64_t default_limit = uint64_t{1} << 30;  // bytes
 
     Cache(std::filesystem::path folder, uint64_t limit)  // bytes
         : folder_(std::move(folder)), limit_(limit) {}

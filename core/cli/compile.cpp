@@ -16,8 +16,6 @@ namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr uint64_t default_cache_size = uint64_t{1} << 30;
-
 // Result of compiling one graph.
 struct Outcome {
     CompiledGraph graph;
@@ -31,7 +29,7 @@ struct CompileCommand {
     Outputs outputs;
     const CLI::Option* output = nullptr;  // -o
     std::string cache_folder;
-    uint64_t cache_size = default_cache_size;
+    uint64_t cache_size = Cache::default_limit;
     unsigned jobs = 0;  // 0: one per processor
 
     int run() {

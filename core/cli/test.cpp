@@ -59,7 +59,7 @@ struct TestCommand {
     CommonOptions common;
     CiFormats formats;
     std::vector<std::string> paths, names, shards;
-    std::string report_folder, shard;
+    std::string report_folder, cache_folder, shard;
     unsigned jobs = 0;
     bool schema = false, update = false, review = false, is_ci = false;
 
@@ -117,11 +117,14 @@ struct TestCommand {
             std::erase_if(tests, [&](const fs::path& test) {
                 return shard_of(near_path(test).generic_string(), part.count) != part.index;
             });
-        const TestSettings settings{registry, common, folder()};
+        std::optional<Cache> images;
+        if (!cache_folder.empty()) images.emplace(cache_folder, Cache::default_limit);
+        const TestSettings settings{registry, common, folder(), images ? &*images : nullptr};
         std::vector<TestOutcome> outcomes(tests.size());
         for_each_item(tests.size(), thread_count(jobs, tests.size()), [&](size_t i) {
             outcomes[i] = run_test_file(read_test_file(tests[i]), settings);
         });
+        if (images) images->prune();
         std::string environment;
         std::vector<report::CaseUses> uses;
         for (TestOutcome& outcome : outcomes) {
@@ -331,6 +334,9 @@ void declare_test(CLI::App& app, Run& run) {
     sub.add_option("--report", c.report_folder,
                    std::string("Folder of the report; default: ") + default_report +
                        ", if there is a difference")
+        ->type_name("DIR");
+    sub.add_option("--cache", c.cache_folder,
+                   "Takes images of unchanged cases from here, and stores others; holds 1GB")
         ->type_name("DIR");
     sub.add_option("--merge", c.shards, "Merges the reports of shards into --report; runs no case")
         ->type_name("DIR...");

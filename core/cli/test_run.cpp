@@ -8,9 +8,9 @@
 #include "cli/eval_text.h"
 #include "cli/evaluation.h"
 #include "cli/material_run.h"
-#include "cli/meshes.h"
 #include "cli/test_accept.h"
 #include "cli/test_compare.h"
+#include "cli/test_image.h"
 #include "image/load.h"
 #include "json/write.h"
 
@@ -42,20 +42,6 @@ bool is_finite(const std::vector<OutputColumn>& columns, size_t point) {
         for (size_t lane = 0; lane < column.lanes; ++lane)
             if (!std::isfinite(column.values[point * column.lanes + lane])) return false;
     return true;
-}
-
-// Opens the mesh of a render case; a path is resolved like the image paths of the graph. Returns
-// std::nullopt and reports an error on failure.
-std::optional<Mesh> mesh_of(const RenderCase& render, const Project& project,
-                            const CommonOptions& common, Diagnostics& diagnostics) {
-    const std::string& name = render.options.mesh;
-    if (!is_mesh_path(name)) return open_mesh(name, common, diagnostics);
-    if (const auto path = resolve_file(project, 0, name))
-        return open_mesh(path->string(), common, diagnostics);
-    report_at(render.mesh, "mesh names " + json_quoted(name) + ", outside the root",
-              "keep it below " + project.root.string() + ", or choose another root with --root",
-              diagnostics);
-    return {};
 }
 
 // Returns the path of the node of each line.
@@ -110,6 +96,7 @@ private:
     void check_budget();
     void check_image();
     void compare_image(const Image& image, Check check);
+    std::string hash() const { return hash_of_inputs(test_, settings_.registry, settings_.common); }
     bool save(const Image& image, const char* folder, std::string& path);
     Check begin(CheckKind kind, const std::string& name, const json::Value& place) const;
     void end(Check check);
@@ -253,22 +240,16 @@ void CaseRun::check_budget() {
 void CaseRun::check_image() {
     Check check = begin(CheckKind::image, "render", test_.render->value);
     check.baseline = test_.golden(".png").string();
-    const auto still = mesh_of(*test_.render, screen_->project, common_, problems_);
-    std::optional<Mesh> moved;
-    if (still && test_.render->options.displace)
-        moved = displaced_mesh(*still, *given_, textures_, problems_);
-    if (problems_.has_errors()) return;
-    Diagnostics environment;
-    auto renderer = OffscreenRenderer::make(test_.render->options, *still, environment);
-    if (!renderer) {
+    const CaseToDraw it{test_, *screen_, given_ ? &*given_ : nullptr, shader_, textures_, common_};
+    const std::string inputs = settings_.images ? hash() : "";
+    const DrawnCase drawn = draw_case(it, settings_.images, inputs, problems_);
+    if (!drawn.environment.empty()) {
         check.status = Status::error;
-        check.message = outcome_.environment = environment.list().front().message;
+        check.message = outcome_.environment = drawn.environment;
         return end(std::move(check));
     }
-    outcome_.driver = gpu::Context::renderer_name();
-    if (moved) renderer->show(*moved);
-    if (const auto drawn = renderer->draw(shader_, textures_, problems_))
-        compare_image(drawn->image, std::move(check));
+    outcome_.driver = drawn.driver;
+    if (drawn.image) compare_image(*drawn.image, std::move(check));
 }
 
 void CaseRun::compare_image(const Image& image, Check check) {
@@ -336,7 +317,7 @@ void CaseRun::end(Check check) {
     check.seconds = watch_.seconds();
     watch_ = {};
     if (check.status != Status::passed) {
-        check.inputs = hash_of_inputs(test_, settings_.registry, settings_.common);
+        check.inputs = hash();
     } else {
         check.actual_text.clear();
         check.expected_text.clear();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/cache.h"
 #include "cli/session.h"
 #include "cli/test_case.h"
 #include "report/results.h"
@@ -25,6 +26,7 @@ struct TestSettings {
     const Registry& registry;
     const CommonOptions& common;
     std::filesystem::path folder;  // the report's
+    Cache* images = nullptr;       // images of earlier runs; may be null
 };
 
 struct TestOutcome {

@@ -253,6 +253,22 @@ TEST_F(ApprovalTest, CiSystemsGetTheirFormats) {
     EXPECT_TRUE(says(get("r.tap"), "not ok 5 - t/b/glsl"));
 }
 
+TEST_F(ApprovalTest, CachedImagesAreThoseThatWouldBeDrawn) {
+    const std::vector<std::string> words = {"t/a.test.json", "--cache", "cache"};
+    const Ran first = test(words), second = test(words);
+    EXPECT_EQ(first.out, second.out);
+    EXPECT_EQ(first.out, test({"t/a.test.json"}).out);
+    ASSERT_EQ(test({"t", "--update", "--cache", "cache"}).code, 0);
+    put("t/a.json", tilt_graph("0.75"));
+    EXPECT_TRUE(says(test(words).out, "FAIL t/a/render"));
+    put("t/a.json", tilt_graph("0.25"));
+    EXPECT_EQ(test(words).code, 0);
+    // Damaged entries are drawn again.
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "cache"))
+        if (entry.is_regular_file()) fs::resize_file(entry.path(), entry.file_size() / 2);
+    EXPECT_EQ(test(words).code, 0);
+}
+
 TEST_F(ApprovalTest, ThreadsGiveTheSameOutput) {
     EXPECT_EQ(test({"t", "-j", "1"}).out, test({"t", "-j", "3"}).out);
 }
