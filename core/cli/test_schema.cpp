@@ -315,7 +315,8 @@ void CaseReader::take_budget(const Value& value) {
     const auto names = budget_names();
     test.budget_value = value;
     for (const Member& member : value.children()) {
-        BudgetLimit& budget = test.budget.emplace_back(std::string(member.key));
+        test.budget.push_back({std::string(member.key)});
+        BudgetLimit& budget = test.budget.back();
         take_limit(member, budget.limit);
         if (!std::ranges::count(names, budget.name))
             error(member.value, "budget: there is no '" + budget.name + "'",
