@@ -22,7 +22,7 @@ EmitOptions emit_options(const CompileOptions& wanted, const std::string& file,
     options.target = find_target(wanted.target);
     if (!options.target) {
         const std::vector<std::string> names = targets();
-        diagnostics.error("there is no target '" + wanted.target + "'",
+        diagnostics.error(RuleId::target, "there is no target '" + wanted.target + "'",
                           did_you_mean(wanted.target, names, joined(names, ", ")));
         return options;
     }
@@ -39,7 +39,7 @@ EmitOptions emit_options(const CompileOptions& wanted, const std::string& file,
     options.first_binding = wanted.first_binding;
     const auto within = [&](const char* what, int value, int most) {
         if (value < 0 || value > most)
-            diagnostics.error(std::string(what) + " is " + std::to_string(value),
+            diagnostics.error(RuleId::option, std::string(what) + " is " + std::to_string(value),
                               "0 to " + std::to_string(most));
     };
     within("descriptor_set", options.set, max_descriptor_set);
@@ -48,7 +48,7 @@ EmitOptions emit_options(const CompileOptions& wanted, const std::string& file,
     options.normal_space = normal_space.value_or(NormalSpace::object);
     const std::string conflict =
         form_conflict(*options.target, options.form, options.differentials, normal_space);
-    if (!conflict.empty()) diagnostics.error(conflict);
+    if (!conflict.empty()) diagnostics.error(RuleId::target, conflict);
     return options;
 }
 
@@ -71,7 +71,7 @@ std::shared_ptr<const Prepared> prepare(const Graph::Parts& parts, bool vertex_t
     if (why.empty())
         prepared->textures = textures.textures_of(compiled.module.resources);
     else
-        problems.error(why);
+        problems.error(RuleId::over_limit, why);
     return prepared;
 }
 

@@ -105,7 +105,7 @@ Graph Graph::with(const std::vector<std::string>& values) const noexcept {
         for (const std::string& text : values) {
             auto parsed = parse_override(text, parts.problems);
             if (parsed && parsed->is_sweep())
-                parts.problems.error("'" + text + "' is a sweep", "one value");
+                parts.problems.error(RuleId::option, "'" + text + "' is a sweep", "one value");
             else if (parsed)
                 overrides.push_back(std::move(*parsed));
         }

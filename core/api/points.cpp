@@ -19,17 +19,18 @@ void check_values(const InputNeed& input, const Values& values, size_t count,
     const size_t lanes = lanes_of(input);
     if (values.size() / lanes != count || values.size() % lanes != 0)
         return diagnostics.error(
+            RuleId::point,
             "'" + name_of(input) + "' holds " + std::to_string(values.size()) + " numbers",
             std::to_string(lanes) + " for each of " + std::to_string(count) + " points");
     const auto bad = std::find_if(values.begin(), values.end(),
                                   [](double value) { return !std::isfinite(value); });
     if (bad != values.end())
-        diagnostics.error(at_point(static_cast<size_t>(bad - values.begin()) / lanes,
-                                   "'" + name_of(input) + "' is not finite"));
+        diagnostics.error(RuleId::point, at_point(static_cast<size_t>(bad - values.begin()) / lanes,
+                                                  "'" + name_of(input) + "' is not finite"));
     if (input.input != SurfaceInput::normal_ || input.variant != Variant::value) return;
     for (size_t i = 0; i < count; ++i)
         if (values[i * 3] == 0 && values[i * 3 + 1] == 0 && values[i * 3 + 2] == 0)
-            return diagnostics.error(at_point(i, "normal is zero"),
+            return diagnostics.error(RuleId::point, at_point(i, "normal is zero"),
                                      "a direction of any length but zero");
 }
 
@@ -51,7 +52,8 @@ PointSet point_set(const Points& points, const Program& program, bool single,
     for (const auto& [name, values] : points.values) {
         const auto input = find_input(name);
         if (!input)
-            diagnostics.error("there is no '" + name + "'", did_you_mean(name, point_names()));
+            diagnostics.error(RuleId::point, "there is no '" + name + "'",
+                              did_you_mean(name, point_names()));
         else
             check_values(*input, values, points.count, diagnostics);
     }
@@ -63,11 +65,13 @@ PointSet point_set(const Points& points, const Program& program, bool single,
         else if (need.input == SurfaceInput::facing_)
             set.at(need.input, need.variant).assign(points.count, 1);
         else
-            diagnostics.error("the points lack '" + name_of(need) + "'", "the graph needs it");
+            diagnostics.error(RuleId::point, "the points lack '" + name_of(need) + "'",
+                              "the graph needs it");
     }
     if (single && !diagnostics.has_errors())
         for (const FloatOverflow& each : float_overflow(program, set))
-            diagnostics.error(at_point(each.point, each.message()), "double precision does");
+            diagnostics.error(RuleId::precision_loss, at_point(each.point, each.message()),
+                              "double precision does");
     return set;
 }
 

@@ -6,7 +6,8 @@ namespace wrinkle::api {
 namespace {
 
 Diagnostic diagnostic_of(const Problem& problem) {
-    return {problem.is_error ? Severity::error : Severity::warning,
+    return {RuleId{},
+            problem.is_error ? Severity::error : Severity::warning,
             {problem.file, problem.line, problem.column},
             problem.pointer,
             problem.node,

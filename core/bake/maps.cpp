@@ -40,7 +40,7 @@ public:
         std::string why;
         const Module runs = drop_covariances(std::move(module_));
         plan_.program = compile_program(runs, why);
-        if (!why.empty()) diagnostics_.error(why);
+        if (!why.empty()) diagnostics_.error(RuleId::over_limit, why);
         if (diagnostics_.has_errors()) return {};
         plan_.resources = runs.resources;
         return std::move(plan_);
@@ -61,11 +61,9 @@ private:
         for (const BakedMap& map : plan_.maps)
             if (reads_view(map)) names += (names.empty() ? "'" : ", '") + map.name + "'";
         if (names.empty()) return;
-        Diagnostic warning;
-        warning.severity = Severity::warning;
-        warning.message = "view-dependent maps: " + names;
-        warning.expected = "each texel is baked as seen along its normal";
-        diagnostics_.add(std::move(warning));
+        diagnostics_.add(file_problem(Severity::warning, RuleId::map_view, "",
+                                      "view-dependent maps: " + names,
+                                      "each texel is baked as seen along its normal"));
     }
 
     bool reads_view(const BakedMap& map) const {
@@ -116,7 +114,7 @@ private:
     void print_error(const std::string& name) {
         const std::vector<std::string> names =
             map_names(mapped<std::string>(source_.outputs, &ModuleOutput::name));
-        diagnostics_.error("the graph makes no map '" + name + "'",
+        diagnostics_.error(RuleId::unknown_map, "the graph makes no map '" + name + "'",
                            did_you_mean(name, names, "it makes " + joined(names, ", ")));
     }
 
@@ -156,7 +154,8 @@ private:
             values[5] = values[5] - lost.z();  // t is -v
         }
         if (integers)
-            diagnostics_.error("the map 'slopes' holds numbers that integers do not",
+            diagnostics_.error(RuleId::option,
+                               "the map 'slopes' holds numbers that integers do not",
                                "--type half or float, in OpenEXR or TIFF");
         for (uint32_t i = 0; i < 6; ++i) {
             double gain = i >= 3 ? 1 / (options_.scale * options_.scale) : 1 / options_.scale;
@@ -188,7 +187,8 @@ private:
             const BakedMap source = map_of(from.map, request.integers);
             if (from.channel >= source.channels.size()) {
                 if (!source.channels.empty())
-                    diagnostics_.error("the map '" + from.map + "' has " +
+                    diagnostics_.error(RuleId::unknown_map,
+                                       "the map '" + from.map + "' has " +
                                            std::to_string(source.channels.size()) + " channels",
                                        "one of them, such as " + from.map + ".r");
                 continue;

@@ -59,8 +59,8 @@ std::string missing_input(const Mesh& mesh, const Program& program) {
 
 bool has_uv_layout(const Mesh& mesh, const std::string& name, Diagnostics& diagnostics) {
     if (mesh.has_uv(0)) return true;
-    diagnostics.add(file_problem(Severity::error, name, "the mesh has no uvs (set 0)",
-                                 "a mesh with a uv layout"));
+    diagnostics.add(file_problem(Severity::error, RuleId::mesh_uvs, name,
+                                 "the mesh has no uvs (set 0)", "a mesh with a uv layout"));
     return false;
 }
 
@@ -68,12 +68,12 @@ bool check_uvs(const UvSurvey& uvs, bool udim, const std::string& name, Diagnost
     std::string expected;
     const std::string nothing = nothing_to_bake(uvs, udim, expected);
     if (!nothing.empty()) {
-        diagnostics.add(file_problem(Severity::error, name, nothing, expected));
+        diagnostics.add(file_problem(Severity::error, RuleId::mesh_uvs, name, nothing, expected));
         return false;
     }
     const auto warn = [&](std::string message, std::string expected) {
-        diagnostics.add(
-            file_problem(Severity::warning, name, std::move(message), std::move(expected)));
+        diagnostics.add(file_problem(Severity::warning, RuleId::mesh_uvs, name, std::move(message),
+                                     std::move(expected)));
     };
     const size_t area = uvs.triangles - uvs.without_area;
     if (uvs.without_area > 0)
@@ -96,8 +96,8 @@ bool check_inputs(const Mesh& mesh, std::span<const BakePlan> plans, const std::
     for (const BakePlan& plan : plans) {
         const std::string missing = missing_input(mesh, plan.program);
         if (missing.empty()) continue;
-        diagnostics.add(file_problem(Severity::error, name, "the mesh lacks '" + missing + "'",
-                                     "the graph reads it"));
+        diagnostics.add(file_problem(Severity::error, RuleId::mesh_attribute, name,
+                                     "the mesh lacks '" + missing + "'", "the graph reads it"));
         return false;
     }
     return true;

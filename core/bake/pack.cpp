@@ -49,7 +49,8 @@ std::optional<MapRequest> parse_pack(const std::string& text, Diagnostics& diagn
         request.pack.push_back(*channel);
     }
     if (ok && !request.pack.empty()) return request;
-    diagnostics.error("--pack \"" + text + "\" names no channels of maps", pack_remedy);
+    diagnostics.error(RuleId::option, "--pack \"" + text + "\" names no channels of maps",
+                      pack_remedy);
     return {};
 }
 

@@ -6,24 +6,26 @@
 namespace wrinkle {
 void BakeReport::append_warnings(const std::string& graph, const std::string& mesh,
                                  std::span<const BakedMap> maps, Diagnostics& warnings) const {
-    const auto warn = [&](const std::string& file, std::string message, std::string expected) {
+    const auto warn = [&](RuleId rule, const std::string& file, std::string message,
+                          std::string expected) {
         warnings.add(
-            file_problem(Severity::warning, file, std::move(message), std::move(expected)));
+            file_problem(Severity::warning, rule, file, std::move(message), std::move(expected)));
     };
     if (overlapped > 0)
-        warn(mesh,
+        warn(RuleId::mesh_uvs, mesh,
              std::to_string(overlapped) + " texels are covered by more than one triangle; at uv " +
                  shortest(static_cast<float>(overlap_uv.x)) + "," +
                  shortest(static_cast<float>(overlap_uv.y)) + " triangle " +
                  std::to_string(overlap_triangle) + " is hidden by one before it",
              "a uv layout without overlaps");
     if (not_finite > 0)
-        warn(graph, std::to_string(not_finite) + " texels hold a number that is not finite",
+        warn(RuleId::not_finite, graph,
+             std::to_string(not_finite) + " texels hold a number that is not finite",
              "integer files hold 0 there");
     for (size_t map = 0; map < clamped.size(); ++map) {
         const Clamped& lost = clamped[map];
         if (lost.numbers == 0) continue;
-        warn(graph,
+        warn(RuleId::precision_loss, graph,
              "the map '" + maps[map].name + "' holds " + std::to_string(lost.numbers) +
                  " numbers that integers do not, from " + shortest(lost.least) + " to " +
                  shortest(lost.greatest),

@@ -25,8 +25,8 @@ void Diagnostics::add(Diagnostic diagnostic) {
         ++dropped_;
 }
 
-void Diagnostics::error(std::string message, std::string expected) {
-    add({.message = std::move(message), .expected = std::move(expected)});
+void Diagnostics::error(RuleId rule, std::string message, std::string expected) {
+    add({.rule = rule, .message = std::move(message), .expected = std::move(expected)});
 }
 
 void Diagnostics::append(const Diagnostics& other) {
@@ -44,12 +44,21 @@ void Diagnostics::append_once(const Diagnostics& other) {
         if (seen.insert(to_text(diagnostic)).second) add(diagnostic);
 }
 
-Diagnostic file_problem(Severity severity, std::string file, std::string message,
+Diagnostic file_problem(Severity severity, RuleId rule, std::string file, std::string message,
                         std::string expected) {
-    return {.severity = severity,
+    return {.rule = rule,
+            .severity = severity,
             .where = {std::move(file)},
             .message = std::move(message),
             .expected = std::move(expected)};
+}
+
+std::string sentence_of(const Diagnostic& diagnostic) {
+    std::string text;
+    if (!diagnostic.node.empty()) text += "node '" + diagnostic.node + "': ";
+    text += diagnostic.message;
+    if (!diagnostic.expected.empty()) text += " (" + diagnostic.expected + ")";
+    return text;
 }
 
 std::string to_text(const Diagnostic& diagnostic) {
@@ -61,11 +70,7 @@ std::string to_text(const Diagnostic& diagnostic) {
             text += ":" + std::to_string(where.line) + ":" + std::to_string(where.column);
         text += ": ";
     }
-    text += std::string(name_of(diagnostic.severity)) + ": ";
-    if (!diagnostic.node.empty()) text += "node '" + diagnostic.node + "': ";
-    text += diagnostic.message;
-    if (!diagnostic.expected.empty()) text += " (" + diagnostic.expected + ")";
-    return printable(text);
+    return printable(text + name_of(diagnostic.severity) + ": " + sentence_of(diagnostic));
 }
 
 std::string to_text(const Diagnostics& diagnostics) {
@@ -100,6 +105,7 @@ std::string exception_text() {
 std::string to_json(const Diagnostics& diagnostics) {
     const auto object = [](const Diagnostic& d) {
         return "\n  {\"severity\": " + json_quoted(name_of(d.severity)) +
+               ", \"rule\": " + json_quoted(info(d.rule).id) +
                ", \"file\": " + json_quoted(d.where.file) +
                ", \"line\": " + std::to_string(d.where.line) +
                ", \"column\": " + std::to_string(d.where.column) +

@@ -1,6 +1,6 @@
 // Diagnostics: errors and warnings about user input, each with a location and a hint.
 //
-// A Diagnostic names the object at fault: file, line and column of the JSON token, JSON pointer and
+// A Diagnostic has a rule and names the object at fault: file, line and column of the JSON token, JSON pointer and
 // node, with the problem found and the expected form. A Diagnostics list collects all problems of a
 // run; functions that can fail take one, append to it, and return an empty or poison result. It
 // stores the first `limit` entries and counts the rest. Bugs of Wrinkle itself are asserts, never
@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <string>
 #include <vector>
+
+#include "base/rules.h"
 
 namespace wrinkle {
 
@@ -24,6 +26,7 @@ struct Location {
 };
 
 struct Diagnostic {
+    RuleId rule;  // without a default: each place that makes a diagnostic chooses
     Severity severity = Severity::error;
     Location where{};
     std::string pointer{};   // JSON pointer of the token, "" for the document
@@ -39,7 +42,7 @@ public:
     explicit Diagnostics(size_t limit = default_limit) : limit_(limit) {}
 
     void add(Diagnostic diagnostic);
-    void error(std::string message, std::string expected = {});
+    void error(RuleId rule, std::string message, std::string expected = {});
     void append(const Diagnostics& other);
     // Appends each diagnostic once: several compilations of one graph share most problems.
     void append_once(const Diagnostics& other);
@@ -57,9 +60,11 @@ private:
 };
 
 // Returns a diagnostic about a file in general (a mesh, a graph), named as by the user.
-Diagnostic file_problem(Severity severity, std::string file, std::string message,
+Diagnostic file_problem(Severity severity, RuleId rule, std::string file, std::string message,
                         std::string expected);
 
+// Returns "node 'weave': unknown port 'amout' (did you mean 'amount'?)", as in the file.
+std::string sentence_of(const Diagnostic& diagnostic);
 // Returns one line, escaped by printable(): "graph.json:12:7: error: node 'weave': unknown port
 // 'amout' (did you mean 'amount'?)".
 std::string to_text(const Diagnostic& diagnostic);
@@ -68,7 +73,7 @@ std::string to_text(const Diagnostics& diagnostics);
 std::string dropped_text(const Diagnostics& diagnostics);  // "and 12 more problems"
 // Returns a short description of the current exception. Precondition: called in a catch block.
 std::string exception_text();
-// {"version": 1, "diagnostics": [{"severity", "file", "line", "column", "pointer", "node",
+// {"version": 1, "diagnostics": [{"severity", "rule", "file", "line", "column", "pointer", "node",
 //  "message", "expected"}], "dropped": n}
 std::string to_json(const Diagnostics& diagnostics);
 

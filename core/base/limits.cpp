@@ -42,6 +42,7 @@ bool report_limits(Diagnostics& diagnostics) {
         if (!text || limit_in(text)) continue;
         fine = false;
         diagnostics.error(
+            RuleId::environment,
             "environment variable " + std::string(row.variable) + " is '" + text + "'",
             "a whole number from 1 to " + std::to_string(std::numeric_limits<uint64_t>::max()));
     }

@@ -38,7 +38,8 @@ void Report::add(Finding finding) {
 
 Diagnostic to_diagnostic(const Finding& finding, const Report& report, const std::string& file) {
     const std::string port = finding.port.empty() ? "" : "port '" + finding.port + "': ";
-    return {.where = {file},
+    return {.rule = RuleId::certification,
+            .where = {file},
             .node = report.node,
             .message = finding.check + ": " + port + finding.message,
             .expected = finding.remedy};

@@ -67,7 +67,7 @@ struct BakeCommand {
         if (options.depfile.wanted) why = depfile_fault({{paths, job.inputs}}, options.depfile);
         if (options.depfile.wanted) paths.push_back(depfile_path());
         if (why.empty()) why = overwrite_fault_of_run(paths, job.inputs);
-        if (!why.empty()) diagnostics.error(why);
+        if (!why.empty()) diagnostics.error(RuleId::output_path, why);
         return why.empty();
     }
 

@@ -18,8 +18,8 @@ std::string shard_text(uint64_t shard, const PartHeader& header) {
 
 bool check_parts(const std::vector<Part>& parts, Diagnostics& diagnostics) {
     const auto refuse = [&](size_t i, std::string message, std::string remedy) {
-        diagnostics.add(file_problem(Severity::error, parts[i].folder.string(), std::move(message),
-                                     std::move(remedy)));
+        diagnostics.add(file_problem(Severity::error, RuleId::bake_part, parts[i].folder.string(),
+                                     std::move(message), std::move(remedy)));
     };
     const PartHeader& first = parts[0].header;
     for (size_t i = 0; i < parts.size(); ++i) {
@@ -56,8 +56,9 @@ std::vector<std::byte> read_band(const Part& part, uint64_t band, size_t map, st
                                  Diagnostics& diagnostics) {
     std::vector<std::byte> bytes(part.header.rows_of(band) * part.header.row_bytes(map));
     if (from && std::fread(bytes.data(), 1, bytes.size(), from) == bytes.size()) return bytes;
-    diagnostics.error(rows_file(part.folder, part.header.set_of(band), map).string() +
-                      " cannot be read: " + std::strerror(errno));
+    diagnostics.error(RuleId::bake_part,
+                      rows_file(part.folder, part.header.set_of(band), map).string() +
+                          " cannot be read: " + std::strerror(errno));
     return {};
 }
 

@@ -99,7 +99,8 @@ std::optional<PartHeader> read_header(const fs::path& folder, Diagnostics& diagn
         remedy = "bake that shard again";
     }
     if (!header)
-        diagnostics.add(file_problem(Severity::error, file.string(), why, std::move(remedy)));
+        diagnostics.add(file_problem(Severity::error, RuleId::bake_part, file.string(), why,
+                                     std::move(remedy)));
     return header;
 }
 
@@ -116,7 +117,8 @@ std::optional<std::vector<Xxh64>> sums_of_rows(const fs::path& folder, const Par
         if (sum && sum->digest() != header.sums[i])
             why = "does not hold the rows that were baked: their checksum is another";
         if (!why.empty()) {
-            diagnostics.add(file_problem(Severity::error, file.string(), why, remedy));
+            diagnostics.add(
+                file_problem(Severity::error, RuleId::bake_part, file.string(), why, remedy));
             return {};
         }
         sums.push_back(std::move(*sum));
@@ -129,8 +131,9 @@ std::optional<PartWriter> PartWriter::open(const fs::path& folder, PartHeader he
     std::error_code error;
     fs::create_directories(folder, error);
     if (fs::exists(header_file(folder), error) && !is_regular_file(header_file(folder), error)) {
-        diagnostics.add(file_problem(Severity::error, header_file(folder).string(),
-                                     "is not a regular file", "remove it, or another folder"));
+        diagnostics.add(file_problem(Severity::error, RuleId::output_path,
+                                     header_file(folder).string(), "is not a regular file",
+                                     "remove it, or another folder"));
         return {};
     }
     PartWriter writer;
@@ -144,7 +147,8 @@ std::optional<PartWriter> PartWriter::open(const fs::path& folder, PartHeader he
 }
 
 bool PartWriter::fail(size_t map, Diagnostics& diagnostics) const {
-    diagnostics.add(file_problem(Severity::error, rows_file(folder_, set_, map).string(),
+    diagnostics.add(file_problem(Severity::error, RuleId::file_unwritable,
+                                 rows_file(folder_, set_, map).string(),
                                  "rows of the map '" + header_.maps[map].name +
                                      "' cannot be written: " + std::strerror(errno),
                                  "a folder that can be written to and has room"));
@@ -154,7 +158,8 @@ bool PartWriter::fail(size_t map, Diagnostics& diagnostics) const {
 bool PartWriter::write_header(Diagnostics& diagnostics) const {
     std::string why;
     if (write_file(header_file(folder_), header_json(header_), why)) return true;
-    diagnostics.add(file_problem(Severity::error, header_file(folder_).string(), why, ""));
+    diagnostics.add(file_problem(Severity::error, RuleId::file_unwritable,
+                                 header_file(folder_).string(), why, ""));
     return false;
 }
 

@@ -58,7 +58,7 @@ void add_graph(const Project::File& file, Fields& fields) {
 
 // Number of fields per warning, in the order of add_warning(). Files of the project are stored by
 // index, because paths depend on the location of the project.
-constexpr size_t fields_of_warning = 7;
+constexpr size_t fields_of_warning = 8;
 
 void add_warning(const Diagnostic& warning, const Project& project, Fields& fields) {
     std::string file = "=" + warning.where.file;  // not a file of the project
@@ -66,7 +66,8 @@ void add_warning(const Diagnostic& warning, const Project& project, Fields& fiel
         if (project.files[i].document.file == warning.where.file) file = std::to_string(i);
     fields.insert(fields.end(),
                   {file, std::to_string(warning.where.line), std::to_string(warning.where.column),
-                   warning.pointer, warning.node, warning.message, warning.expected});
+                   warning.pointer, warning.node, warning.message, warning.expected,
+                   std::to_string(static_cast<int>(warning.rule))});
 }
 
 Diagnostic warning_of(const std::string* fields, const Project& project) {
@@ -78,7 +79,15 @@ Diagnostic warning_of(const std::string* fields, const Project& project) {
         where.file = project.files[file].document.file;
     parse_number(fields[1], where.line);
     parse_number(fields[2], where.column);
-    return {Severity::warning, where, fields[3], fields[4], fields[5], fields[6]};
+    size_t rule = 0;
+    parse_number(fields[7], rule);  // of this program: its identity is part of the key
+    return {static_cast<RuleId>(rule),
+            Severity::warning,
+            where,
+            fields[3],
+            fields[4],
+            fields[5],
+            fields[6]};
 }
 
 }  // namespace
@@ -151,8 +160,8 @@ void store_entry(const Compilation& with, const std::string& key, const Project&
         add_warning(warning, project, fields);
     std::string why;
     if (with.cache->store(key, join_fields(fields), why)) return;
-    result.diagnostics.add(
-        file_problem(Severity::warning, "", "the cache cannot be written: " + why, ""));
+    result.diagnostics.add(file_problem(Severity::warning, RuleId::cache, "",
+                                        "the cache cannot be written: " + why, ""));
 }
 
 }  // namespace wrinkle::cli

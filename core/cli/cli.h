@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "cli/output.h"
+
 namespace wrinkle::cli {
 
 using Run = std::function<int()>;
@@ -60,7 +62,7 @@ inline std::string choices_of(const CLI::Option& option) {
 
 // Adds --diagnostics, the format of report().
 inline void declare_diagnostics(CLI::App& command, std::string& format) {
-    add_choice(command, "--diagnostics", format, {"text", "json"}, "How problems are printed");
+    add_choice(command, "--diagnostics", format, diagnostic_formats, "How problems are printed");
 }
 
 }  // namespace wrinkle::cli

@@ -111,13 +111,14 @@ struct CompareCommand {
     void find_mismatch(const Image& a, const Image& b, Diagnostics& problems) const {
         if (a.width != b.width || a.height != b.height)
             problems.add(file_problem(
-                Severity::error, test,
+                Severity::error, RuleId::image_values, test,
                 "has " + size_text(b) + " pixels, " + reference + " has " + size_text(a),
                 "two images of one size"));
         if (metric != "degrees") return;
         for (const auto& [file, image] : {std::pair(reference, &a), std::pair(test, &b)})
             if (!report::has_normals(*image))
-                problems.add(file_problem(Severity::error, file, "is a gray image",
+                problems.add(file_problem(Severity::error, RuleId::image_values, file,
+                                          "is a gray image",
                                           "a normal map, or --metric flip or rms"));
     }
 

@@ -82,7 +82,7 @@ struct CompileCommand {
                 read.insert(read.end(), inputs.begin(), inputs.end());
         }
         if (const std::string why = overwrite_fault_of_run(paths, read); !why.empty())
-            diagnostics.error(why);
+            diagnostics.error(RuleId::output_path, why);
     }
 
     static std::vector<std::string> inputs_read(const std::string& file, const Compilation& with) {
@@ -141,7 +141,7 @@ struct CompileCommand {
         if (outputs.depfile.wanted) why = depfile_fault({outcome.rule}, outputs.depfile);
         if (why.empty() && !outputs.several())
             why = overwrite_fault_of_run(outputs.all_paths(), outcome.rule.from);
-        if (!why.empty()) outcome.graph.diagnostics.error(why);
+        if (!why.empty()) outcome.graph.diagnostics.error(RuleId::output_path, why);
         return why.empty();
     }
 
@@ -162,7 +162,7 @@ struct CompileCommand {
         bool written = true;
         const auto unwritten = [&](const std::string& why) {
             written = written && why.empty();
-            if (!why.empty()) diagnostics.error(why);
+            if (!why.empty()) diagnostics.error(RuleId::file_unwritable, why);
         };
         for (const Outcome& outcome : outcomes)
             unwritten(outcome.unwritten);

@@ -22,7 +22,8 @@ std::string cost_of(const Module& module, Differentials differentials, bool json
     std::string why;
     const auto report = measure_cost(module, differentials, why);
     if (report) return json ? to_json(*report) : to_text(*report);
-    diagnostics.add(file_problem(Severity::error, file, "its cost cannot be counted: " + why, ""));
+    diagnostics.add(file_problem(Severity::error, RuleId::shader_rejected, file,
+                                 "its cost cannot be counted: " + why, ""));
     return {};
 }
 

@@ -49,9 +49,10 @@ const KindName* source_found(const Image& image, const std::string& file,
     const maps::MapClass found = maps::examine(image, Wrap::clamp).map_class;
     const std::string description(description_of(found));
     const KindName* kind = named(source_kinds, name_of(found));
-    diagnostics.add(kind ? file_problem(Severity::warning, file, "is taken for " + description,
-                                        "--from says what it is")
-                         : file_problem(Severity::error, file, "looks like " + description,
+    diagnostics.add(kind ? file_problem(Severity::warning, RuleId::image_meaning, file,
+                                        "is taken for " + description, "--from says what it is")
+                         : file_problem(Severity::error, RuleId::image_meaning, file,
+                                        "looks like " + description,
                                         "--from height, normal_gl, normal_dx or derivative"));
     return kind;
 }

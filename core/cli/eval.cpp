@@ -21,7 +21,7 @@ void check_normals(const std::vector<OutputColumn>& columns, const PointList& po
             const double* n = column.values.data() + i;
             const double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
             if (square > 0.5 && square < 2) continue;
-            points.report(i / 3, Severity::warning,
+            points.report(i / 3, RuleId::precision_loss, Severity::warning,
                           "'" + column.name + "' has no direction: its numbers are " +
                               "too large or too small for the precision",
                           "inputs between 1e-18 and 1e18, or --precision double", diagnostics);

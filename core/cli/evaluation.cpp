@@ -12,8 +12,8 @@ bool within_float(const PointList& points, const PointSet& set, const Program& p
                   Diagnostics& diagnostics) {
     const std::vector<FloatOverflow> beyond = float_overflow(program, set);
     for (const FloatOverflow& each : beyond)
-        points.report(each.point, Severity::error, each.message(), "--precision double does",
-                      diagnostics);
+        points.report(each.point, RuleId::precision_loss, Severity::error, each.message(),
+                      "--precision double does", diagnostics);
     return beyond.empty();
 }
 
@@ -43,7 +43,7 @@ void warn_of_small_changes(const PointList& points, const PointSet& set, Diagnos
             const double product =
                 change_of(set, SurfaceInput::position_, k) * change_of(set, uv, k);
             if (product > 0 && product < min_change_product)
-                points.report(k, Severity::warning,
+                points.report(k, RuleId::precision_loss, Severity::warning,
                               "the changes of position and " + name_of({uv, Variant::value}) +
                                   " are so small that a frame 'derived' of them fades",
                               "lengths whose product is above 1e-18", diagnostics);
@@ -60,7 +60,7 @@ void warn_of_lost_normals(const PointList& points, const PointSet& set, Diagnost
         const double* n = normals.data() + 3 * k;
         const double length = std::hypot(n[0], n[1], n[2]);
         if (length > 0 && (length < min_length || length > max_length))
-            points.report(k, Severity::warning,
+            points.report(k, RuleId::precision_loss, Severity::warning,
                           "the surface normal's length cannot be squared in single precision",
                           "a length between 1e-18 and 1e18, or --precision double", diagnostics);
     }
@@ -75,7 +75,7 @@ std::optional<std::vector<OutputColumn>> evaluate_points(const MaterialRun& run,
                                                          Diagnostics& diagnostics) {
     std::string why;
     const Program program = compile_program(run.compiled.module, why);
-    if (!why.empty()) diagnostics.error(why);
+    if (!why.empty()) diagnostics.error(RuleId::over_limit, why);
     const Needs needs = needed_inputs(program);
     if (!why.empty() || !source.check(needs, diagnostics)) return {};
     PointSet set;

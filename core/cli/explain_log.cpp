@@ -21,11 +21,11 @@ struct Explained {
         const Reflection& reflection = made.shader.reflection;
         const size_t line = said.line < first ? 0 : said.line - first + 1;
         const uint32_t node = node_of_line(reflection, line);
-        Diagnostic found;
+        Diagnostic found = {.rule = RuleId::shader_rejected};
         found.where.file = project.top().file;
         if (node != no_node && node != 0)
-            found =
-                diagnose(project, made.compiled.places[node], reflection.node_paths[node], "", "");
+            found = diagnose(project, made.compiled.places[node], reflection.node_paths[node],
+                             found.rule, "", "");
         found.severity = said.warning ? Severity::warning : Severity::error;
         found.message = said.message;
         const bool inside = line > 0 && line <= lines.size();
@@ -82,8 +82,8 @@ struct ExplainCommand {
                                      : printable(line.substr(0, line.find_last_not_of('\r') + 1));
             printed += '\n';
         }
-        const bool json = common.diagnostics == "json";
-        return write_result("-", json ? to_json(found) : printed);
+        const std::string& format = common.diagnostics;
+        return write_result("-", format == "text" ? printed : formatted(found, format));
     }
 };
 

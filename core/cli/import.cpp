@@ -71,13 +71,13 @@ struct ImportCommand {
         const auto outside = std::ranges::find_if(read, is_outside);
         if (outside != read.end())
             problems.add(file_problem(
-                Severity::error, *outside,
+                Severity::error, RuleId::outside_root, *outside,
                 "is not below " + real_path(root).string() + ", where the graph reads files",
                 "write the graph into the folder of the images or one above it, or name such a "
                 "folder as --root here and wherever the graph is read"));
         const std::string made[] = {output};
         if (const std::string why = overwrite_fault_of_run(made, read); !why.empty())
-            problems.error(why);
+            problems.error(RuleId::output_path, why);
     }
 
     fs::path root_folder() const {
@@ -96,7 +96,8 @@ struct ImportCommand {
         if (length > 0 && std::isfinite(length))
             options.uv_length = length;
         else
-            problems.add(file_problem(Severity::error, mesh, "has no uv, so no size of a texel",
+            problems.add(file_problem(Severity::error, RuleId::mesh_uvs, mesh,
+                                      "has no uv, so no size of a texel",
                                       "a mesh with texture coordinates, or --texel"));
         return options;
     }

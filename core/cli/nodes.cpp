@@ -17,7 +17,7 @@ struct NodesCommand {
         const Nodes nodes = load_nodes(common, diagnostics);
         const NodeType* type = id.empty() ? nullptr : nodes.registry.find(id);
         if (!id.empty() && !type) {
-            diagnostics.error("there is no node type '" + id + "'",
+            diagnostics.error(RuleId::unknown_node_type, "there is no node type '" + id + "'",
                               did_you_mean(id, nodes.registry.ids(), "wrinkle nodes lists them"));
             return report(diagnostics, common.diagnostics);
         }

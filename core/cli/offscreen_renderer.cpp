@@ -31,7 +31,7 @@ std::optional<Mesh> displaced_mesh(const Mesh& still, const MaterialRun& run,
     Module module = run.compiled.module;
     std::erase_if(module.outputs, [](const ModuleOutput& o) { return o.name != "displacement"; });
     if (module.outputs.empty()) {
-        diagnostics.error("the graph has no output 'displacement'",
+        diagnostics.error(RuleId::unknown_output, "the graph has no output 'displacement'",
                           "a height in length units of object space");
         return {};
     }
@@ -41,7 +41,7 @@ std::optional<Mesh> displaced_mesh(const Mesh& still, const MaterialRun& run,
     const Program program = compile_program(module, why);
     if (why.empty()) why = displace(mesh, program, 0, textures.textures_of(module.resources));
     if (why.empty()) return mesh;
-    diagnostics.error(why);
+    diagnostics.error(RuleId::over_limit, why);
     return {};
 }
 
@@ -68,7 +68,7 @@ std::optional<Image> load_environment(const std::string& file, Diagnostics& diag
     if (!image || image->source == PixelType::half || image->source == PixelType::float32)
         return image;
     diagnostics.add(
-        file_problem(Severity::error, file,
+        file_problem(Severity::error, RuleId::image_values, file,
                      "holds " + std::string(name_of(image->source)) + " values, no radiance",
                      "an equirectangular .hdr or .exr"));
     return {};
@@ -101,7 +101,7 @@ std::optional<OffscreenRenderer> OffscreenRenderer::make(const RenderOptions& op
     auto context = gpu::Context::offscreen(diagnostics);
     if (!context) return {};
     if (!context->make_current()) {
-        diagnostics.error("the OpenGL context cannot be made current");
+        diagnostics.error(RuleId::opengl, "the OpenGL context cannot be made current");
         return {};
     }
     gpu::TargetOptions wanted;
@@ -133,7 +133,8 @@ bool OffscreenRenderer::can_compare(const Shader& shader, Diagnostics& diagnosti
         if (output.output != options_.against || type == PortType::normal_ ||
             type == PortType::vec3_)
             continue;
-        diagnostics.error("the output '" + options_.against + "' holds a " +
+        diagnostics.error(RuleId::type_mismatch,
+                          "the output '" + options_.against + "' holds a " +
                               std::string(name_of(type)) + ", which is no normal to compare with",
                           type == PortType::gradient_ || type == PortType::derivative_
                               ? "put a node 'resolve' before it"

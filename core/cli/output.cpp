@@ -1,9 +1,13 @@
 #include "cli/output.h"
 
 #include <cstdio>
+#include <filesystem>
 
 #include "base/file.h"
 #include "base/printable.h"
+#include "report/annotations.h"
+#include "report/repository.h"
+#include "report/sarif.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -37,11 +41,18 @@ bool write_results(const std::vector<Result>& results, std::string& why) {
     return true;
 }
 
+std::string formatted(const Diagnostics& diagnostics, const std::string& format) {
+    if (format == "text") return to_text(diagnostics);
+    if (format == "json") return to_json(diagnostics);
+    std::error_code ignored;
+    const auto root = report::repository_root(std::filesystem::current_path(ignored));
+    return format == "sarif" ? report::sarif(diagnostics, {WRINKLE_VERSION, root})
+                             : report::github_annotations(diagnostics, root);
+}
+
 int report(const Diagnostics& diagnostics, const std::string& format) {
-    if (!diagnostics.list().empty() || format == "json") {
-        const std::string text = format == "json" ? to_json(diagnostics) : to_text(diagnostics);
-        std::fwrite(text.data(), 1, text.size(), stderr);
-    }
+    const std::string text = formatted(diagnostics, format);
+    std::fwrite(text.data(), 1, text.size(), stderr);
     return diagnostics.has_errors() ? exit_input : exit_success;
 }
 

@@ -28,8 +28,14 @@ int write_result(const std::string& path, std::string text);
 // Prints nothing; returns false and the reason in `why` on failure.
 bool write_results(const std::vector<Result>& results, std::string& why);
 
-// Prints the problems to standard error, as text or as JSON. Returns exit_input if there are
-// errors, otherwise exit_success.
+// The formats of problems, for --diagnostics.
+inline const std::vector<std::string> diagnostic_formats = {"text", "json", "sarif", "github"};
+
+// Returns the problems in one of diagnostic_formats.
+std::string formatted(const Diagnostics& diagnostics, const std::string& format);
+
+// Prints the problems to standard error in one of diagnostic_formats. Returns exit_input if there
+// are errors, otherwise exit_success.
 int report(const Diagnostics& diagnostics, const std::string& format);
 
 // Prints one sentence to standard error, escaped by printable().

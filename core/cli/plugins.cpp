@@ -105,7 +105,7 @@ void declare_certify(CLI::App& command, CertifyOptions& options) {
         ->allow_extra_args(false)
         ->take_all()
         ->needs(file);
-    add_choice(command, "--diagnostics", options.diagnostics, {"text", "json"},
+    add_choice(command, "--diagnostics", options.diagnostics, diagnostic_formats,
                "How the findings of --test are printed")
         ->needs(file);
 }
@@ -138,7 +138,7 @@ int certify_plugin(const CertifyOptions& options) {
             diagnostics.add(to_diagnostic(finding, found, options.file));
     }
     const int code = summary(types.size(), failed, missing, !options.no_gpu);
-    if (options.diagnostics == "json") report(diagnostics, options.diagnostics);
+    if (options.diagnostics != "text") report(diagnostics, options.diagnostics);
     return code;
 }
 

@@ -50,7 +50,7 @@ bool PointSource::check(const Needs& needs, Diagnostics& diagnostics) const {
     bool fine = points.check({first_uv}, diagnostics);
     for (const InputNeed& need : needs) {
         if (has_input(surface->mesh, need.input)) continue;
-        diagnostics.error(lacks(surface->name, need), "the graph needs it");
+        diagnostics.error(RuleId::mesh_attribute, lacks(surface->name, need), "the graph needs it");
         fine = false;
     }
     return fine;
@@ -70,7 +70,7 @@ bool PointSource::fill(const Needs& needs, PointSet& set, Diagnostics& diagnosti
                 set.at(need.input, need.variant)
                     .push_back(value_of(*point, need)[static_cast<int>(lane)]);
         if (!point)
-            points.report(i, Severity::error,
+            points.report(i, RuleId::point, Severity::error,
                           "no triangle of the mesh " + surface->name + " covers the uv (" +
                               shortest(uv.x) + ", " + shortest(uv.y) + ")",
                           "a place inside its uv layout", diagnostics);
@@ -90,7 +90,7 @@ PointSource open_points(const PointOptions& options, const CommonOptions& common
     if (options.mesh.empty()) return {open_list(options.at, diagnostics)};
     std::optional<Mesh> mesh = open_mesh(options.mesh, common, diagnostics);
     if (mesh && !mesh->has_uv(0)) {
-        diagnostics.error("the mesh " + options.mesh + " has no uvs (set 0)",
+        diagnostics.error(RuleId::mesh_uvs, "the mesh " + options.mesh + " has no uvs (set 0)",
                           "a mesh with a uv layout");
         return {};
     }

@@ -87,7 +87,7 @@ public:
 
     void check_numbers() {
         const auto report = [&](size_t point, const std::string& message, const char* expected) {
-            list_.report(point, Severity::error, message, expected, diagnostics_);
+            list_.report(point, RuleId::point, Severity::error, message, expected, diagnostics_);
         };
         for (const Column& first : all_) {
             if (first.lane > 0) continue;
@@ -125,7 +125,7 @@ private:
             const std::string_view field = trimmed(fields[i]);
             double value = 0;
             if (!parse_number(field, value))
-                list_.report(point, Severity::error,
+                list_.report(point, RuleId::point, Severity::error,
                              "'" + std::string(field.substr(0, max_shown)) + "' is not a number",
                              "a number such as 0.25 or -1e-3", diagnostics_);
             if (i < columns_.size()) put(i, point, value);
@@ -142,8 +142,8 @@ private:
     }
 
     void problem(uint32_t line, std::string message, std::string expected) {
-        Diagnostic found =
-            file_problem(Severity::error, list_.file, std::move(message), std::move(expected));
+        Diagnostic found = file_problem(Severity::error, RuleId::point, list_.file,
+                                        std::move(message), std::move(expected));
         if (list_.first_line > 0) found.where = {list_.file, line, 1};
         diagnostics_.add(std::move(found));
     }
@@ -172,7 +172,8 @@ PointList read_table(const std::string& file, std::string_view bytes, Diagnostic
         else
             reader.read_npy(bytes);
     } catch (const NpyProblem& problem) {
-        own.add(file_problem(Severity::error, file, problem.message, problem.expected));
+        own.add(
+            file_problem(Severity::error, RuleId::point, file, problem.message, problem.expected));
     }
     if (!own.has_errors()) reader.check_columns();
     list.finish();

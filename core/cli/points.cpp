@@ -88,8 +88,9 @@ private:
     }
 
     void error(const json::Value& value, const std::string& message, const std::string& expected) {
-        report_at(value, "point " + std::to_string(list_.given.count - 1) + ": " + message,
-                  expected, diagnostics_);
+        report_at(value, RuleId::point,
+                  "point " + std::to_string(list_.given.count - 1) + ": " + message, expected,
+                  diagnostics_);
     }
 
     PointList& list_;
@@ -120,25 +121,27 @@ bool PointList::check(const Needs& needs, Diagnostics& diagnostics) const {
     for (const InputNeed& need : needs)
         if (!file.empty() && count() > 0 && given.at(need.input, need.variant).empty())
             diagnostics.add(file_problem(
-                Severity::error, file, lacks("the table", need),
+                Severity::error, RuleId::point, file, lacks("the table", need),
                 "the graph needs it: " + column_name(name_of(need), 0, lanes_of(need))));
     for (size_t point = 0; point < sources.size(); ++point)
         for (const InputNeed& need : needs) {
             const std::vector<double>& column = given.at(need.input, need.variant);
             if (column.empty() || std::isnan(column[point * lanes_of(need)]))
-                report_at(sources[point], lacks("point " + std::to_string(point), need),
-                          "the graph needs it", diagnostics);
+                report_at(sources[point], RuleId::point,
+                          lacks("point " + std::to_string(point), need), "the graph needs it",
+                          diagnostics);
         }
     return diagnostics.error_count() == errors;
 }
 
-void PointList::report(size_t point, Severity severity, std::string message, std::string expected,
-                       Diagnostics& diagnostics) const {
+void PointList::report(size_t point, RuleId rule, Severity severity, std::string message,
+                       std::string expected, Diagnostics& diagnostics) const {
     if (numbered) message = "point " + std::to_string(point) + ": " + message;
     if (!sources.empty())
-        return report_at(sources[point], std::move(message), std::move(expected), diagnostics,
+        return report_at(sources[point], rule, std::move(message), std::move(expected), diagnostics,
                          severity);
-    Diagnostic problem = file_problem(severity, file, std::move(message), std::move(expected));
+    Diagnostic problem =
+        file_problem(severity, rule, file, std::move(message), std::move(expected));
     if (first_line > 0) problem.where = {file, first_line + static_cast<uint32_t>(point), 1};
     diagnostics.add(std::move(problem));
 }

@@ -30,8 +30,8 @@ struct PointList {
     // Reports needed values that the points lack; returns true if there are none.
     bool check(const Needs& needs, Diagnostics& diagnostics) const;
     // Reports a problem at a point.
-    void report(size_t point, Severity severity, std::string message, std::string expected,
-                Diagnostics& diagnostics) const;
+    void report(size_t point, RuleId rule, Severity severity, std::string message,
+                std::string expected, Diagnostics& diagnostics) const;
     // Stores one number. O(1) amortized.
     void set(const InputNeed& need, size_t point, size_t lane, double value);
     // Completes the columns after the last point.

@@ -70,7 +70,7 @@ struct RenderCommand {
         for (size_t i = 0; i < overrides.runs; ++i)
             paths.push_back(path_of_run(output, overrides, i));
         if (const std::string why = overwrite_fault_of_run(paths, read); !why.empty())
-            diagnostics.error(why);
+            diagnostics.error(RuleId::output_path, why);
     }
 
     // Returns the displaced mesh of each run; stops at the first error.
@@ -163,7 +163,7 @@ struct RenderCommand {
         std::error_code none, ignored;
         std::string folder = (fs::temp_directory_path(none) / "wrinkle-XXXXXX").string();
         if (none || !mkdtemp(folder.data())) {
-            environment.error("a temporary folder cannot be made: " + folder);
+            environment.error(RuleId::environment, "a temporary folder cannot be made: " + folder);
             return false;
         }
         const fs::path path = fs::path(folder) / "picture.png";

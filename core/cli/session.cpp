@@ -80,14 +80,15 @@ std::optional<std::string> read_text(const std::string& file, Diagnostics& diagn
     std::string why;
     auto text = stream.empty() ? read_file(file, why) : read_stream(file, why);
     if (!text)
-        diagnostics.add(file_problem(Severity::error, stream.empty() ? file : stream, why, ""));
+        diagnostics.add(file_problem(Severity::error, RuleId::file_unreadable,
+                                     stream.empty() ? file : stream, why, ""));
     return text;
 }
 
-void report_at(const json::Value& value, std::string message, std::string expected,
+void report_at(const json::Value& value, RuleId rule, std::string message, std::string expected,
                Diagnostics& diagnostics, Severity severity) {
     if (diagnostics.dropped() > 0) return diagnostics.add({});
-    Diagnostic problem = diagnose(value, "", std::move(message), std::move(expected));
+    Diagnostic problem = diagnose(value, "", rule, std::move(message), std::move(expected));
     problem.severity = severity;
     diagnostics.add(std::move(problem));
 }
@@ -96,7 +97,7 @@ bool report_no_graph(const std::string& file, Diagnostics& diagnostics) {
     if (is_graph(file)) return false;
     const bool test = file.ends_with(test_suffix);
     diagnostics.add(
-        file_problem(Severity::error, file,
+        file_problem(Severity::error, RuleId::wrong_file, file,
                      test ? "is a regression test, not a graph" : "is a preset, not a graph",
                      test ? "wrinkle test runs it" : "name the graph that it belongs to"));
     return true;
@@ -114,7 +115,7 @@ std::vector<std::string> graphs_among(const std::vector<std::string>& files,
         names += (i ? ", " : "") + others[i];
     if (others.size() > max_names)
         names += " and " + std::to_string(others.size() - max_names) + " more";
-    diagnostics.add(file_problem(Severity::warning, "",
+    diagnostics.add(file_problem(Severity::warning, RuleId::wrong_file, "",
                                  "left out, as tests and presets are not graphs: " + names, ""));
     return graphs;
 }
@@ -145,7 +146,8 @@ Overrides parse_overrides(const CommonOptions& options, Diagnostics& diagnostics
         if (parsed->is_sweep()) {
             const size_t length = parsed->values.size();
             if (overrides.runs > 1 && overrides.runs != length)
-                diagnostics.error("--set " + text + ": the sweeps have " +
+                diagnostics.error(RuleId::option,
+                                  "--set " + text + ": the sweeps have " +
                                       std::to_string(overrides.runs) + " and " +
                                       std::to_string(length) + " values",
                                   "sweeps of one call run side by side; give them one length");

@@ -55,7 +55,7 @@ std::optional<std::string> read_text(const std::string& file, Diagnostics& diagn
 
 // Reports a problem at a JSON value. After the limit of the list it only counts problems, because
 // computing a JSON pointer takes O(array length).
-void report_at(const json::Value& value, std::string message, std::string expected,
+void report_at(const json::Value& value, RuleId rule, std::string message, std::string expected,
                Diagnostics& diagnostics, Severity severity = Severity::error);
 
 // Values of --preset and --set. All sweeps advance by one value per run, so their lengths must be

@@ -176,7 +176,7 @@ struct TestCommand {
         if (review) accepted = review_results(results, folder(), registry, common);
         if (environment.empty()) environment = accepted.environment;
         for (const std::string& sentence : accepted.refused)
-            diagnostics.error(sentence);
+            diagnostics.error(RuleId::test_failed, sentence);
         write_outputs(results, environment);
         return conclude(results, environment, diagnostics);
     }
@@ -202,7 +202,7 @@ struct TestCommand {
                  Diagnostics& diagnostics) const {
         const bool json = common.diagnostics == "json";
         if (json) diagnostics.append(failed_checks(results));
-        if (json && !environment.empty()) diagnostics.error(environment);
+        if (json && !environment.empty()) diagnostics.error(RuleId::environment, environment);
         std::fputs(failures_text(results).c_str(), stdout);
         for (const std::string& cause : results.causes)
             std::printf("likely cause: %s\n", printable(cause).c_str());
@@ -221,7 +221,8 @@ struct TestCommand {
         for (const Check& check : results.checks)
             if (is_pending(check) || check.kind == report::CheckKind::cost)
                 if (check.status != Status::passed)
-                    failures.add({Severity::error,
+                    failures.add({RuleId::test_failed,
+                                  Severity::error,
                                   {check.file, check.line, check.column},
                                   check.pointer,
                                   "",
@@ -267,7 +268,7 @@ struct TestCommand {
             for (const std::string& file : accepted.written)
                 std::printf("%s\n", printable(file).c_str());
         for (const std::string& sentence : accepted.refused)
-            diagnostics.error(sentence);
+            diagnostics.error(RuleId::test_failed, sentence);
         const int code = report(diagnostics, common.diagnostics);
         return environment.empty() ? code : fail(exit_environment, environment);
     }
@@ -278,6 +279,7 @@ struct TestCommand {
                     return is_pending(check) && selects(name, check);
                 }))
                 diagnostics.error(
+                    RuleId::option,
                     "--accept " + name + ": no result of the last run that differs has this name",
                     "new, changed, deleted, all, or an id that the run printed");
         if (diagnostics.has_errors()) return {};

@@ -46,13 +46,15 @@ void find_below(const fs::path& top, std::vector<fs::path>& tests, Diagnostics& 
                 folders.push_back(at->path());
             else if (is_test(at->path()) && !inside(top, link_target(at->path())))
                 diagnostics.error(
+                    RuleId::outside_root,
                     at->path().string() + ": leads outside the folder " + top.string(),
                     "name it itself, or remove the link");
             else if (is_test(at->path()))
                 tests.push_back(at->path());
         }
         if (problem)
-            diagnostics.error(folder.string() + ": cannot be searched: " + problem.message());
+            diagnostics.error(RuleId::file_unreadable,
+                              folder.string() + ": cannot be searched: " + problem.message());
     }
 }
 
@@ -144,7 +146,7 @@ std::vector<fs::path> find_tests(const std::vector<std::string>& paths, Diagnost
         else if (is_test(path))
             found.push_back(path);
         if (found.empty() && !diagnostics.has_errors())
-            diagnostics.error(path + ": there is no test",
+            diagnostics.error(RuleId::test_case, path + ": there is no test",
                               "a file NAME.test.json, or a folder with such files in or below it");
         std::ranges::sort(found);
         tests.insert(tests.end(), found.begin(), found.end());

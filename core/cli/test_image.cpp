@@ -19,7 +19,8 @@ std::optional<Mesh> mesh_of(const RenderCase& render, const Project& project,
     if (!is_mesh_path(name)) return open_mesh(name, common, diagnostics);
     if (const auto path = resolve_file(project, 0, name))
         return open_mesh(path->string(), common, diagnostics);
-    report_at(render.mesh, "mesh names " + json_quoted(name) + ", outside the root",
+    report_at(render.mesh, RuleId::outside_root,
+              "mesh names " + json_quoted(name) + ", outside the root",
               "keep it below " + project.root.string() + ", or choose another root with --root",
               diagnostics);
     return {};

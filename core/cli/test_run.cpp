@@ -122,7 +122,8 @@ void CaseRun::compile() {
         refuse_outside(file);
     const Overrides overrides = parse_overrides(common_, problems_);
     if (overrides.is_sweep())
-        problems_.error(test_.file.string() + ": 'set' holds a sweep", "one value");
+        problems_.error(RuleId::test_case, test_.file.string() + ": 'set' holds a sweep",
+                        "one value");
     const std::string graph = test_.graph.string();
     const auto compile_to = [&](std::optional<MaterialRun>& result,
                                 const MaterialOptions& options) {
@@ -153,7 +154,8 @@ void CaseRun::read_images() {
 void CaseRun::refuse_outside(const fs::path& file) {
     const fs::path root = root_of(test_, common_);
     if (inside(root, link_target(file))) return;
-    problems_.error(file.string() + ": leads outside the root " + root.string(),
+    problems_.error(RuleId::outside_root,
+                    file.string() + ": leads outside the root " + root.string(),
                     "a file below it, or another root with --root");
 }
 
@@ -306,7 +308,7 @@ Check CaseRun::begin(CheckKind kind, const std::string& name, const json::Value&
     check.name = name;
     check.file = test_.file.string();
     check.graph = test_.graph.string();
-    const Diagnostic at = diagnose(place, "", "", "");
+    const Diagnostic at = diagnose(place, "", RuleId::test_failed, "", "");
     check.line = at.where.line;
     check.column = at.where.column;
     check.pointer = at.pointer;

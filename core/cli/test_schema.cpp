@@ -166,7 +166,7 @@ struct CaseReader {
     }
 
     void error(const Value& value, std::string message, std::string expected) {
-        report_at(value, std::move(message), std::move(expected), diagnostics);
+        report_at(value, RuleId::test_case, std::move(message), std::move(expected), diagnostics);
     }
 };
 

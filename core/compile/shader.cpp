@@ -28,7 +28,7 @@ Diagnostic at_reader(const Diagnostic& problem, const Resource& resource, const 
     if (place.node == NodePlace::none) return problem;
     const Document& document = project.files[place.file].document;
     Diagnostic result = diagnose_port(document, *document.nodes[place.node], reader.port,
-                                      problem.message, problem.expected);
+                                      problem.rule, problem.message, problem.expected);
     result.severity = problem.severity;
     result.node = compiled.module.nodes[reader.node].path;
     return result;
@@ -39,12 +39,12 @@ void warn_of_16_bits(const Reflection& reflection, const Compiled& compiled, con
                      Diagnostics& diagnostics) {
     for (const SamplerInfo& sampler : reflection.samplers) {
         if (!sampler.options.decodes_texels() || png_bits(sampler.file) != 16) continue;
-        Diagnostic warning;
-        warning.severity = Severity::warning;
-        warning.message = "image '" + sampler.written +
-                          "' has 16 bits per channel and encoding srgb, for which no texture "
-                          "format exists";
-        warning.expected = "decode it when it is loaded, to rgba16; as srgb8 it loses 8 bits";
+        const Diagnostic warning =
+            file_problem(Severity::warning, RuleId::texture_precision, "",
+                         "image '" + sampler.written +
+                             "' has 16 bits per channel and encoding srgb, for which no texture "
+                             "format exists",
+                         "decode it when it is loaded, to rgba16; as srgb8 it loses 8 bits");
         diagnostics.add(
             at_reader(warning, compiled.module.resources[sampler.resource], compiled, project));
     }
@@ -87,7 +87,7 @@ void follow_double_sided(Document& document, const std::string& mesh, Diagnostic
     if (document.back_faces) return;
     document.back_faces = BackFaces::flip;
     diagnostics.add(
-        file_problem(Severity::warning, mesh,
+        file_problem(Severity::warning, RuleId::double_sided, mesh,
                      "a material is doubleSided, so back faces are drawn by the rule 'flip'",
                      "\"back_faces\" in the graph chooses the rule"));
 }
@@ -108,8 +108,8 @@ void check_limits(const Reflection& reflection, const std::string& file, bool st
                   Diagnostics& diagnostics) {
     for (const Excess& excess : {texture_unit_excess(reflection), draw_buffer_excess(reflection)}) {
         if (excess.problem.empty()) continue;
-        diagnostics.add(file_problem(strict ? Severity::error : Severity::warning, file,
-                                     excess.problem, excess.remedy));
+        diagnostics.add(file_problem(strict ? Severity::error : Severity::warning,
+                                     RuleId::gpu_limit, file, excess.problem, excess.remedy));
     }
 }
 

@@ -28,22 +28,26 @@ void write_function_form(const EmitAnalysis& analysis, const EmitOptions& option
 bool refused(const Module& module, const EmitOptions& options, Shader& shader) {
     if (!supports(*options.target, options.form)) {
         const bool pair = options.form == Form::function;
-        shader.problems.push_back({0,
+        shader.problems.push_back({RuleId::target, 0,
                                    std::string(options.target->label) + " is only written as " +
                                        (pair ? "a complete pair" : "a function"),
                                    pair ? "the form 'shader'" : "the form 'function'"});
     }
     if (options.form == Form::shader && options.differentials != Differentials::screen)
-        shader.problems.push_back({0, "the shader form takes its differentials from the screen",
+        shader.problems.push_back({RuleId::target, 0,
+                                   "the shader form takes its differentials from the screen",
                                    "differentials 'screen', or the form 'function'"});
     for (const ModuleOutput& output : module.outputs)
         if (output.value == poison)
-            shader.problems.push_back({0, "the output '" + output.name + "' has no value",
+            shader.problems.push_back({RuleId::target, 0,
+                                       "the output '" + output.name + "' has no value",
                                        "what is wrong in the graph is reported before"});
     if (options.bare_result && module.outputs.size() > 1)
-        shader.problems.push_back({0, "a function without a struct returns one output", ""});
+        shader.problems.push_back(
+            {RuleId::target, 0, "a function without a struct returns one output", ""});
     if (module.outputs.empty())
-        shader.problems.push_back({0, "the graph has no outputs", "an entry in \"outputs\""});
+        shader.problems.push_back(
+            {RuleId::no_output, 0, "the graph has no outputs", "an entry in \"outputs\""});
     return !shader.problems.empty();
 }
 
@@ -76,7 +80,7 @@ Shader emit(const Module& module, const EmitOptions& options) {
         shader = {};
         // Lines of a function that several nodes share have no node.
         const uint32_t node = over.node != 0 ? over.node : module.origin[module.outputs[0].value];
-        shader.problems.push_back({node, over.message, over.expected});
+        shader.problems.push_back({RuleId::over_limit, node, over.message, over.expected});
         shader.over_limit = true;
     }
     return shader;

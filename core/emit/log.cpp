@@ -93,7 +93,8 @@ uint32_t node_of_line(const Reflection& reflection, size_t line) {
 Problem problem_of_log(const std::string& sentence, std::string_view log,
                        const Reflection& reflection) {
     const uint32_t node = node_of_line(reflection, line_in(log));
-    return {node == no_node ? 0 : node, sentence + ": " + std::string(first_line(log)),
+    return {RuleId::shader_rejected, node == no_node ? 0 : node,
+            sentence + ": " + std::string(first_line(log)),
             "this is a fault of Wrinkle: please report it with the graph"};
 }
 

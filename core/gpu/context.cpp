@@ -121,7 +121,7 @@ std::optional<Context> Context::offscreen(Diagnostics& diagnostics) {
         if (std::optional<Context> context = on_display(display, EGL_NO_CONTEXT, why))
             return context;
     }
-    diagnostics.error("OpenGL is not available: " + why,
+    diagnostics.error(RuleId::opengl, "OpenGL is not available: " + why,
                       "an EGL driver with OpenGL 3.3, such as Debian's libegl-mesa0");
     return std::nullopt;
 }
@@ -130,12 +130,12 @@ std::optional<Context> Context::sharing_current(Diagnostics& diagnostics) {
     const bool has_egl = epoxy_has_egl() && eglBindAPI(EGL_OPENGL_API);  // per API
     const EGLContext share = has_egl ? eglGetCurrentContext() : EGL_NO_CONTEXT;
     if (share == EGL_NO_CONTEXT) {
-        diagnostics.error("there is no EGL context on this thread to share with");
+        diagnostics.error(RuleId::opengl, "there is no EGL context on this thread to share with");
         return std::nullopt;
     }
     std::string why;
     std::optional<Context> context = on_display(eglGetCurrentDisplay(), share, why);
-    if (!context) diagnostics.error("OpenGL cannot draw on another thread: " + why);
+    if (!context) diagnostics.error(RuleId::opengl, "OpenGL cannot draw on another thread: " + why);
     return context;
 }
 

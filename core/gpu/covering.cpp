@@ -33,7 +33,9 @@ std::optional<Program> link_covering(const std::string& fragment, Diagnostics& d
     const std::array<std::string, 1> outputs{"WrView_color"};
     std::string log;
     auto program = Program::link(covering_vertex, covering_fragment_head + fragment, outputs, log);
-    if (!program) diagnostics.error("the driver rejects a shader of the shaded view: " + log);
+    if (!program)
+        diagnostics.error(RuleId::shader_rejected,
+                          "the driver rejects a shader of the shaded view: " + log);
     return program;
 }
 

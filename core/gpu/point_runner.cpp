@@ -30,7 +30,7 @@ size_t rows_of(const PointJob& job) {
 }
 
 bool refuse(Diagnostics& diagnostics, std::string why) {
-    diagnostics.error(std::move(why));
+    diagnostics.error(RuleId::opengl, std::move(why));
     return false;
 }
 
@@ -113,7 +113,8 @@ std::optional<Program> compile(const PointJob& job, Group group, Diagnostics& di
     std::string log;
     std::optional<Program> program =
         Program::link(point_vertex_text, fragment_text(job, group), outputs, log);
-    if (!program) diagnostics.error("the driver refuses the shader: " + log);
+    if (!program)
+        diagnostics.error(RuleId::shader_rejected, "the driver refuses the shader: " + log);
     return program;
 }
 

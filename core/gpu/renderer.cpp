@@ -41,8 +41,8 @@ Shader with_normal(Shader material, const OutputInfo& normal) {
 
 // The compiled shader numbers the lines of the material's source from 1 (wrapper.h).
 Diagnostic refusal(const Reflection& reflection, const std::string& log) {
-    Diagnostic problem;
-    problem.message = "the driver refuses the material's shader: " + log;
+    Diagnostic problem = {.rule = RuleId::shader_rejected,
+                          .message = "the driver refuses the material's shader: " + log};
     const uint32_t node = node_of_line(reflection, line_in(log));
     if (node != no_node) problem.node = reflection.node_paths[node];
     return problem;
@@ -60,8 +60,9 @@ std::optional<Program> compile(const Shader& material, const ViewRequest& view,
 bool check_members(const Shader& material, Diagnostics& diagnostics) {
     for (const MemberInfo& member : material.reflection.members)
         if (member.variant != Variant::value) {
-            diagnostics.error("the material reads " + in_quotes(member.name) +
-                              ", which is no property of a drawn surface");
+            diagnostics.error(RuleId::mesh_attribute,
+                              "the material reads " + in_quotes(member.name) +
+                                  ", which is no property of a drawn surface");
             return false;
         }
     return true;
@@ -79,7 +80,8 @@ bool wants_seen_range(const Shader& material, const ViewOptions& options) {
 bool Renderer::upload(const TexelSource& source, const MipChain& chain, bool is_file,
                       Diagnostics& diagnostics) {
     if (chain.levels.empty()) {
-        diagnostics.error("image " + in_quotes(source.file) + " has no texels");
+        diagnostics.error(RuleId::image_unreadable,
+                          "image " + in_quotes(source.file) + " has no texels");
         return false;
     }
     GLint limit = 0;
@@ -87,6 +89,7 @@ bool Renderer::upload(const TexelSource& source, const MipChain& chain, bool is_
     const Image& image = chain.levels.front();
     if (std::max(image.width, image.height) > static_cast<uint32_t>(limit)) {
         diagnostics.error(
+            RuleId::opengl,
             "image " + in_quotes(source.file) + " is larger than this driver can draw",
             "at most " + std::to_string(limit) + " texels a side");
         return false;
@@ -102,7 +105,8 @@ bool Renderer::upload_stale_images(const std::vector<SamplerInfo>& needed,
     glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
     --units;  // for the depth of transparent layers
     if (needed.size() > static_cast<size_t>(units)) {
-        diagnostics.error("the material reads " + std::to_string(needed.size()) +
+        diagnostics.error(RuleId::opengl,
+                          "the material reads " + std::to_string(needed.size()) +
                               " textures, more than this driver binds at once",
                           "at most " + std::to_string(units));
         return false;
@@ -126,12 +130,14 @@ bool Renderer::upload_stale_images(const std::vector<SamplerInfo>& needed,
 bool Renderer::has_outputs(const ViewOptions& options, Diagnostics& diagnostics) const {
     for (const std::string& name : {options.against, options.normal})
         if (!name.empty() && name != "normal" && !find_output(*material_, name)) {
-            diagnostics.error("the graph has no output " + in_quotes(name) + " to compare with");
+            diagnostics.error(RuleId::unknown_output,
+                              "the graph has no output " + in_quotes(name) + " to compare with");
             return false;
         }
     const std::string& shown = options.view == View::height ? "height" : options.output;
     if (shown.empty() || find_output(*material_, shown)) return true;
-    diagnostics.error("the graph has no output " + in_quotes(shown) + " to show",
+    diagnostics.error(RuleId::unknown_output,
+                      "the graph has no output " + in_quotes(shown) + " to show",
                       "an output named " + in_quotes(shown));
     return false;
 }
@@ -155,14 +161,16 @@ const Program* Renderer::program_for(const ViewOptions& options, Diagnostics& di
 
 bool Renderer::can_draw(Diagnostics& diagnostics) const {
     if (!mesh_ || !material_) {
-        diagnostics.error("there is nothing to draw: a mesh and a material are needed");
+        diagnostics.error(RuleId::option,
+                          "there is nothing to draw: a mesh and a material are needed");
         return false;
     }
     bool ok = true;
     for (const MemberInfo& member : material_->reflection.members) {
         const int location = location_of(member.input);
         if (location < 0 || mesh_->has(location)) continue;
-        diagnostics.error("the material reads " + in_quotes(info(member.input).name) +
+        diagnostics.error(RuleId::mesh_attribute,
+                          "the material reads " + in_quotes(info(member.input).name) +
                               ", which the mesh does not have",
                           "a mesh that has it, or a graph that reads another one");
         ok = false;
@@ -299,7 +307,8 @@ bool Renderer::draw(const Scene& scene, const ViewOptions& options, const Target
     const float aspect = static_cast<float>(target.width()) / static_cast<float>(target.height());
     const auto space = object_space(scene.object, scene.camera, mesh_->bounds(), aspect);
     if (!space) {
-        diagnostics.error("the object matrix cannot be inverted", "no scale of zero");
+        diagnostics.error(RuleId::option, "the object matrix cannot be inverted",
+                          "no scale of zero");
         return false;
     }
     const Program* program = program_for(options, diagnostics);

@@ -30,8 +30,8 @@ std::optional<SurfaceBuffer> SurfaceBuffer::make(int width, int height, int texe
     buffer.width_ = width;
     buffer.height_ = height;
     if (buffer.build(texels)) return buffer;
-    diagnostics.error("the driver cannot shade " + std::to_string(width) + "x" +
-                      std::to_string(height) + " pixels at once");
+    diagnostics.error(RuleId::opengl, "the driver cannot shade " + std::to_string(width) + "x" +
+                                          std::to_string(height) + " pixels at once");
     return std::nullopt;
 }
 

@@ -15,8 +15,10 @@ std::string pointer_to(std::initializer_list<std::string_view> keys) {
     return pointer;
 }
 
-Diagnostic made(Location where, std::string pointer, std::string message, std::string expected) {
-    return {.where = std::move(where),
+Diagnostic made(RuleId rule, Location where, std::string pointer, std::string message,
+                std::string expected) {
+    return {.rule = rule,
+            .where = std::move(where),
             .pointer = std::move(pointer),
             .message = std::move(message),
             .expected = std::move(expected)};
@@ -74,21 +76,23 @@ const Output* Document::find_output(std::string_view name) const {
     return found == outputs.end() ? nullptr : found;
 }
 
-Diagnostic diagnose(const Document& document, std::string message, std::string expected) {
-    return made({document.file, 0, 0}, "", std::move(message), std::move(expected));
+Diagnostic diagnose(const Document& document, RuleId rule, std::string message,
+                    std::string expected) {
+    return made(rule, {document.file, 0, 0}, "", std::move(message), std::move(expected));
 }
 
-Diagnostic diagnose(const Document& document, const Node& node, std::string message,
+Diagnostic diagnose(const Document& document, const Node& node, RuleId rule, std::string message,
                     std::string expected) {
-    Diagnostic diagnostic = made(place(document, node.source, true), pointer_to({"nodes", node.id}),
-                                 std::move(message), std::move(expected));
+    Diagnostic diagnostic =
+        made(rule, place(document, node.source, true), pointer_to({"nodes", node.id}),
+             std::move(message), std::move(expected));
     diagnostic.node = node.id;
     return diagnostic;
 }
 
 Diagnostic diagnose_port(const Document& document, const Node& node, std::string_view port,
-                         std::string message, std::string expected) {
-    Diagnostic diagnostic = diagnose(document, node, std::move(message), std::move(expected));
+                         RuleId rule, std::string message, std::string expected) {
+    Diagnostic diagnostic = diagnose(document, node, rule, std::move(message), std::move(expected));
     const Input* input = node.find(port);
     if (!input) return diagnostic;
     diagnostic.pointer = pointer_to({"nodes", node.id, "in", port});
@@ -98,32 +102,33 @@ Diagnostic diagnose_port(const Document& document, const Node& node, std::string
     return diagnostic;
 }
 
-Diagnostic diagnose(const Document& document, const GraphInput& input, std::string message,
-                    std::string expected) {
-    return made(place(document, input.source, true), pointer_to({"inputs", input.name}),
+Diagnostic diagnose(const Document& document, const GraphInput& input, RuleId rule,
+                    std::string message, std::string expected) {
+    return made(rule, place(document, input.source, true), pointer_to({"inputs", input.name}),
                 std::move(message), std::move(expected));
 }
 
 Diagnostic diagnose_key(const Document& document, const GraphInput& input, std::string_view key,
-                        std::string message, std::string expected) {
+                        RuleId rule, std::string message, std::string expected) {
     const json::Value value = input.source.find(key);
-    Diagnostic diagnostic = diagnose(document, input, std::move(message), std::move(expected));
+    Diagnostic diagnostic =
+        diagnose(document, input, rule, std::move(message), std::move(expected));
     if (!value.has_location()) return diagnostic;
     diagnostic.where = value.location();
     diagnostic.pointer += json::pointer_step(key);
     return diagnostic;
 }
 
-Diagnostic diagnose(const Document& document, const Output& output, std::string message,
-                    std::string expected) {
-    return made(place(document, output.from.value, false), pointer_to({"outputs", output.name}),
-                std::move(message), std::move(expected));
+Diagnostic diagnose(const Document& document, const Output& output, RuleId rule,
+                    std::string message, std::string expected) {
+    return made(rule, place(document, output.from.value, false),
+                pointer_to({"outputs", output.name}), std::move(message), std::move(expected));
 }
 
-Diagnostic diagnose(const json::Value& value, std::string node, std::string message,
+Diagnostic diagnose(const json::Value& value, std::string node, RuleId rule, std::string message,
                     std::string expected) {
     Diagnostic diagnostic =
-        made(value.location(), value.pointer(), std::move(message), std::move(expected));
+        made(rule, value.location(), value.pointer(), std::move(message), std::move(expected));
     diagnostic.node = std::move(node);
     return diagnostic;
 }

@@ -203,20 +203,22 @@ struct Document {
 };
 
 // Diagnostic about a part of the document, with its file, line, column, pointer and node.
-Diagnostic diagnose(const Document&, std::string message, std::string expected = {});
-Diagnostic diagnose(const Document&, const Node&, std::string message, std::string expected = {});
+Diagnostic diagnose(const Document&, RuleId rule, std::string message, std::string expected = {});
+Diagnostic diagnose(const Document&, const Node&, RuleId rule, std::string message,
+                    std::string expected = {});
 // Located at a port's value; at the node if the port is not written. `node.inputs` may lack the
 // port.
-Diagnostic diagnose_port(const Document&, const Node&, std::string_view port, std::string message,
-                         std::string expected = {});
-Diagnostic diagnose(const Document&, const GraphInput&, std::string message,
+Diagnostic diagnose_port(const Document&, const Node&, std::string_view port, RuleId rule,
+                         std::string message, std::string expected = {});
+Diagnostic diagnose(const Document&, const GraphInput&, RuleId rule, std::string message,
                     std::string expected = {});
 // Located at the value of one of its keys; at the input if the key is not written.
-Diagnostic diagnose_key(const Document&, const GraphInput&, std::string_view key,
+Diagnostic diagnose_key(const Document&, const GraphInput&, std::string_view key, RuleId rule,
                         std::string message, std::string expected = {});
-Diagnostic diagnose(const Document&, const Output&, std::string message, std::string expected = {});
+Diagnostic diagnose(const Document&, const Output&, RuleId rule, std::string message,
+                    std::string expected = {});
 // Located at a value inside any of them, such as one key of an image; `node` may be "".
-Diagnostic diagnose(const json::Value&, std::string node, std::string message,
+Diagnostic diagnose(const json::Value&, std::string node, RuleId rule, std::string message,
                     std::string expected = {});
 
 // Returns the reason why a text cannot be a node id, "" if it can. A valid id is 1 to 128

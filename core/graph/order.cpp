@@ -75,16 +75,16 @@ public:
             }
         }
         for (const Output& output : document_.outputs)
-            check(output.from.link, [&](std::string message, std::string expected) {
-                return diagnose(document_, output, std::move(message), std::move(expected));
+            check(output.from.link, [&](RuleId rule, std::string message, std::string expected) {
+                return diagnose(document_, output, rule, std::move(message), std::move(expected));
             });
         if (forward) report_cycles();
     }
 
 private:
     void check_port(const Node& node, const Input& input) {
-        check(input.link, [&](std::string message, std::string expected) {
-            return diagnose_port(document_, node, input.port, std::move(message),
+        check(input.link, [&](RuleId rule, std::string message, std::string expected) {
+            return diagnose_port(document_, node, input.port, rule, std::move(message),
                                  std::move(expected));
         });
     }
@@ -96,11 +96,13 @@ private:
         if (!lost_node && !lost_input) return;
         if (diagnostics_.dropped() > 0) return diagnostics_.add({});  // only counted
         if (lost_node)
-            diagnostics_.add(diagnose_here("there is no node '" + link.node + "'",
+            diagnostics_.add(diagnose_here(RuleId::unknown_source,
+                                           "there is no node '" + link.node + "'",
                                            ids_.remedy(link.node, "expected the id of a node")));
         else
-            diagnostics_.add(
-                diagnose_here("the graph has no input '" + link.port + "'", remedy(link.port)));
+            diagnostics_.add(diagnose_here(RuleId::unknown_source,
+                                           "the graph has no input '" + link.port + "'",
+                                           remedy(link.port)));
     }
 
     std::string remedy(const std::string& input) {
@@ -119,7 +121,7 @@ private:
             while (path[begin].node != target)
                 --begin;
             const Node& node = *document_.nodes[index];
-            diagnostics_.add(diagnose_port(document_, node, node.inputs[input].port,
+            diagnostics_.add(diagnose_port(document_, node, node.inputs[input].port, RuleId::cycle,
                                            cycle_text(document_, path.subspan(begin)),
                                            "remove one of these wires"));
         });

@@ -30,7 +30,7 @@ public:
                 document.unknown.push_back({std::string(member.key), member.value});
         document.presets = with_current_presets(document);
         if (!root.has("wrinkle") && !root.cut_off())
-            report_.at(root, "", "the file does not say that it is a graph",
+            report_.at(root, "", RuleId::missing_key, "the file does not say that it is a graph",
                        "expected \"wrinkle\": 1");
     }
 
@@ -87,7 +87,8 @@ private:
     bool read_format(const Value& value) {
         if (!report_.expect(value, Kind::number, "\"wrinkle\"", "")) return false;
         if (value.as_number() == 1) return true;
-        report_.at(value, "", "the format version is " + std::string(value.spelling()),
+        report_.at(value, "", RuleId::format_version,
+                   "the format version is " + std::string(value.spelling()),
                    "this program reads version 1");
         return false;
     }
@@ -96,7 +97,8 @@ private:
         if (!report_.expect(value, Kind::string, "\"back_faces\"", "")) return false;
         document.back_faces = enumerator_named<BackFaces>(back_faces_names, value.as_string());
         if (document.back_faces) return true;
-        report_.at(value, "", "\"back_faces\" is " + json_quoted(value.as_string()),
+        report_.at(value, "", RuleId::invalid_value,
+                   "\"back_faces\" is " + json_quoted(value.as_string()),
                    "expected \"mirror\", \"flip\" or \"none\"");
         return false;
     }
@@ -109,7 +111,8 @@ private:
         items.reserve(std::min(value.size(), limit));
         for (const json::Member& member : value.children()) {
             if (items.size() + before >= limit) {
-                report_.at_key(member.value, "", "the graph has more " + what + " than are allowed",
+                report_.at_key(member.value, "", RuleId::over_limit,
+                               "the graph has more " + what + " than are allowed",
                                "the limit is " + std::to_string(limit));
                 lost_ = "it has more " + what + " than are allowed";
                 break;
@@ -157,7 +160,8 @@ void report_keys(const std::vector<Extra>& extras, std::span<const std::string_v
     for (const Extra& extra : extras) {
         if (std::ranges::find(known, extra.key) != known.end()) continue;
         const std::string name = nearest(extra.key, names);
-        report.at_key(extra.value, node, "unknown key " + json_quoted(extra.key),
+        report.at_key(extra.value, node, RuleId::unknown_key,
+                      "unknown key " + json_quoted(extra.key),
                       name.empty() ? "" : "did you mean \"" + name + "\"?");
     }
 }
@@ -166,7 +170,7 @@ void report_link_keys(const Input& input, const std::string& node, Report& repor
     if (input.kind != Input::Kind::link || input.value.size() == 1) return;
     for (const json::Member& member : input.value.children())
         if (member.key != "from")
-            report.at_key(member.value, node,
+            report.at_key(member.value, node, RuleId::unknown_key,
                           "unknown key " + json_quoted(member.key) + " beside \"from\"",
                           "a link has no other key");
 }

@@ -19,7 +19,7 @@ bool is_single(const Value& value) {
 }
 
 bool refuse(const Value& value, std::string message, std::string expected, Report& report) {
-    report.at(value, "", std::move(message), std::move(expected));
+    report.at(value, "", RuleId::invalid_value, std::move(message), std::move(expected));
     return false;
 }
 
@@ -121,7 +121,8 @@ GraphInput read_graph_input(std::string_view name, const Value& value, Report& r
         if (!stored) input.unknown.push_back({std::string(member.key), member.value});
     }
     if (!value.has("type") && !value.cut_off())
-        report.at(value, "", "the graph input has no \"type\"", "expected \"type\": \"float\"");
+        report.at(value, "", RuleId::missing_key, "the graph input has no \"type\"",
+                  "expected \"type\": \"float\"");
     return input;
 }
 

@@ -28,7 +28,7 @@ Box read_box(std::string_view id, const Value& value, std::string_view text_key,
             box.unknown.push_back({std::string(key), member});
     }
     if (!numbers(value.find("rect"), 4) && !value.cut_off() && !value.find("rect").cut_off())
-        report.at(value.has("rect") ? value.find("rect") : value, "",
+        report.at(value.has("rect") ? value.find("rect") : value, "", RuleId::invalid_value,
                   "a frame or note has no rectangle", "expected \"rect\": [x, y, width, height]");
     return box;
 }
@@ -45,8 +45,8 @@ bool read_position(const json::Member& member, std::vector<Position>& positions,
     if (!member.key.empty() && member.key[0] == '$') return false;
     if (!numbers(value, 2)) {
         if (!value.cut_off())
-            report.at(value, std::string(member.key), "the position is not two numbers",
-                      "expected [x, y]");
+            report.at(value, std::string(member.key), RuleId::invalid_value,
+                      "the position is not two numbers", "expected [x, y]");
         return false;
     }
     positions.push_back(

@@ -32,8 +32,8 @@ bool read_version(const Value& value, Node& node, Report& report) {
         node.version = static_cast<int>(number);
         return true;
     }
-    report.at(value, node.id, "\"version\" is " + std::string(value.spelling()),
-              "expected an integer from 1 on");
+    report.at(value, node.id, RuleId::invalid_value,
+              "\"version\" is " + std::string(value.spelling()), "expected an integer from 1 on");
     return false;
 }
 
@@ -44,7 +44,8 @@ bool read_member(const json::Member& member, Node& node, Report& report) {
         if (!report.expect(value, Kind::string, "\"type\"", node.id)) return false;
         node.type = value.as_string();
         if (!node.type.empty()) return true;
-        report.at(value, node.id, "\"type\" is empty", "expected the name of a node type");
+        report.at(value, node.id, RuleId::invalid_value, "\"type\" is empty",
+                  "expected the name of a node type");
         return false;
     }
     if (member.key == "version") return read_version(value, node, report);
@@ -63,23 +64,25 @@ bool read_member(const json::Member& member, Node& node, Report& report) {
 
 }  // namespace
 
-void Report::at(const Value& value, std::string node, std::string message, std::string expected) {
+void Report::at(const Value& value, std::string node, RuleId rule, std::string message,
+                std::string expected) {
     if (list_.dropped() > 0) return list_.add({});
-    list_.add(diagnose(value, std::move(node), std::move(message), std::move(expected)));
+    list_.add(diagnose(value, std::move(node), rule, std::move(message), std::move(expected)));
 }
 
-void Report::at_key(const Value& value, std::string node, std::string message,
+void Report::at_key(const Value& value, std::string node, RuleId rule, std::string message,
                     std::string expected) {
     if (list_.dropped() > 0) return list_.add({});
     Diagnostic diagnostic =
-        diagnose(value, std::move(node), std::move(message), std::move(expected));
+        diagnose(value, std::move(node), rule, std::move(message), std::move(expected));
     diagnostic.where = value.key_location();
     list_.add(std::move(diagnostic));
 }
 
 bool Report::expect(const Value& value, Kind kind, std::string_view name, std::string_view node) {
     if (value.is(kind)) return true;
-    at(value, std::string(node), std::string(name) + " is " + json::kind_name(value.kind()),
+    at(value, std::string(node), RuleId::wrong_kind,
+       std::string(name) + " is " + json::kind_name(value.kind()),
        std::string("expected ") + json::kind_name(kind));
     return false;
 }
@@ -88,7 +91,8 @@ bool Report::expect_id(const Value& value, std::string_view what, std::string_vi
                        bool reserved) {
     const std::string problem = id_problem(id, reserved);
     if (problem.empty()) return true;
-    at_key(value, "", std::string(what) + " " + json_quoted(id) + " " + problem,
+    at_key(value, "", RuleId::invalid_name,
+           std::string(what) + " " + json_quoted(id) + " " + problem,
            "expected 1 to 128 characters without '.', not beginning with '$'");
     return false;
 }
@@ -104,8 +108,8 @@ void read_input(std::string_view port, const Value& value, std::string_view node
     if (parse_link(from.as_string(), input.link))
         input.kind = Input::Kind::link;
     else
-        report.at(from, std::string(node), json_quoted(from.as_string()) + " is no link",
-                  link_form);
+        report.at(from, std::string(node), RuleId::invalid_link,
+                  json_quoted(from.as_string()) + " is no link", link_form);
 }
 
 NodePtr read_node(std::string_view id, const Value& value, Report& report) {
@@ -119,7 +123,8 @@ NodePtr read_node(std::string_view id, const Value& value, Report& report) {
         if (!read_member(member, node, report))
             node.unknown.push_back({std::string(member.key), member.value});
     if (node.type.empty() && !value.has("type") && !value.cut_off())
-        report.at(value, node.id, "the node has no \"type\"", "expected \"type\": \"NAME\"");
+        report.at(value, node.id, RuleId::missing_key, "the node has no \"type\"",
+                  "expected \"type\": \"NAME\"");
     return result;
 }
 
@@ -131,7 +136,7 @@ Output read_output(std::string_view name, const Value& value, Report& report) {
     if (output.from.kind != Input::Kind::literal) return output;
     output.from.kind = Input::Kind::broken;
     if (!value.cut_off())
-        report.at(value, "", "output " + json_quoted(name) + " is no link",
+        report.at(value, "", RuleId::invalid_link, "output " + json_quoted(name) + " is no link",
                   "expected { \"from\": \"NODE.OUTPUT\" }");
     return output;
 }

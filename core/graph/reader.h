@@ -12,8 +12,9 @@ namespace wrinkle::reading {
 // Collects the problems of one file. Problems beyond the limit of Diagnostics are only counted.
 class Report {
 public:
-    void at(const json::Value& value, std::string node, std::string message, std::string expected);
-    void at_key(const json::Value& value, std::string node, std::string message,
+    void at(const json::Value& value, std::string node, RuleId rule, std::string message,
+            std::string expected);
+    void at_key(const json::Value& value, std::string node, RuleId rule, std::string message,
                 std::string expected);
     // Reports an error and returns false if the value is of another kind; `name` names it in the
     // message.

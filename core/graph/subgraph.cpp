@@ -59,21 +59,24 @@ private:
 
     uint32_t find_or_read(size_t f, const Node& node, std::string_view name) {
         const Document& document = project_.files[f].document;  // valid until a file is added
-        const auto fail = [&](const std::string& what, std::string expected) {
-            diagnostics_.add(diagnose(document, node, "sub-graph " + json_quoted(name) + " " + what,
+        const auto fail = [&](RuleId rule, const std::string& what, std::string expected) {
+            diagnostics_.add(diagnose(document, node, rule,
+                                      "sub-graph " + json_quoted(name) + " " + what,
                                       std::move(expected)));
             return File::none;
         };
-        if (name.empty()) return fail("names no file", "expected \"graph:FILE.json\"");
+        if (name.empty())
+            return fail(RuleId::subgraph_unreadable, "names no file",
+                        "expected \"graph:FILE.json\"");
         const auto& path = named_.find(f, name).path;
         if (!path)
-            return fail("is outside the root " + project_.root.string(),
+            return fail(RuleId::outside_root, "is outside the root " + project_.root.string(),
                         "keep it below the root, or choose another with --root");
         if (known_.empty()) known_[project_.files[0].path] = 0;
         if (const auto known = known_.find(*path); known != known_.end()) return known->second;
         std::string why;
         auto bytes = read_file(*path, why);
-        if (!bytes) return fail(why, "expected a graph file");
+        if (!bytes) return fail(RuleId::subgraph_unreadable, why, "expected a graph file");
         const fs::path folder = fs::path(document.file).parent_path();  // as in diagnostics
         return add(*path, (folder / name).lexically_normal().string(), std::move(*bytes));
     }
@@ -113,8 +116,8 @@ private:
             if (on_cycle) text += project_.files[frame.node].document.file + " uses ";
         }
         text += project_.files[target].document.file;
-        diagnostics_.add(diagnose(file.document, *file.document.nodes[node], std::move(text),
-                                  "remove one of these nodes"));
+        diagnostics_.add(diagnose(file.document, *file.document.nodes[node], RuleId::subgraph_cycle,
+                                  std::move(text), "remove one of these nodes"));
     }
 
     Project& project_;
@@ -142,7 +145,7 @@ Project load_project(const fs::path& file, const ProjectOptions& options,
     if (auto bytes = read_file(file, why))
         top = read_document(std::move(*bytes), file.string(), diagnostics, options.limits);
     else
-        diagnostics.add(diagnose(top, why));
+        diagnostics.add(diagnose(top, RuleId::file_unreadable, why));
     return load_project(std::move(top), file.parent_path(), options, diagnostics);
 }
 

@@ -34,12 +34,14 @@ std::string raised(Limit limit, uint64_t value) {
 bool within_limits(const fs::path& path, const ImageInfo& info, const ImageLimits& limits,
                    Diagnostics& diagnostics) {
     if (info.width == 0 || info.height == 0) {
-        diagnostics.error(quoted(path) + "has no pixels", "at least one pixel");
+        diagnostics.error(RuleId::image_unreadable, quoted(path) + "has no pixels",
+                          "at least one pixel");
         return false;
     }
     const auto fits = [&](const char* what, uint64_t found, uint64_t max, Limit limit) {
         if (found > max)
-            diagnostics.error(quoted(path) + "has " + what + " " + std::to_string(found) +
+            diagnostics.error(RuleId::over_limit,
+                              quoted(path) + "has " + what + " " + std::to_string(found) +
                                   ", over the limit of " + std::to_string(max),
                               "a smaller image, " + raised(limit, found));
         return found <= max;
@@ -55,6 +57,7 @@ bool within_limits(const fs::path& path, const ImageInfo& info, const ImageLimit
     if (found <= left) return true;
     const uint64_t all = limit_of(Limit::all_images_bytes);
     diagnostics.error(
+        RuleId::over_limit,
         quoted(path) + "has a size in memory of " + std::to_string(found) +
             " with its mips, and of the limit of " + std::to_string(all) +
             " for all images of the graph " + std::to_string(left) + " are left",
@@ -71,12 +74,13 @@ Opened open_within(const fs::path& path, const ImageLimits& limits, Diagnostics&
     std::string why;
     const ImageFormat format = sniff_format(path, why);
     if (format.name.empty()) {
-        diagnostics.error(quoted(path) + why, readable_formats);
+        diagnostics.error(RuleId::image_unreadable, quoted(path) + why, readable_formats);
         return opened;
     }
     const WrinkleImageCodec* codec = find_codec(format.plugin, why);
     if (!codec) {
-        diagnostics.error(quoted(path) + "cannot be read: " + why, library_remedy);
+        diagnostics.error(RuleId::environment, quoted(path) + "cannot be read: " + why,
+                          library_remedy);
         return opened;
     }
     char text[512] = "";
@@ -89,7 +93,8 @@ Opened open_within(const fs::path& path, const ImageLimits& limits, Diagnostics&
     if ((reader || header.width > 0) && !within_limits(path, opened.info, limits, diagnostics))
         opened.reader.reset();
     else if (!reader)
-        diagnostics.error(quoted(path) + "cannot be read as " + format.name + ": " + text,
+        diagnostics.error(RuleId::image_unreadable,
+                          quoted(path) + "cannot be read as " + format.name + ": " + text,
                           "a complete file with one to four channels; export it again");
     return opened;
 }
@@ -110,14 +115,12 @@ void note_non_finite(const ImageInfo& info, uint32_t y, const std::vector<float>
 }
 
 void warn_of_non_finite(const fs::path& path, const NonFinite& found, Diagnostics& diagnostics) {
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.message = quoted(path) + "has " + std::to_string(found.count) +
-                      " values that are NaN or infinite, the first at column " +
-                      std::to_string(found.x) + ", row " + std::to_string(found.y) +
-                      " from the bottom left";
-    warning.expected = "finite numbers; they are used as they are";
-    diagnostics.add(std::move(warning));
+    diagnostics.add(file_problem(Severity::warning, RuleId::image_values, "",
+                                 quoted(path) + "has " + std::to_string(found.count) +
+                                     " values that are NaN or infinite, the first at column " +
+                                     std::to_string(found.x) + ", row " + std::to_string(found.y) +
+                                     " from the bottom left",
+                                 "finite numbers; they are used as they are"));
 }
 
 // Decodes in bands, so that a row is still in the cache when it is converted.
@@ -134,7 +137,8 @@ bool decode(const fs::path& path, const Opened& opened, const ImageRowSink& take
         const uint32_t count = std::min(band, info.height - top);
         char text[512] = "";
         if (!codec->read(opened.reader.get(), top, count, stored.data(), {text, sizeof text})) {
-            diagnostics.error(quoted(path) + "is damaged or truncated: " + text,
+            diagnostics.error(RuleId::image_unreadable,
+                              quoted(path) + "is damaged or truncated: " + text,
                               "a complete file; export it again");
             return false;
         }
@@ -222,7 +226,8 @@ std::optional<ImageInfo> read_image_rows(const fs::path& path, const ImageLimits
         if (!opened.reader || !decode(path, opened, take, diagnostics)) return {};
         return opened.info;
     } catch (const std::bad_alloc&) {
-        diagnostics.error(quoted(path) + "does not fit into memory", "a smaller image");
+        diagnostics.error(RuleId::over_limit, quoted(path) + "does not fit into memory",
+                          "a smaller image");
         return {};
     }
 }

@@ -19,7 +19,7 @@ constexpr uint32_t scan_lines_at_once = 64;  // complete chunks of OpenEXR, comp
 
 void report(const fs::path& path, const std::string& why, const char* remedy,
             Diagnostics& diagnostics) {
-    diagnostics.error(quoted(path) + "cannot be written: " + why, remedy);
+    diagnostics.error(RuleId::file_unwritable, quoted(path) + "cannot be written: " + why, remedy);
 }
 
 constexpr const char* folder_remedy = "a folder that can be written to and has room";
@@ -59,7 +59,7 @@ std::optional<ImageWriter> ImageWriter::open(const fs::path& path, const WriterO
     const Writable* format = format_to_write(path);
     const WriteProblem problem = find_write_problem(format, options);
     if (!problem.message.empty()) {
-        diagnostics.error(quoted(path) + problem.message, problem.expected);
+        diagnostics.error(RuleId::option, quoted(path) + problem.message, problem.expected);
         return {};
     }
     std::string why;

@@ -34,8 +34,8 @@ private:
 
     void report(Severity severity, const fs::path& file, std::string message,
                 std::string expected = {}) {
-        diagnostics_.add(
-            file_problem(severity, file.string(), std::move(message), std::move(expected)));
+        diagnostics_.add(file_problem(severity, RuleId::image_meaning, file.string(),
+                                      std::move(message), std::move(expected)));
     }
 
     void read_headers() {

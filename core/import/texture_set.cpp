@@ -15,7 +15,8 @@ constexpr const char* example_names =
 
 Diagnostic problem_of(Severity severity, const fs::path& file, std::string message,
                       std::string expected = {}) {
-    return file_problem(severity, file.string(), std::move(message), std::move(expected));
+    return file_problem(severity, RuleId::texture_set, file.string(), std::move(message),
+                        std::move(expected));
 }
 
 // Formats that cannot be read are listed too: their error names the file.
@@ -78,7 +79,8 @@ std::optional<std::vector<fs::path>> images_of(const std::vector<fs::path>& inpu
     std::ranges::sort(images);
     images.erase(std::unique(images.begin(), images.end()), images.end());
     if (images.size() > max_folder_files) {
-        diagnostics.error("more than " + std::to_string(max_folder_files) + " images are named");
+        diagnostics.error(RuleId::over_limit,
+                          "more than " + std::to_string(max_folder_files) + " images are named");
         return {};
     }
     for (const fs::path& image : images)

@@ -349,7 +349,7 @@ uint32_t Module::add_resource(const Resource& resource) {
 }
 
 void Module::problem(std::string message, std::string expected) {
-    problems.push_back({current_node, std::move(message), std::move(expected)});
+    problems.push_back({RuleId::node_build, current_node, std::move(message), std::move(expected)});
 }
 
 }  // namespace wrinkle

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/rules.h"
 #include "base/texture_options.h"
 
 namespace wrinkle {
@@ -66,6 +67,7 @@ struct ModuleOutput {
 };
 
 struct Problem {
+    RuleId rule;
     uint32_t node;
     std::string message;
     std::string expected;

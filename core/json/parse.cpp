@@ -112,8 +112,10 @@ private:
         uint32_t added = 0;  // direct children: values, and in an object also keys
     };
 
-    void report(uint32_t offset, std::string pointer, std::string message, std::string expected) {
-        diagnostics_.add({.where = tree_.location(offset),
+    void report(RuleId rule, uint32_t offset, std::string pointer, std::string message,
+                std::string expected) {
+        diagnostics_.add({.rule = rule,
+                          .where = tree_.location(offset),
                           .pointer = std::move(pointer),
                           .message = std::move(message),
                           .expected = std::move(expected)});
@@ -124,7 +126,8 @@ private:
         const Kind container = open_.size() == 1 ? Kind::null : tree_.entries[in.entry].kind;
         const SyntaxError error =
             explain({tree_.source, cursor_, consumed(), container, in.added, out_of_range});
-        report(error.offset, Value(shared_, in.entry).pointer(), error.message, error.expected);
+        report(RuleId::json_syntax, error.offset, Value(shared_, in.entry).pointer(), error.message,
+               error.expected);
     }
 
     const char* begin() const { return tree_.source.data(); }
@@ -181,7 +184,7 @@ private:
         cursor_ = consumed();
         const uint32_t offset = cursor_ - 1;
         if (open_.size() > max_depth_) {
-            report(offset, Value(shared_, open_.back().entry).pointer(),
+            report(RuleId::json_syntax, offset, Value(shared_, open_.back().entry).pointer(),
                    "nested more than " + std::to_string(max_depth_) + " deep",
                    "arrays and objects nest at most " + std::to_string(max_depth_) + " deep");
             return false;
@@ -234,7 +237,7 @@ private:
         --entries[object].length;
         if (diagnostics_.dropped() > 0) return diagnostics_.add({});  // only counted from here on
         const Location before = tree_.location(entries[first].offset);
-        report(entries[again].offset, Value(shared_, again + 1).pointer(),
+        report(RuleId::duplicate_key, entries[again].offset, Value(shared_, again + 1).pointer(),
                "key " + json_quoted(tree_.text(entries[again])) + " stands twice",
                "first at line " + std::to_string(before.line) + ", column " +
                    std::to_string(before.column));
@@ -259,8 +262,8 @@ Parsed parse(std::string text, std::string file, Diagnostics& diagnostics, uint3
     tree->file = std::move(file);
     tree->source = std::move(text);
     if (tree->source.size() >= std::numeric_limits<uint32_t>::max()) {
-        diagnostics.add(
-            file_problem(Severity::error, tree->file, "the text is larger than 4 GiB", ""));
+        diagnostics.add(file_problem(Severity::error, RuleId::over_limit, tree->file,
+                                     "the text is larger than 4 GiB", ""));
         return {};
     }
     tree->is_parsed = true;

@@ -54,6 +54,7 @@ Diagnostic base_cycle(const FlatGraph& graph, const FlatNode& node, const Projec
     const std::string& base = instances[graph.nodes[base_source(graph, node)].instance].path;
     const std::string& definer = instances[graph.nodes[node.base_node].instance].path;
     return diagnose(project, lowered.places[node.instance], instances[node.instance].path,
+                    RuleId::base_cycle,
                     "its gradient would be based on the normal of node '" + base +
                         "', which is made from it; node '" + definer + "' says that base",
                     "use a node of its own for each of the two bases");

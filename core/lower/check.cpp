@@ -59,7 +59,7 @@ public:
             const auto words = port_type_names();
             std::vector<std::string> names(words.begin(), words.end());
             names.insert(names.end(), option_type_names.begin(), option_type_names.end());
-            return report(diagnose(document_, input,
+            return report(diagnose(document_, input, RuleId::input_type,
                                    subject + "has the unknown type " + json_quoted(input.type),
                                    did_you_mean(input.type, names, "expected " + join(names))));
         }
@@ -67,17 +67,18 @@ public:
         check_keys(document_, input, port, diagnostics_);
         if (input.default_value.is(json::Kind::null)) {
             if (port.is_option())
-                report(diagnose(document_, input,
+                report(diagnose(document_, input, RuleId::input_type,
                                 subject + "is a " + input.type + " and has no default",
                                 "it is known while compiling"));
             else if (*type == PortType::image_ && file_ == 0)
-                report(diagnose(document_, input, subject + "is an image and has no default",
+                report(diagnose(document_, input, RuleId::input_type,
+                                subject + "is an image and has no default",
                                 "expected \"default\": a path"));
             return;
         }
         if (is_of_preset(input.default_value)) return;
-        const auto here = [&](std::string message, std::string expected) {
-            return diagnose(document_, input, std::move(message), std::move(expected));
+        const auto here = [&](RuleId rule, std::string message, std::string expected) {
+            return diagnose(document_, input, rule, std::move(message), std::move(expected));
         };
         literal(
             input.default_value, port, [&] { return subject; }, "", here);
@@ -88,10 +89,11 @@ public:
             const std::string subject =
                 "preset " + in_quotes(preset.name) + ", input " + in_quotes(value.key) + " ";
             const size_t index = document_.inputs.index_of(value.key);
-            const auto here = [&](std::string message, std::string expected) {
+            const auto here = [&](RuleId rule, std::string message, std::string expected) {
                 return value.value.has_location()
-                           ? diagnose(value.value, "", std::move(message), std::move(expected))
-                           : diagnose(document_, std::move(message), std::move(expected));
+                           ? diagnose(value.value, "", rule, std::move(message),
+                                      std::move(expected))
+                           : diagnose(document_, rule, std::move(message), std::move(expected));
             };
             if (index == Table<GraphInput>::npos)
                 no_input(value.key, subject, here);
@@ -103,11 +105,12 @@ public:
     }
 
     void output(const Output& output) {
-        const auto here = [&](std::string message, std::string expected) {
-            return diagnose(document_, output, std::move(message), std::move(expected));
+        const auto here = [&](RuleId rule, std::string message, std::string expected) {
+            return diagnose(document_, output, rule, std::move(message), std::move(expected));
         };
         if (const Output* first = document_.find_output(output.name); first != &output)
-            report(here("output " + in_quotes(output.name) + " is another name of " +
+            report(here(RuleId::unknown_output,
+                        "output " + in_quotes(output.name) + " is another name of " +
                             in_quotes(first->name) + ", which the graph has too",
                         "remove one of them"));
         if (output.from.kind != Input::Kind::link) return;
@@ -117,12 +120,14 @@ public:
         const PortType to = standard_output(output.name).value_or(*from);
         const std::string subject = "output " + in_quotes(output.name) + " ";
         if (conversion(*from, to) == Conversion::illegal)
-            report(here(mismatch(subject, link, *from, to), alternative(*from, to, registry_)));
+            report(here(RuleId::type_mismatch, mismatch(subject, link, *from, to),
+                        alternative(*from, to, registry_)));
         else if (to == PortType::material_ && file_ == 0 && output.name != material_output)
-            report(here(subject + "is a material",
+            report(here(RuleId::type_mismatch, subject + "is a material",
                         "name it 'material'; each of its channels is then an output"));
         else if (to == PortType::image_ && file_ == 0)
-            report(here(subject + "is an image", "sample it; an output is a value"));
+            report(here(RuleId::type_mismatch, subject + "is an image",
+                        "sample it; an output is a value"));
     }
 
 private:
@@ -148,9 +153,9 @@ private:
         if (only_count()) return;
         const std::string twice = set_twice(key, document_.inputs);
         const std::vector<std::string> names = keys_of(document_.inputs);
-        report(twice.empty() ? here(subject + "does not exist",
+        report(twice.empty() ? here(RuleId::unknown_input, subject + "does not exist",
                                     did_you_mean(key, names, "the graph has " + join(names)))
-                             : here(subject + twice, set_once));
+                             : here(RuleId::former_name, subject + twice, set_once));
     }
 
     static bool is_typed(const GraphInput& input) {
@@ -160,8 +165,8 @@ private:
     void unknown_type(const Node& node) {
         const Input* rerouted = node.type == reroute_type ? node.find("in") : nullptr;
         if (rerouted && rerouted->link.is_input())
-            source(rerouted->link, {}, [&](std::string message, std::string expected) {
-                return diagnose_port(document_, node, "in", std::move(message),
+            source(rerouted->link, {}, [&](RuleId rule, std::string message, std::string expected) {
+                return diagnose_port(document_, node, "in", rule, std::move(message),
                                      std::move(expected));
             });
         const bool reported_elsewhere =
@@ -172,10 +177,10 @@ private:
             ids_.emplace_back(reroute_type);
         }
         const std::string near = nearest(node.type, ids_);
-        report(diagnose(document_, node, "unknown node type " + in_quotes(node.type),
-                        near.empty()
-                            ? "a plugin may be missing; 'wrinkle plugins' lists those found"
-                            : "did you mean '" + near + "', or is a plugin missing?"));
+        report(diagnose(
+            document_, node, RuleId::unknown_node_type, "unknown node type " + in_quotes(node.type),
+            near.empty() ? "a plugin may be missing; 'wrinkle plugins' lists those found"
+                         : "did you mean '" + near + "', or is a plugin missing?"));
     }
 
     void version(const Node& node, const NodeType& type) {
@@ -184,7 +189,7 @@ private:
         const std::string text = "made for version " + std::to_string(made_for) + " of " +
                                  in_quotes(node.type) + "; this program has version " +
                                  std::to_string(type.version);
-        report(diagnose(document_, node, text,
+        report(diagnose(document_, node, RuleId::node_version, text,
                         made_for > type.version ? "a newer program or plugin is needed"
                                                 : "'wrinkle upgrade' migrates it"));
     }
@@ -194,8 +199,8 @@ private:
         if (named.port == NodeType::none) return unknown_port(node, type, input);
         const Port& port = type.ports[named.port];
         const auto subject = [&] { return "port " + in_quotes(port.name) + " "; };
-        const auto here = [&](std::string message, std::string expected) {
-            return diagnose_port(document_, node, input.port, std::move(message),
+        const auto here = [&](RuleId rule, std::string message, std::string expected) {
+            return diagnose_port(document_, node, input.port, rule, std::move(message),
                                  std::move(expected));
         };
         if (input.kind == Input::Kind::literal)
@@ -218,7 +223,7 @@ private:
             expected = did_you_mean(input.port, names,
                                     names.empty() ? "it has no inputs" : "it has " + join(names));
         const std::string name = in_quotes(input.port);
-        report(diagnose_port(document_, node, input.port,
+        report(diagnose_port(document_, node, input.port, RuleId::unknown_port,
                              twice.empty() ? "unknown port " + name : "port " + name + " " + twice,
                              std::move(expected)));
     }
@@ -235,7 +240,7 @@ private:
         if (port.is_option()) return option(link, port, subject, here);
         const auto from = source(link, at, here);
         if (from && conversion(*from, port.type) == Conversion::illegal)
-            report(here(mismatch(subject(), link, *from, port.type),
+            report(here(RuleId::type_mismatch, mismatch(subject(), link, *from, port.type),
                         alternative(*from, port.type, registry_)));
     }
 
@@ -254,15 +259,18 @@ private:
         const Port* from = option_input(link);
         const std::string kind(kind_word(port.kind));
         if (!from || from->kind != port.kind)
-            return report(here(subject() + "is known while compiling and takes no wire",
+            return report(here(RuleId::option_wire,
+                               subject() + "is known while compiling and takes no wire",
                                "write a value, or take an input of the graph of type " + kind));
         if (port.kind == Port::Kind::choice && from->choices.empty())
-            report(here("the input " + in_quotes(from->name) +
+            report(here(RuleId::option_wire,
+                        "the input " + in_quotes(from->name) +
                             " is read by several ports and has no \"choices\"",
                         "expected some of " + join(port.choices)));
         for (const std::string& choice : from->choices)
             if (std::ranges::count(port.choices, choice) == 0)
-                report(here(subject() + "has no choice " + json_quoted(choice) + ", which input " +
+                report(here(RuleId::option_wire,
+                            subject() + "has no choice " + json_quoted(choice) + ", which input " +
                                 in_quotes(from->name) + " has",
                             did_you_mean(choice, port.choices,
                                          "expected \"choices\" of " + one_of(port.choices))));
@@ -272,7 +280,8 @@ private:
         const std::string range = shortest(port.hard_min) + ", " + shortest(port.hard_max);
         if (!inside)
             report(
-                here(subject() + "takes less than the input " + in_quotes(from->name) + " may be",
+                here(RuleId::option_wire,
+                     subject() + "takes less than the input " + in_quotes(from->name) + " may be",
                      "expected \"limits\": [" + range + "] at the input"));
     }
 
@@ -286,18 +295,21 @@ private:
             std::vector<std::string> names;
             for (const SurfaceProperty& property : surface_properties())
                 names.emplace_back(property.name);
-            report(here("the surface has no property " + in_quotes(link.port),
+            report(here(RuleId::unknown_source,
+                        "the surface has no property " + in_quotes(link.port),
                         did_you_mean(link.port, names, "it has " + join(names))));
         } else if (link.is_node()) {
             if (at.node == LinkSource::none || !types_.of(file_, at.node)) return {};
             if (is_broken_output(at.node, link.port)) return {};
             const std::vector<std::string> names = port_names(*types_.of(file_, at.node), true);
             report(
-                here("node " + in_quotes(link.node) + " has no output " + in_quotes(link.port),
+                here(RuleId::unknown_source,
+                     "node " + in_quotes(link.node) + " has no output " + in_quotes(link.port),
                      did_you_mean(link.port, names,
                                   names.empty() ? "it has no outputs" : "it has " + join(names))));
         } else if (const Port* option = option_input(link)) {
-            report(here("the input " + in_quotes(link.port) + " is a " +
+            report(here(RuleId::option_wire,
+                        "the input " + in_quotes(link.port) + " is a " +
                             std::string(kind_word(option->kind)) +
                             ", which is known while compiling",
                         "connect it to such an option of a node"));
@@ -318,8 +330,9 @@ private:
         for (const LiteralProblem& problem : problems) {
             Diagnostic diagnostic =
                 problem.where.has_location()
-                    ? diagnose(problem.where, node, subject() + problem.message, problem.expected)
-                    : here(subject() + problem.message, problem.expected);
+                    ? diagnose(problem.where, node, problem.rule, subject() + problem.message,
+                               problem.expected)
+                    : here(problem.rule, subject() + problem.message, problem.expected);
             diagnostic.severity = problem.severity;
             report(std::move(diagnostic));
         }
@@ -330,19 +343,21 @@ private:
     template <class Subject, class Diagnose>
     void image_file(std::string_view name, Subject subject, Diagnose here) {
         const NamedFiles::Found& found = files_.find(file_, name);
-        const auto fail = [&](const char* fault, std::string expected) {
-            report(
-                here(subject() + "names " + json_quoted(name) + ", " + fault, std::move(expected)));
+        const auto fail = [&](RuleId rule, const char* fault, std::string expected) {
+            report(here(rule, subject() + "names " + json_quoted(name) + ", " + fault,
+                        std::move(expected)));
         };
         if (!found.path)
-            return fail("outside the root", "keep it below " + project_.root.string() +
-                                                ", or choose another root with --root");
+            return fail(
+                RuleId::outside_root, "outside the root",
+                "keep it below " + project_.root.string() + ", or choose another root with --root");
         if (!fs::exists(fs::file_status(found.type)))
-            fail("which does not exist", "a path is relative to its graph's folder");
+            fail(RuleId::image_missing, "which does not exist",
+                 "a path is relative to its graph's folder");
         else if (found.type == fs::file_type::directory)
-            fail("which is a folder", "expected an image file");
+            fail(RuleId::image_missing, "which is a folder", "expected an image file");
         else if (found.type != fs::file_type::regular)
-            fail("which is no regular file", "expected an image file");
+            fail(RuleId::image_missing, "which is no regular file", "expected an image file");
     }
 
     void required(const Node& node, size_t index, const Port& port) {
@@ -352,7 +367,8 @@ private:
             if (input && !input->default_value.is(json::Kind::null)) return;
         }
         const std::string type(name_of(port.type));
-        report(diagnose(document_, node, "port " + in_quotes(port.name) + " is not set",
+        report(diagnose(document_, node, RuleId::port_not_set,
+                        "port " + in_quotes(port.name) + " is not set",
                         port.type == PortType::image_ ? "it needs a path to an image"
                                                       : "it needs a " + type + " or a wire"));
     }
@@ -391,8 +407,9 @@ void check(const Project& project, const Registry& registry, const Types& types,
             checker.output(output);
     }
     if (!project.top().outputs.empty() || diagnostics.has_errors()) return;
-    Diagnostic nothing = diagnose(project.top(), "the graph has no outputs, so nothing is made",
-                                  "connect a node under \"outputs\"");
+    Diagnostic nothing =
+        diagnose(project.top(), RuleId::no_output, "the graph has no outputs, so nothing is made",
+                 "connect a node under \"outputs\"");
     nothing.severity = Severity::warning;
     diagnostics.add(std::move(nothing));
 }

@@ -70,7 +70,7 @@ private:
     void report(std::string_view key, const std::string& what, std::string expected,
                 Severity severity = Severity::error) const {
         Diagnostic problem =
-            diagnose_key(document_, input_, key,
+            diagnose_key(document_, input_, key, RuleId::input_key,
                          "input '" + input_.name + "': \"" + std::string(key) + "\" " + what,
                          std::move(expected));
         problem.severity = severity;
@@ -88,8 +88,9 @@ Diagnostic diagnose_former(const Document& document, const GraphInput& input,
                            const std::string& remedy) {
     const std::string message = "input '" + input.name + "': \"renamed\" has '" +
                                 std::string(former.as_string()) + "', which is " + what;
-    return former.has_location() ? diagnose(former, "", message, remedy)
-                                 : diagnose_key(document, input, "renamed", message, remedy);
+    return former.has_location()
+               ? diagnose(former, "", RuleId::former_name, message, remedy)
+               : diagnose_key(document, input, "renamed", RuleId::former_name, message, remedy);
 }
 
 }  // namespace

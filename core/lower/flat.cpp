@@ -358,7 +358,7 @@ std::vector<uint32_t> requested_outputs(const Document& document, const LowerOpt
 
 Diagnostic unknown_output(const Document& document, const std::string& name,
                           const std::vector<std::string>& names) {
-    return diagnose(document, "the graph has no output '" + name + "'",
+    return diagnose(document, RuleId::unknown_output, "the graph has no output '" + name + "'",
                     did_you_mean(name, names, "it has " + joined(names, ", ")));
 }
 
@@ -377,12 +377,12 @@ std::optional<FlatGraph> flatten(const Project& project, const Types& types,
 }
 
 Diagnostic diagnose(const Project& project, const NodePlace& place, const std::string& path,
-                    std::string message, std::string expected) {
+                    RuleId rule, std::string message, std::string expected) {
     const Document& document = project.files[place.file].document;
     if (place.node == NodePlace::none)
-        return diagnose(document, std::move(message), std::move(expected));
-    Diagnostic diagnostic =
-        diagnose(document, *document.nodes[place.node], std::move(message), std::move(expected));
+        return diagnose(document, rule, std::move(message), std::move(expected));
+    Diagnostic diagnostic = diagnose(document, *document.nodes[place.node], rule,
+                                     std::move(message), std::move(expected));
     diagnostic.node = path;
     return diagnostic;
 }

@@ -121,6 +121,6 @@ void order_nodes(FlatGraph& graph, const Project& project, const Lowered& lowere
 
 // Returns a diagnostic at a node instance: its location in its file, its path in the top graph.
 Diagnostic diagnose(const Project& project, const NodePlace& place, const std::string& path,
-                    std::string message, std::string expected);
+                    RuleId rule, std::string message, std::string expected);
 
 }  // namespace wrinkle

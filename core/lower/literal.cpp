@@ -47,11 +47,12 @@ void number_problems(const json::Value& value, double number, const Port& port,
                      Problems& problems) {
     if (std::abs(number) > largest)
         return problems.push_back(
-            {value, "holds " + std::string(value.spelling()) + ", too large for single precision",
+            {RuleId::value_range, value,
+             "holds " + std::string(value.spelling()) + ", too large for single precision",
              "at most 3.4e38"});
     if (!port.has_hard_range() || (number >= port.hard_min && number <= port.hard_max)) return;
     const double clamped = number < port.hard_min ? port.hard_min : port.hard_max;
-    problems.push_back({value,
+    problems.push_back({RuleId::value_range, value,
                         "holds " + std::string(value.spelling()) + ", outside " +
                             shortest(port.hard_min) + " to " + shortest(port.hard_max),
                         shortest(clamped) + " is used", Severity::warning});
@@ -64,7 +65,7 @@ void numbers_problems(const json::Value& value, const Port& port, Problems& prob
         std::string wanted =
             lanes == 1 ? "a number" : "an array of " + std::to_string(lanes) + " numbers";
         if (port.type == PortType::color_) wanted += " or \"#rrggbb\"";
-        problems.push_back({value, found(value), "expected " + wanted});
+        problems.push_back({RuleId::wrong_kind, value, found(value), "expected " + wanted});
     } else if (lanes == 1) {
         number_problems(value, numbers[0], port, problems);
     } else {
@@ -78,11 +79,14 @@ void option_problems(const json::Value& value, const Port& port, Problems& probl
     const bool unread = port.kind == Port::Kind::choice && port.choices.empty();
     if (literal_option(value, port) || unread) return;
     if (port.kind == Port::Kind::flag)
-        return problems.push_back({value, found(value), "expected true or false"});
+        return problems.push_back(
+            {RuleId::wrong_kind, value, found(value), "expected true or false"});
     if (port.kind == Port::Kind::choice) {
         if (!value.is(Kind::string))
-            return problems.push_back({value, found(value), "expected " + one_of(port.choices)});
-        return problems.push_back({value, "has no choice " + json_quoted(value.as_string()),
+            return problems.push_back(
+                {RuleId::wrong_kind, value, found(value), "expected " + one_of(port.choices)});
+        return problems.push_back({RuleId::invalid_value, value,
+                                   "has no choice " + json_quoted(value.as_string()),
                                    remedy(value.as_string(), port.choices)});
     }
     std::string wanted = "expected an integer";
@@ -90,7 +94,7 @@ void option_problems(const json::Value& value, const Port& port, Problems& probl
         wanted += " from " + shortest(port.hard_min) + " to " + shortest(port.hard_max);
     const std::string what =
         value.is(Kind::number) ? "holds " + std::string(value.spelling()) : found(value);
-    problems.push_back({value, what, wanted});
+    problems.push_back({RuleId::invalid_value, value, what, wanted});
 }
 
 // Checks a member of an image object that is one of some words.
@@ -101,11 +105,11 @@ void word_problems(const json::Member& member, std::span<const std::string_view>
     const std::vector<std::string> names(words.begin(), words.end());
     if (!member.value.is(Kind::string))
         problems.push_back(
-            {member.value,
+            {RuleId::wrong_kind, member.value,
              "has " + std::string(json::kind_name(member.value.kind())) + " as its " + key,
              "expected " + one_of(names)});
     else if (!named(member.value.as_string()))
-        problems.push_back({member.value,
+        problems.push_back({RuleId::invalid_value, member.value,
                             "has the unknown " + key + " " + json_quoted(member.value.as_string()),
                             remedy(member.value.as_string(), names)});
 }
@@ -114,16 +118,16 @@ void image_problems(const json::Value& value, Problems& problems) {
     static const std::array<std::string, 4> keys = {"file", "encoding", "wrap", "filter"};
     if (value.is(Kind::string)) {
         if (value.as_string().empty())
-            problems.push_back({value, "names no file", "expected a path"});
+            problems.push_back({RuleId::image_missing, value, "names no file", "expected a path"});
         return;
     }
     if (!value.is(Kind::object))
-        return problems.push_back(
-            {value, found(value), "expected a path or {\"file\": ..., \"encoding\": ...}"});
+        return problems.push_back({RuleId::wrong_kind, value, found(value),
+                                   "expected a path or {\"file\": ..., \"encoding\": ...}"});
     const json::Value file = value.find("file");
     if (!file.is(Kind::string) || file.as_string().empty())
-        problems.push_back(
-            {value.has("file") ? file : value, "names no file", "expected \"file\": a path"});
+        problems.push_back({RuleId::image_missing, value.has("file") ? file : value,
+                            "names no file", "expected \"file\": a path"});
     for (const json::Member& member : value.children()) {
         if (member.key == "encoding")
             word_problems<Encoding>(member, encoding_names, encoding_named, problems);
@@ -132,7 +136,8 @@ void image_problems(const json::Value& value, Problems& problems) {
         else if (member.key == "filter")
             word_problems<Filter>(member, filter_names, filter_named, problems);
         else if (member.key != "file")
-            problems.push_back({member.value, "has the unknown key " + json_quoted(member.key),
+            problems.push_back({RuleId::unknown_key, member.value,
+                                "has the unknown key " + json_quoted(member.key),
                                 remedy(member.key, keys)});
     }
 }
@@ -208,8 +213,8 @@ std::vector<LiteralProblem> literal_problems(const json::Value& value, const Por
     } else if (lanes_of(port.type) > 0) {
         numbers_problems(value, port, problems);
     } else {
-        problems.push_back(
-            {value, found(value), "a " + std::string(name_of(port.type)) + " comes from a wire"});
+        problems.push_back({RuleId::wrong_kind, value, found(value),
+                            "a " + std::string(name_of(port.type)) + " comes from a wire"});
     }
     return problems;
 }

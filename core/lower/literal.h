@@ -33,6 +33,7 @@ struct ImageLiteral {
 ImageLiteral literal_image(const json::Value& value);  // reads valid members only
 
 struct LiteralProblem {
+    RuleId rule;
     json::Value where;
     std::string message;  // a predicate: "holds a string"
     std::string expected;

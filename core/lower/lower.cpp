@@ -160,7 +160,7 @@ private:
 
     bool refuse_size() {
         diagnostics_.add(
-            diagnose(project_.top(),
+            diagnose(project_.top(), RuleId::over_limit,
                      "the graph needs more than " + std::to_string(options_.max_nodes) + " nodes",
                      "each use of a sub-graph that is written out counts by itself"));
         frames_.clear();
@@ -276,7 +276,8 @@ Lowered lower(const Project& project, const Types& types, const LowerOptions& op
 
 Diagnostic over_limit(const OverLimit& over, const Project& project,
                       const std::vector<NodePlace>& places) {
-    return diagnose(project, places[over.node], over.path, over.message, over.expected);
+    return diagnose(project, places[over.node], over.path, RuleId::over_limit, over.message,
+                    over.expected);
 }
 
 void report_problems(const std::vector<Problem>& problems, const Module& module,
@@ -284,7 +285,7 @@ void report_problems(const std::vector<Problem>& problems, const Module& module,
                      Diagnostics& diagnostics) {
     for (const Problem& problem : problems)
         diagnostics.add(diagnose(project, places[problem.node], module.nodes[problem.node].path,
-                                 problem.message, problem.expected));
+                                 problem.rule, problem.message, problem.expected));
 }
 
 }  // namespace wrinkle

@@ -53,7 +53,7 @@ bool may_run(const Module& module, const Project& project, const std::vector<Nod
     const auto dearest =
         static_cast<size_t>(std::ranges::max_element(costs, {}, &Cost::ops) - costs.begin());
     diagnostics.add(
-        diagnose(project, places[dearest], module.nodes[dearest].path,
+        diagnose(project, places[dearest], module.nodes[dearest].path, RuleId::over_limit,
                  doing + " would make more than " + std::to_string(most_operations) + " operations",
                  "fewer nodes in a row that read a field"));
     return false;

@@ -108,7 +108,8 @@ struct Applier {
     Document& document() { return project.files[0].document; }
 
     void refuse(const Override& change, const std::string& message, std::string expected) {
-        diagnostics.error("--set " + change.text + ": " + message, std::move(expected));
+        diagnostics.error(RuleId::option, "--set " + change.text + ": " + message,
+                          std::move(expected));
     }
 
     bool fits(const Override& change, const json::Value& value, const Port& port) {
@@ -158,7 +159,8 @@ struct Applier {
 
 std::optional<Override> parse_override(std::string_view text, Diagnostics& diagnostics) {
     const auto refuse = [&](std::string message, std::string expected) {
-        diagnostics.error("--set " + std::string(text) + ": " + message, std::move(expected));
+        diagnostics.error(RuleId::option, "--set " + std::string(text) + ": " + message,
+                          std::move(expected));
         return std::nullopt;
     };
     const size_t equals = text.find('=');

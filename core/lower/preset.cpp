@@ -25,14 +25,17 @@ public:
         preset.name = file;
         std::string why;
         auto bytes = read_file(file, why);
-        if (!bytes) return diagnostics_.add(file_problem(Severity::error, file, why, "")), preset;
+        if (!bytes)
+            return diagnostics_.add(
+                       file_problem(Severity::error, RuleId::file_unreadable, file, why, "")),
+                   preset;
         const json::Parsed parsed = json::parse(std::move(*bytes), file, diagnostics_);
         if (!parsed.complete || !expect(parsed.root, Kind::object, "the preset")) return preset;
         for (const json::Member& member : parsed.root.children())
             read_member(member, preset);
         for (const std::string_view key : {"wrinkle_preset", "graph"})
             if (!parsed.root.has(key))
-                report(parsed.root, "the preset has no " + json_quoted(key),
+                report(parsed.root, RuleId::missing_key, "the preset has no " + json_quoted(key),
                        key == "graph" ? "expected \"graph\": the path of its graph"
                                       : "expected \"wrinkle_preset\": 1");
         return preset;
@@ -46,7 +49,8 @@ private:
         if (key == "wrinkle_preset") {
             if (!expect(value, Kind::number, "\"wrinkle_preset\"") || value.as_number() == 1)
                 return;
-            report(value, "the format version is " + std::string(value.spelling()),
+            report(value, RuleId::format_version,
+                   "the format version is " + std::string(value.spelling()),
                    "this program reads version 1");
         } else if (key == "graph") {
             if (expect(value, Kind::string, "\"graph\"")) check_graph(value, preset.name);
@@ -55,7 +59,7 @@ private:
             for (const json::Member& input : value.children())
                 preset.values.push_back({std::string(input.key), input.value});
         } else if (key != "$schema") {
-            report(value, "unknown key " + json_quoted(key),
+            report(value, RuleId::unknown_key, "unknown key " + json_quoted(key),
                    did_you_mean(key, keys, "expected " + one_of(keys)));
         }
     }
@@ -67,7 +71,7 @@ private:
         if (!fs::is_regular_file(top, ignored)) return;
         const fs::path named = fs::path(file).parent_path() / value.as_string();
         if (real_path(named) == top) return;
-        report(value,
+        report(value, RuleId::wrong_file,
                "the preset is of " + json_quoted(value.as_string()) + ", not of " +
                    json_quoted(project_.top().file),
                "expected a preset of this graph");
@@ -75,12 +79,12 @@ private:
 
     bool expect(const json::Value& value, Kind kind, const std::string& what) {
         if (value.is(kind)) return true;
-        report(value, what + " is " + json::kind_name(value.kind()),
+        report(value, RuleId::wrong_kind, what + " is " + json::kind_name(value.kind()),
                std::string("expected ") + json::kind_name(kind));
         return false;
     }
-    void report(const json::Value& value, std::string message, std::string expected) {
-        diagnostics_.add(diagnose(value, "", std::move(message), std::move(expected)));
+    void report(const json::Value& value, RuleId rule, std::string message, std::string expected) {
+        diagnostics_.add(diagnose(value, "", rule, std::move(message), std::move(expected)));
     }
 
     const Project& project_;
@@ -111,9 +115,10 @@ json::Value moved_image(const json::Value& image, const std::string& preset,
 // Reports a value of a preset file for `key`, which no input has as its name.
 Diagnostic no_input(const Document& top, const std::string& key, const json::Value& value) {
     const std::string twice = set_twice(key, top.inputs);
-    if (!twice.empty()) return diagnose(value, "", "input '" + key + "' " + twice, set_once);
+    if (!twice.empty())
+        return diagnose(value, "", RuleId::former_name, "input '" + key + "' " + twice, set_once);
     return diagnose(
-        value, "", "the graph has no input '" + key + "'",
+        value, "", RuleId::unknown_input, "the graph has no input '" + key + "'",
         did_you_mean(key, keys_of(top.inputs), "it has " + joined(keys_of(top.inputs), ", ")));
 }
 
@@ -146,7 +151,8 @@ Project with_preset(const Project& project, const std::string& name, Diagnostics
     const Preset* known = top.presets.find(name);
     if (!known && !in_file) {
         const std::vector<std::string> names = keys_of(top.presets);
-        diagnostics.add(diagnose(top, "the graph has no preset '" + name + "'",
+        diagnostics.add(diagnose(top, RuleId::unknown_preset,
+                                 "the graph has no preset '" + name + "'",
                                  did_you_mean(name, names,
                                               names.empty() ? "a file ends in .json"
                                                             : "it has " + joined(names, ", "))));

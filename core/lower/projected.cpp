@@ -51,7 +51,7 @@ void warn_of_projection(const Document& document, const Node& node, const NodeTy
     const Node* projection = projection_behind(document, &node, registry);
     if (!projection) return;
     Diagnostic warning =
-        diagnose(document, node,
+        diagnose(document, node, RuleId::projection_scale,
                  "'" + projection->id +
                      "' projects the position, and with the scale 'unit' the map is not "
                      "the bump that triplanar nodes make of it",

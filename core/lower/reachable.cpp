@@ -94,7 +94,7 @@ bool may_expand(const Project& project, const std::string& doing, Diagnostics& d
     if (calls <= most) return true;
     const std::string many =
         calls == max_count ? "more than " + std::to_string(max_count - 1) : std::to_string(calls);
-    diagnostics.add(diagnose(project.top(),
+    diagnostics.add(diagnose(project.top(), RuleId::over_limit,
                              doing + " would make " + many + " calls of sub-graphs, and makes " +
                                  std::to_string(most) + " at most",
                              "'wrinkle compile' makes a function of each sub-graph"));

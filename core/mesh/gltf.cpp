@@ -258,7 +258,9 @@ private:
     void warn(const std::string& message) { add(Severity::warning, message, ""); }
 
     void add(Severity severity, const std::string& message, const std::string& expected) {
-        diagnostics_.add(file_problem(severity, file_, where_ + message, expected));
+        const RuleId rule =
+            severity == Severity::error ? RuleId::mesh_unreadable : RuleId::mesh_repaired;
+        diagnostics_.add(file_problem(severity, rule, file_, where_ + message, expected));
     }
 
     const tinygltf::Model& model_;
@@ -282,8 +284,8 @@ std::optional<Mesh> read_gltf(std::string_view bytes, const std::filesystem::pat
         if (options.double_sided) *options.double_sided = mesh && reader.is_double_sided();
         return mesh;
     } catch (const InvalidGltf& fault) {
-        diagnostics.add(
-            file_problem(Severity::error, path.string(), fault.message, fault.expected));
+        diagnostics.add(file_problem(Severity::error, RuleId::mesh_unreadable, path.string(),
+                                     fault.message, fault.expected));
         return {};
     }
 }

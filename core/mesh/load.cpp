@@ -17,7 +17,8 @@ constexpr float max_coordinate = 1e15F;  // squares of coordinates fit into floa
 
 void error(const fs::path& path, const std::string& message, const std::string& expected,
            Diagnostics& diagnostics) {
-    diagnostics.add(file_problem(Severity::error, path.string(), message, expected));
+    diagnostics.add(
+        file_problem(Severity::error, RuleId::mesh_unreadable, path.string(), message, expected));
 }
 
 template <typename T>

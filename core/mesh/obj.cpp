@@ -213,8 +213,8 @@ private:
     }
 
     void error(std::string_view at, std::string message, std::string expected) {
-        Diagnostic problem =
-            file_problem(Severity::error, file_, std::move(message), std::move(expected));
+        Diagnostic problem = file_problem(Severity::error, RuleId::mesh_unreadable, file_,
+                                          std::move(message), std::move(expected));
         problem.where.line = line_;
         problem.where.column = static_cast<uint32_t>(at.data() - begin_) + 1;
         diagnostics_.add(std::move(problem));

@@ -16,7 +16,8 @@ std::optional<PluginListing> from_manifest(const PluginFile& file, const std::st
                                            Diagnostics& diagnostics) {
     const std::string name = manifest_of(file.origin), path = manifest_of(file.original);
     const auto ignore = [&](const Location& where, const std::string& why) {
-        diagnostics.add({.severity = Severity::warning,
+        diagnostics.add({.rule = RuleId::plugin,
+                         .severity = Severity::warning,
                          .where = where,
                          .message = "the manifest is ignored: " + why,
                          .expected = manifest_remedy});

@@ -98,7 +98,8 @@ private:
     // Returns false, for use in a return statement.
     bool fault(std::string message, std::string expected = {}) {
         ++faults_;
-        diagnostics_.add({.where = Location{origin_},
+        diagnostics_.add({.rule = RuleId::plugin,
+                          .where = Location{origin_},
                           .node = node_,
                           .message = port_.empty() ? std::move(message) : port_ + ": " + message,
                           .expected = std::move(expected)});

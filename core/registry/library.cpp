@@ -76,7 +76,8 @@ std::string words_of_exception() {
 
 void add_fault(Diagnostics& diagnostics, const std::string& origin, std::string message,
                std::string expected) {
-    diagnostics.add(file_problem(Severity::error, origin, std::move(message), std::move(expected)));
+    diagnostics.add(file_problem(Severity::error, RuleId::plugin, origin, std::move(message),
+                                 std::move(expected)));
 }
 
 std::optional<PluginListing> load_library(const std::string& path, const std::string& origin,

@@ -214,7 +214,8 @@ std::string to_json(const PluginListing& listing) {
 std::optional<PluginListing> read_listing(std::string text, const std::string& name,
                                           const std::string& origin, Diagnostics& diagnostics) {
     const auto refuse = [&](const Value& at, std::string message, std::string expected = {}) {
-        diagnostics.add({.where = at.location(),
+        diagnostics.add({.rule = RuleId::plugin,
+                         .where = at.location(),
                          .message = std::move(message),
                          .expected = std::move(expected)});
         return std::nullopt;

@@ -48,8 +48,8 @@ void read_faults(std::string_view text, const std::string& origin, Diagnostics& 
         return value.is(json::Kind::string) ? plugin_text(value.as_string()) : std::string();
     };
     for (const json::Member& each : root.find("diagnostics").children()) {
-        Diagnostic fault = file_problem(Severity::error, origin, word(each.value, "message"),
-                                        word(each.value, "expected"));
+        Diagnostic fault = file_problem(Severity::error, RuleId::plugin, origin,
+                                        word(each.value, "message"), word(each.value, "expected"));
         fault.node = word(each.value, "node");
         if (!fault.message.empty()) diagnostics.add(std::move(fault));
     }

@@ -64,7 +64,8 @@ bool Registry::report_taken(const std::vector<NodeType>& types, std::string_view
         if (!other) continue;
         any = true;
         diagnostics.add(
-            {.where = Location{std::string(origin)},
+            {.rule = RuleId::plugin,
+             .where = Location{std::string(origin)},
              .node = type.id,
              .message = "this id is taken: " + other->origin + " has a node of the same id",
              .expected = "give one of them another id"});

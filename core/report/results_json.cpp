@@ -127,8 +127,9 @@ public:
     void operator()(const char* name, T& member) {
         const json::Value value = object_.find(name);
         if (object_.has(name) && !read(value, member))
-            diagnostics_.add({Severity::error, value.location(), value.pointer(), "",
-                              std::string(name) + " does not fit", "a report of `wrinkle test`"});
+            diagnostics_.add({RuleId::wrong_kind, Severity::error, value.location(),
+                              value.pointer(), "", std::string(name) + " does not fit",
+                              "a report of `wrinkle test`"});
     }
 
 private:
@@ -200,14 +201,15 @@ std::optional<Results> read_results(const fs::path& file, Diagnostics& diagnosti
     Diagnostics own;
     Results results;
     if (!text) {
-        own.add(file_problem(Severity::error, file.string(), why, "a report of `wrinkle test`"));
+        own.add(file_problem(Severity::error, RuleId::file_unreadable, file.string(), why,
+                             "a report of `wrinkle test`"));
     } else {
         const json::Value root = json::parse(*text, file.string(), own).root;
         const json::Value number =
             root.is(json::Kind::object) ? root.find("version") : json::Value();
         if (!number.is(json::Kind::number) || number.as_number() != version)
-            own.add(file_problem(Severity::error, file.string(), "is not a report of version 1",
-                                 "results.json of `wrinkle test`"));
+            own.add(file_problem(Severity::error, RuleId::wrong_file, file.string(),
+                                 "is not a report of version 1", "results.json of `wrinkle test`"));
         else if (!own.has_errors())
             visit_members(results, Reader(root, own));
     }
@@ -215,7 +217,7 @@ std::optional<Results> read_results(const fs::path& file, Diagnostics& diagnosti
         for (const std::string& image :
              {check.expected_image, check.actual_image, check.map_image, check.joined_image})
             if (!is_inside(image))
-                own.add(file_problem(Severity::error, file.string(),
+                own.add(file_problem(Severity::error, RuleId::outside_root, file.string(),
                                      "names an image outside its folder: " + image, ""));
     diagnostics.append(own);
     if (own.has_errors()) return {};

@@ -26,7 +26,7 @@ Shader write_shader(const Module& module, const EmitOptions& options) {
     Shader shader = emit(module, options);
     if (!is_binary(*options.target) || !shader.problems.empty()) return shader;
     if (std::string why; !have_spirv_tools(why))
-        shader.problems.push_back({0, why, library_remedy});
+        shader.problems.push_back({RuleId::environment, 0, why, library_remedy});
     else if (compile_stage(ShaderStage::vertex, shader.vertex, shader) &&
              compile_stage(ShaderStage::fragment, shader.fragment, shader))
         shader.reflection.lines.clear();

@@ -7,15 +7,13 @@ namespace wrinkle {
 namespace {
 
 Diagnostic unknown_port() {
-    return {Severity::error, {"graph.json", 12, 7},  "/nodes/weave/in/amout",
-            "weave",         "unknown port 'amout'", "did you mean 'amount'?"};
+    return {RuleId::unknown_port,    Severity::error, {"graph.json", 12, 7},
+            "/nodes/weave/in/amout", "weave",         "unknown port 'amout'",
+            "did you mean 'amount'?"};
 }
 
 Diagnostic warning() {
-    Diagnostic d;
-    d.severity = Severity::warning;
-    d.message = "hm";
-    return d;
+    return file_problem(Severity::warning, RuleId::cache, "", "hm", "");
 }
 
 TEST(Diagnostics, ReadLikeACompilersMessages) {
@@ -49,7 +47,8 @@ TEST(Diagnostics, AsJson) {
     list.add(unknown_port());
     EXPECT_EQ(to_json(list),
               "{\"version\": 1, \"diagnostics\": [\n"
-              "  {\"severity\": \"error\", \"file\": \"graph.json\", \"line\": 12, \"column\": 7, "
+              "  {\"severity\": \"error\", \"rule\": \"unknown-port\", \"file\": \"graph.json\", "
+              "\"line\": 12, \"column\": 7, "
               "\"pointer\": \"/nodes/weave/in/amout\", \"node\": \"weave\", "
               "\"message\": \"unknown port 'amout'\", \"expected\": \"did you mean 'amount'?\"}"
               "], \"dropped\": 0}\n");
@@ -60,7 +59,7 @@ TEST(Diagnostics, KeepTheFirstAndCountTheRest) {
     list.add(warning());
     EXPECT_FALSE(list.has_errors());
     for (int i = 0; i < 3; ++i)
-        list.error("e" + std::to_string(i));
+        list.error(RuleId::option, "e" + std::to_string(i));
     EXPECT_TRUE(list.has_errors());
     EXPECT_EQ(list.error_count(), 3u);
     EXPECT_EQ(list.list().size(), 2u);
@@ -71,7 +70,7 @@ TEST(Diagnostics, KeepTheFirstAndCountTheRest) {
 TEST(Diagnostics, AppendedOnesCountEvenWhereTheyWereDropped) {
     Diagnostics full(1);
     full.add(warning());
-    full.error("lost");
+    full.error(RuleId::option, "lost");
     Diagnostics list;
     list.append(full);
     EXPECT_TRUE(list.has_errors());

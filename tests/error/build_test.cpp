@@ -101,7 +101,7 @@ TEST(Build, NothingIsCompiledAfterAnError) {
     Diagnostics diagnostics;
     const Project project = test::project(
         test::graph(R"("n": {"type": "number"})", R"("a": {"from": "n.value"})"), diagnostics);
-    diagnostics.error("something before");
+    diagnostics.error(RuleId::option, "something before");
     EXPECT_FALSE(compile_material(project, test::registry(), {}, diagnostics).ok);
     EXPECT_EQ(diagnostics.list().size(), 1u);
 }

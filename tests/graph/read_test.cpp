@@ -213,18 +213,21 @@ TEST(Ids, Rules) {
 TEST(Diagnose, AtEachThing) {
     const Document d = read_quietly(sample_text());
     const Node& weave = *d.find("weave");
-    EXPECT_EQ(to_text(diagnose(d, weave, "is odd", "be even")),
+    EXPECT_EQ(to_text(diagnose(d, weave, RuleId::cycle, "is odd", "be even")),
               "g.json:10:5: error: node 'weave': is odd (be even)");
     EXPECT_EQ(to_text(diagnose_port(d, weave, "uv", "no")),
               "g.json:16:15: error: node 'weave': no");
     EXPECT_EQ(diagnose_port(d, weave, "uv", "no").pointer, "/nodes/weave/in/uv");
     EXPECT_EQ(to_text(diagnose_port(d, weave, "absent", "no")),
               "g.json:10:5: error: node 'weave': no");
-    EXPECT_EQ(to_text(diagnose(d, *d.outputs.find("normal"), "no")), "g.json:26:15: error: no");
-    EXPECT_EQ(to_text(diagnose(d, *d.inputs.find("amount"), "no")), "g.json:5:5: error: no");
-    EXPECT_EQ(to_text(diagnose(weave.find("image")->value.find("encoding"), "weave", "no")),
+    EXPECT_EQ(to_text(diagnose(d, *d.outputs.find("normal"), RuleId::cycle, "no")),
+              "g.json:26:15: error: no");
+    EXPECT_EQ(to_text(diagnose(d, *d.inputs.find("amount"), RuleId::cycle, "no")),
+              "g.json:5:5: error: no");
+    EXPECT_EQ(to_text(diagnose(weave.find("image")->value.find("encoding"), "weave", RuleId::cycle,
+                               "no")),
               "g.json:15:62: error: node 'weave': no");
-    EXPECT_EQ(to_text(diagnose(d, "no")), "g.json: error: no");
+    EXPECT_EQ(to_text(diagnose(d, RuleId::cycle, "no")), "g.json: error: no");
 }
 
 // Writing such a document would lose the parts that were not read.

@@ -134,7 +134,7 @@ private:
             for (const fs::path& path : baked_files(choices_, suffix_of(square)))
                 made.push_back(path.string());
         if (const std::string why = overwrite_fault(made, read_); !why.empty()) {
-            problems_.error(why);
+            problems_.error(RuleId::output_path, why);
             return false;
         }
         progress_.begin(uint64_t{choices_.width} * choices_.height() * squares.size());

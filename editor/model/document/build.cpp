@@ -34,7 +34,8 @@ std::optional<Shader> emit_text(const Project& project, const Registry& registry
 
 void report_lost(const Document& document, Diagnostics& problems) {
     if (!document.lost.empty())
-        problems.add(diagnose(document, "not all of the file could be read: " + document.lost,
+        problems.add(diagnose(document, RuleId::file_unreadable,
+                              "not all of the file could be read: " + document.lost,
                               "it is not written over; save under another name"));
 }
 

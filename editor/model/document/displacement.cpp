@@ -20,7 +20,7 @@ std::optional<Mesh> displaced(const Mesh& still, const Displacement& displacemen
     const std::string why =
         displace(mesh, displacement.program, 0, textures.textures_of(displacement.images));
     if (why.empty()) return mesh;
-    problems.error(why);
+    problems.error(RuleId::over_limit, why);
     return std::nullopt;
 }
 

@@ -117,11 +117,12 @@ PresetOfFile with_preset_file(const Model& model, const Document& document,
         if (const Port* port = port_of_input(model, value.key))
             for (const LiteralProblem& problem : literal_problems(value.value, *port))
                 if (problem.severity == Severity::error)
-                    problems.add(diagnose(value.value, "",
+                    problems.add(diagnose(value.value, "", problem.rule,
                                           "input '" + value.key + "' " + problem.message,
                                           problem.expected));
     if (const std::string problem = id_problem(preset.name, false); !problem.empty())
-        problems.error("the name of the preset " + problem, "expected another name of the file");
+        problems.error(RuleId::invalid_name, "the name of the preset " + problem,
+                       "expected another name of the file");
     if (problems.has_errors())
         result.problem = first_error(problems);
     else

@@ -23,7 +23,7 @@ void report_unread_keys(const Document& document, const GraphInput& input, Diagn
     each_key(input, [&](std::string_view key, const auto&) {
         if (std::ranges::find(input.unknown, key, &Extra::key) == input.unknown.end()) return;
         const std::string quoted = "\"" + std::string(key) + "\"";
-        problems.add(diagnose_key(document, input, key,
+        problems.add(diagnose_key(document, input, key, RuleId::invalid_value,
                                   "input '" + input.name + "': " + quoted + " could not be read",
                                   "remove it, or give it the form of docs/graph-format.md"));
     });
@@ -90,13 +90,13 @@ void report_unread(const Document& document, Diagnostics& problems) {
     for (const NodePtr& node : document.nodes)
         for (const Input& input : node->inputs)
             if (input.kind == Input::Kind::broken)
-                problems.add(diagnose_port(document, *node, input.port,
+                problems.add(diagnose_port(document, *node, input.port, RuleId::invalid_value,
                                            "port '" + input.port + "' could not be read", wanted));
     for (const GraphInput& input : document.inputs)
         report_unread_keys(document, input, problems);
     for (const Output& output : document.outputs)
         if (output.from.kind != Input::Kind::link)
-            problems.add(diagnose(document, output,
+            problems.add(diagnose(document, output, RuleId::invalid_link,
                                   "output '" + output.name + "' could not be read",
                                   R"(expected {"from": "node.port"})"));
 }

@@ -48,7 +48,7 @@ struct Remedy {
     std::string word;   // new word of the input, or id of the new type
 };
 struct ImageWarning {
-    Diagnostic problem;  // a warning at the node's input
+    Diagnostic problem{.rule = RuleId::image_meaning};  // a warning at the node's input
     std::string port, file;
     std::string about;  // key of the dismissal: "green", "type", a finding's name
     Remedy remedy;

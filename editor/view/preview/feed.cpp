@@ -115,7 +115,7 @@ Diagnostic at_node(const Diagnostic& refusal, const Reflection& reflection,
     const size_t line = line_in(refusal.message);
     if (line == 0 || line > reflection.lines.size()) return refusal;
     const uint32_t index = node_of_line(reflection, line);
-    Diagnostic result;
+    Diagnostic result = {.rule = refusal.rule};
     if (index < reflection.node_paths.size()) {
         const std::string& path = reflection.node_paths[index];
         result.node = path.substr(0, path.find('/'));

@@ -1,0 +1,32 @@
+// GitHub's workflow commands: each adds a problem to its line in the view of a commit or a pull
+// request. Source: GitHub Docs, "Workflow commands for GitHub Actions", and the command parser of
+// actions/runner.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+
+namespace wrinkle::report {
+
+struct Annotation {
+    bool is_error = true;  // else a warning
+    std::string file;      // relative to the repository; "" if there is none
+    uint32_t line = 0, column = 0;
+    std::string title, text;
+};
+
+// GitHub shows the first ten of a step and drops the rest.
+inline constexpr size_t max_annotations = 10;
+
+// Returns a line for each annotation, errors first, at most max_annotations; if there are more, the
+// last one gives their count.
+std::string github_commands(std::vector<Annotation> annotations);
+
+// Paths are written relative to `root` (repository.h). The title is the rule's id.
+std::string github_annotations(const Diagnostics& diagnostics, const std::filesystem::path& root);
+
+}  // namespace wrinkle::report
