@@ -1,10 +1,10 @@
 // Diagnostics: errors and warnings about user input, each with a location and a hint.
 //
-// A Diagnostic has a rule and names the object at fault: file, line and column of the JSON token, JSON pointer and
-// node, with the problem found and the expected form. A Diagnostics list collects all problems of a
-// run; functions that can fail take one, append to it, and return an empty or poison result. It
-// stores the first `limit` entries and counts the rest. Bugs of Wrinkle itself are asserts, never
-// diagnostics.
+// A Diagnostic has a rule (base/rules.h) and names the object at fault: file, line and column of
+// the JSON token, JSON pointer and node, with the problem found and the expected form. A
+// Diagnostics list collects all problems of a run; functions that can fail take one, append to it,
+// and return an empty or poison result. It stores the first `limit` entries and counts the rest.
+// Bugs of Wrinkle itself are asserts, never diagnostics.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ struct Location {
 };
 
 struct Diagnostic {
-    RuleId rule;  // without a default: each place that makes a diagnostic chooses
+    RuleId rule;  // without a default: chosen wherever a diagnostic is made
     Severity severity = Severity::error;
     Location where{};
     std::string pointer{};   // JSON pointer of the token, "" for the document

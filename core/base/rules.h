@@ -1,6 +1,6 @@
-// Rules: the kinds of problems that a diagnostic reports, each with an id by which users, CI systems
-// and code scanning filter and count them. An id never changes and is never reused; several places
-// of the code may report one rule. docs/diagnostics.md is generated from this table.
+// Rules: the kinds of problems that a diagnostic reports, each with an id by which users, CI
+// systems and code scanning filter and count them. An id never changes and is never reused; one
+// rule may be reported by several functions. docs/diagnostics.md is generated from this table.
 #pragma once
 
 #include <array>
@@ -86,7 +86,7 @@ enum class RuleId : uint8_t {
 struct RuleInfo {
     std::string_view id;
     std::string_view title;        // a few words
-    std::string_view description;  // what it means, one sentence
+    std::string_view description;  // its meaning, one sentence
     std::string_view help;         // how to solve it, one sentence
 };
 

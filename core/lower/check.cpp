@@ -9,13 +9,12 @@
 #include "lower/conversion.h"
 #include "lower/flat.h"
 #include "lower/literal.h"
+#include "lower/named_images.h"
 #include "lower/reachable.h"
 #include "registry/reference.h"
 
 namespace wrinkle {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string join(std::span<const std::string> names) {
     return joined(names, ", ");
@@ -97,7 +96,8 @@ public:
             };
             if (index == Table<GraphInput>::npos)
                 no_input(value.key, subject, here);
-            else if (is_typed(document_.inputs[index]))
+            else if (port_type_named(document_.inputs[index].type) ||
+                     option_kind(document_.inputs[index].type))
                 literal(
                     value.value, types_.graph_input(file_, index), [&] { return subject; }, "",
                     here);
@@ -156,10 +156,6 @@ private:
         report(twice.empty() ? here(RuleId::unknown_input, subject + "does not exist",
                                     did_you_mean(key, names, "the graph has " + join(names)))
                              : here(RuleId::former_name, subject + twice, set_once));
-    }
-
-    static bool is_typed(const GraphInput& input) {
-        return port_type_named(input.type) || option_kind(input.type);
     }
 
     void unknown_type(const Node& node) {
@@ -342,22 +338,9 @@ private:
 
     template <class Subject, class Diagnose>
     void image_file(std::string_view name, Subject subject, Diagnose here) {
-        const NamedFiles::Found& found = files_.find(file_, name);
-        const auto fail = [&](RuleId rule, const char* fault, std::string expected) {
-            report(here(rule, subject() + "names " + json_quoted(name) + ", " + fault,
-                        std::move(expected)));
-        };
-        if (!found.path)
-            return fail(
-                RuleId::outside_root, "outside the root",
-                "keep it below " + project_.root.string() + ", or choose another root with --root");
-        if (!fs::exists(fs::file_status(found.type)))
-            fail(RuleId::image_missing, "which does not exist",
-                 "a path is relative to its graph's folder");
-        else if (found.type == fs::file_type::directory)
-            fail(RuleId::image_missing, "which is a folder", "expected an image file");
-        else if (found.type != fs::file_type::regular)
-            fail(RuleId::image_missing, "which is no regular file", "expected an image file");
+        if (const auto fault = image_fault(files_.find(file_, name), project_.root))
+            report(here(fault->rule, subject() + "names " + json_quoted(name) + ", " + fault->text,
+                        fault->expected));
     }
 
     void required(const Node& node, size_t index, const Port& port) {

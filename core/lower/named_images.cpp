@@ -1,6 +1,5 @@
 #include "lower/named_images.h"
 
-#include "graph/named_files.h"
 #include "lower/literal.h"
 
 namespace wrinkle {
@@ -14,6 +13,23 @@ bool takes_image(const NodeType& type, const Input& input) {
 }
 
 }  // namespace
+
+std::optional<ImageFault> image_fault(const NamedFiles::Found& found,
+                                      const std::filesystem::path& root) {
+    using std::filesystem::file_type;
+    if (!found.path)
+        return ImageFault{
+            RuleId::outside_root, "outside the root",
+            "keep it below " + root.string() + ", or choose another root with --root"};
+    if (!exists(std::filesystem::file_status(found.type)))
+        return ImageFault{RuleId::image_missing, "which does not exist",
+                          "a path is relative to its graph's folder"};
+    if (found.type == file_type::regular) return {};
+    const bool folder = found.type == file_type::directory;
+    return ImageFault{RuleId::image_missing,
+                      folder ? "which is a folder" : "which is no regular file",
+                      "expected an image file"};
+}
 
 std::vector<NamedImage> named_images(const Project& project, const Types& types, size_t file) {
     std::vector<NamedImage> images;

@@ -1,4 +1,4 @@
-// What CI formats say of a check; internal to core/report.
+// A check as CI formats describe it; internal to core/report.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ enum class Outcome : uint8_t { passed, skipped, failure, error };
 
 Outcome outcome_of(const Check& check, const CiOptions& options);
 std::string message_of(const Check& check);  // never empty
-// Lines with the remedy, each number beyond its limit, the first line that differs and the baseline.
+// Lines: the remedy, each number beyond its limit, the first line that differs, the baseline.
 std::string details_of(const Check& check);
 // Returns the test file relative to the repository, "" if there is none.
 std::string file_of(const Check& check, const CiOptions& options);

@@ -32,7 +32,7 @@ TEST_F(PrintedNamesTest, UnknownTypesAndPortsAreEscapedInEveryFormOfDiagnostics)
     put("port.json", graph("add", evil_json));
     put("file.json", graph("graph:" + evil_json, "a"));
     for (const std::string file : {"type.json", "port.json", "file.json"})
-        for (const std::string form : {"text", "json"}) {
+        for (const std::string form : {"text", "json", "sarif", "github"}) {
             const Ran ran = run({"check", file, "--diagnostics", form});
             EXPECT_EQ(ran.code, 1);
             EXPECT_TRUE(says(ran.err, "forged"));

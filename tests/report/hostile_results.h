@@ -1,4 +1,4 @@
-// Results whose texts attack each format, for tests of writers and their readers.
+// Results with texts that attack each format, for tests of writers and their readers.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Results as JSON: what is written is read back, and hostile files are refused without a crash.
+// Results as JSON: a written report is read back, and hostile files are refused without a crash.
 #include "report/results_json.h"
 
 #include <gtest/gtest.h>
