@@ -80,7 +80,7 @@ Diagnostic warning_of(const std::string* fields, const Project& project) {
     parse_number(fields[1], where.line);
     parse_number(fields[2], where.column);
     size_t rule = 0;
-    parse_number(fields[7], rule);  // of this program: its identity is part of the key
+    parse_number(fields[7], rule);  // numbered as in this program: its identity is in the key
     return {static_cast<RuleId>(rule),
             Severity::warning,
             where,

@@ -12,7 +12,7 @@
 namespace wrinkle::report {
 
 struct CiOptions {
-    std::filesystem::path root;  // of the repository: files are named relative to it
+    std::filesystem::path root;  // the repository's: files are named relative to it
     // Put before the paths of images, which are relative to the report: its folder as the CI system
     // names it, "" for none.
     std::string attachments;

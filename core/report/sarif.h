@@ -14,8 +14,8 @@
 namespace wrinkle::report {
 
 struct SarifOptions {
-    std::string version;         // of the program: "1.2.0"
-    std::filesystem::path root;  // of the repository (repository.h)
+    std::string version;         // the program's: "1.2.0"
+    std::filesystem::path root;  // the repository's (repository.h)
 };
 
 // Messages are cut at 1024 characters, GitHub's limit.

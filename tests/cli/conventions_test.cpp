@@ -96,18 +96,18 @@ TEST_F(ConventionsTest, DiagnosticsAsJson) {
 }
 
 TEST_F(ConventionsTest, DiagnosticsForCodeScanningNameFilesOfTheRepository) {
-    std::filesystem::create_directories(folder / ".git");
-    put("a b/bad.json", "{\"wrinkle\": 1, \"nodes\": {\"x\": {\"type\": \"nothing\"}}}");
-    const Ran scanned = shell("cd 'a b' && wrinkle check bad.json --diagnostics sarif");
+    std::filesystem::create_directories(folder.parent_path() / ".git");
+    put("a b.json", "{\"wrinkle\": 1, \"nodes\": {\"x\": {\"type\": \"nothing\"}}}");
+    const Ran scanned = run({"check", "a b.json", "--diagnostics", "sarif"});
     EXPECT_EQ(scanned.code, 1);
     const json::Value result = parsed(scanned.err).find("runs").at(0).find("results").at(0);
     EXPECT_EQ(result.find("ruleId").as_string(), "unknown-node-type");
     const json::Value place = result.find("locations").at(0).find("physicalLocation");
-    EXPECT_EQ(place.find("artifactLocation").find("uri").as_string(), "a%20b/bad.json");
-    const Ran annotated = shell("cd 'a b' && wrinkle check bad.json --diagnostics github");
+    EXPECT_EQ(place.find("artifactLocation").find("uri").as_string(), "work/a%20b.json");
+    const Ran annotated = run({"check", "a b.json", "--diagnostics", "github"});
     EXPECT_EQ(annotated.code, 1);
     EXPECT_TRUE(annotated.err.starts_with(
-        "::error file=a b/bad.json,line=1,col=25,title=unknown-node-type::node 'x': "))
+        "::error file=work/a b.json,line=1,col=25,title=unknown-node-type::node 'x': "))
         << annotated.err;
     put("good.json", tilt_graph());
     EXPECT_EQ(run({"check", "good.json", "--diagnostics", "github"}).err, "");
