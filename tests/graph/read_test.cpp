@@ -215,10 +215,11 @@ TEST(Diagnose, AtEachThing) {
     const Node& weave = *d.find("weave");
     EXPECT_EQ(to_text(diagnose(d, weave, RuleId::cycle, "is odd", "be even")),
               "g.json:10:5: error: node 'weave': is odd (be even)");
-    EXPECT_EQ(to_text(diagnose_port(d, weave, "uv", "no")),
+    EXPECT_EQ(to_text(diagnose_port(d, weave, "uv", RuleId::invalid_value, "no")),
               "g.json:16:15: error: node 'weave': no");
-    EXPECT_EQ(diagnose_port(d, weave, "uv", "no").pointer, "/nodes/weave/in/uv");
-    EXPECT_EQ(to_text(diagnose_port(d, weave, "absent", "no")),
+    EXPECT_EQ(diagnose_port(d, weave, "uv", RuleId::invalid_value, "no").pointer,
+              "/nodes/weave/in/uv");
+    EXPECT_EQ(to_text(diagnose_port(d, weave, "absent", RuleId::invalid_value, "no")),
               "g.json:10:5: error: node 'weave': no");
     EXPECT_EQ(to_text(diagnose(d, *d.outputs.find("normal"), RuleId::cycle, "no")),
               "g.json:26:15: error: no");

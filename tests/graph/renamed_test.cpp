@@ -108,7 +108,7 @@ TEST(FormerNames, OfPortsOfSubgraphsBecomeCurrentOnes) {
     EXPECT_EQ(write_document(set_value(top, "add", "b", json::Value::number(1))),
               replaced(replaced(text, "\"age\": 0.50", "\"wear\": 0.50"), "\"age\": 1 }",
                        "\"age\": 1, \"b\": 1 }"));
-    const Diagnostic at = diagnose_port(top, *top.nodes[0], "wear", "here");
+    const Diagnostic at = diagnose_port(top, *top.nodes[0], "wear", RuleId::invalid_value, "here");
     EXPECT_EQ(at.pointer, "/nodes/m/in/age") << "as written in the file";
     EXPECT_EQ(at.where.line, 4u);
 }
