@@ -5,20 +5,19 @@
 
 #include "cli/output.h"
 #include "report/ci_formats.h"
-#include "report/repository.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array attachment_bases = {"project", "xml", "absolute"};
+constexpr std::array attachment_bases = {"project", "xml", "absolute", "none"};
 
-std::string attachment_folder(const fs::path& folder, const CiFormats& formats) {
-    const fs::path absolute = fs::absolute(folder).lexically_normal();
+std::string attachment_path(const fs::path& image, const CiFormats& formats) {
+    const fs::path absolute = fs::absolute(image).lexically_normal();
     if (formats.attachments == "absolute") return absolute.string();
     const fs::path base = formats.attachments == "xml" ? fs::absolute(formats.junit).parent_path()
                                                        : fs::current_path();
-    return absolute.lexically_proximate(base.lexically_normal()).generic_string();
+    return absolute.lexically_proximate(base).generic_string();
 }
 
 }  // namespace
@@ -34,11 +33,13 @@ void declare_formats(CLI::App& command, CiFormats& formats) {
 }
 
 bool write_formats(const CiFormats& formats, const report::Results& results, const fs::path& folder,
-                   bool added_fails, std::string& why) {
+                   bool new_fails, std::string& why) {
     report::CiOptions options;
-    options.root = report::repository_root(fs::current_path());
-    options.attachments = attachment_folder(folder, formats);
-    options.added_fails = added_fails;
+    options.new_fails = new_fails;
+    if (formats.attachments != "none")
+        options.attachment = [&](const std::string& image) {
+            return attachment_path(folder / image, formats);
+        };
     std::vector<Result> files;
     if (!formats.junit.empty()) files.push_back({formats.junit, report::junit(results, options)});
     if (!formats.tap.empty()) files.push_back({formats.tap, report::tap(results, options)});

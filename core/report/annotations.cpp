@@ -1,6 +1,7 @@
 #include "report/annotations.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "base/printable.h"
@@ -35,10 +36,10 @@ std::string command_property(std::string_view name, std::string_view value) {
 std::string printable_lines(std::string_view text) {
     std::string result;
     while (true) {
-        const size_t end = text.find('\n');
+        const size_t end = text.find_first_of("\r\n");
         result += printable(text.substr(0, end));
         if (end == text.npos) return result;
-        result += '\n';
+        result += text[end];
         text.remove_prefix(end + 1);
     }
 }
@@ -54,7 +55,8 @@ std::string command_text(const Annotation& annotation) {
     }
     if (!annotation.title.empty())
         properties.push_back(command_property("title", printable(annotation.title)));
-    std::string line = annotation.is_error ? "::error" : "::warning";
+    static constexpr std::array levels = {"::error", "::warning", "::notice"};
+    std::string line = levels[static_cast<size_t>(annotation.level)];
     for (size_t i = 0; i < properties.size(); ++i)
         line += (i == 0 ? " " : ",") + properties[i];
     return line + "::" + command_escaped(printable_lines(annotation.text), "%\r\n") + "\n";
@@ -62,14 +64,13 @@ std::string command_text(const Annotation& annotation) {
 
 }  // namespace
 
-std::string github_commands(std::vector<Annotation> annotations) {
-    std::ranges::stable_sort(annotations, std::ranges::greater{}, &Annotation::is_error);
+std::string github_commands(std::vector<Annotation> annotations, const std::string& rest) {
+    std::ranges::stable_sort(annotations, {}, &Annotation::level);
     if (annotations.size() > max_annotations) {
-        const size_t more = annotations.size() - (max_annotations - 1);
-        const bool has_error = annotations[max_annotations - 1].is_error;
-        annotations.resize(max_annotations - 1);
-        annotations.push_back(
-            {has_error, "", 0, 0, "wrinkle", "and " + std::to_string(more) + " more: see the log"});
+        const std::string more = std::to_string(annotations.size() - (max_annotations - 1));
+        annotations.resize(max_annotations);
+        Annotation& last = annotations.back();
+        last = {last.level, "", 0, 0, "wrinkle", "and " + more + " more " + rest};
     }
     std::string lines;
     for (const Annotation& each : annotations)
@@ -81,12 +82,13 @@ std::string github_annotations(const Diagnostics& diagnostics, const std::filesy
     std::vector<Annotation> annotations;
     for (const Diagnostic& each : diagnostics.list()) {
         const Location& where = each.where;
-        annotations.push_back({each.severity == Severity::error,
+        annotations.push_back({each.severity == Severity::error ? Annotation::Level::error
+                                                                : Annotation::Level::warning,
                                where.file.empty() ? "" : path_in_repository(where.file, root),
                                where.line, where.column, std::string(info(each.rule).id),
                                sentence_of(each)});
     }
-    std::string lines = github_commands(std::move(annotations));
+    std::string lines = github_commands(std::move(annotations), "problems; the log has them");
     if (diagnostics.dropped() > 0) lines += dropped_text(diagnostics) + "\n";
     return lines;
 }

@@ -13,8 +13,8 @@
 namespace wrinkle::report {
 
 struct Annotation {
-    bool is_error = true;  // else a warning
-    std::string file;      // relative to the repository; "" if there is none
+    enum class Level : uint8_t { error, warning, notice } level = Level::error;
+    std::string file;  // relative to the repository; "" if there is none
     uint32_t line = 0, column = 0;
     std::string title, text;
 };
@@ -22,9 +22,9 @@ struct Annotation {
 // GitHub shows the first ten of a step and drops the rest.
 inline constexpr size_t max_annotations = 10;
 
-// Returns a line for each annotation, errors first, at most max_annotations; if there are more, the
-// last one gives their count.
-std::string github_commands(std::vector<Annotation> annotations);
+// Returns a line for each annotation, errors first, else in the given order, at most
+// max_annotations; if there are more, the last one gives their count and `rest`.
+std::string github_commands(std::vector<Annotation> annotations, const std::string& rest);
 
 // Paths are written relative to `root` (repository.h). The title is the rule's id.
 std::string github_annotations(const Diagnostics& diagnostics, const std::filesystem::path& root);

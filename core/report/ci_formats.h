@@ -1,10 +1,9 @@
-// Results of `wrinkle test` in the formats that CI systems read.
-//
-// Each writer escapes for its format: the texts of a graph's author, of drivers and of file systems
-// may hold any bytes.
+// Results in the formats of CI systems (docs/ci.md). Names are the same in every run. Texts are
+// escaped: characters that a format does not allow are U+FFFD, terminal sequences are removed.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "report/results.h"
@@ -12,26 +11,22 @@
 namespace wrinkle::report {
 
 struct CiOptions {
-    std::filesystem::path root;  // the repository's: files are named relative to it
-    // Put before the paths of images, which are relative to the report: its folder as the CI system
-    // names it, "" for none.
-    std::string attachments;
-    bool added_fails = false;  // a check without a baseline is a failure, else it is skipped
+    bool new_fails = false;  // checks with Status::added are failures; else they are skipped
+    // Returns the path of an image of the results as it is written; empty: no attachments.
+    std::function<std::string(const std::string&)> attachment;
 };
 
-// JUnit XML as GitLab, Jenkins, Azure DevOps and GitHub's actions read it: a testsuite for each
-// case, a testcase for each check; `classname` is the case, `name` the check. A check that could
-// not run, and a problem of the run, is an error, any other that did not pass a failure. The image
-// of a check (the joined one, else the actual one) is a line "[[ATTACHMENT|path]]" of its
-// system-out. Characters that XML 1.0 does not allow and bytes that are not UTF-8 become U+FFFD;
-// ANSI escape sequences are left out.
+// JUnit XML as GitLab, Jenkins, GitHub actions and Azure DevOps read it: one <testsuite> per case,
+// one <testcase> per check. A difference is a <failure>, a check that could not run an <error>. The
+// attachment of a check is its joined image.
 std::string junit(const Results& results, const CiOptions& options);
 
-// TAP version 14, a test point for each check; details of those that did not pass as YAML.
+// TAP version 14.
 std::string tap(const Results& results, const CiOptions& options);
 
-// Workflow commands of GitHub (annotations.h) for checks that did not pass; deleted baselines and
-// problems of the run among them.
+// Commands of GitHub Actions, one line each: "::error file=...::...". At most 10, because GitHub
+// shows no more for a step: errors first, then the worst failures; the last has the number of the
+// rest.
 std::string github_annotations(const Results& results, const CiOptions& options);
 
 }  // namespace wrinkle::report

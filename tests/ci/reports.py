@@ -33,10 +33,9 @@ def checks(folder):
     results = json.loads((folder / "results.json").read_text())
     outcomes = {"passed": "passed", "failed": "failure", "error": "error", "new": "skipped",
                 "deleted": "failure"}
-    run = [("wrinkle test", f"run {i + 1}", "error", in_xml(problem))
-           for i, problem in enumerate(results["problems"])]
-    return run + [(in_xml(check["test"]), in_xml(check["name"]), outcomes[check["status"]],
-                   in_xml(check.get("message", ""))) for check in results["checks"]]
+    return [(in_xml(check["test"].replace("/", ".")), in_xml(check["name"]),
+             outcomes[check["status"]], in_xml(check.get("message", "")))
+            for check in results["checks"]]
 
 
 def sarif(wrinkle, folder):

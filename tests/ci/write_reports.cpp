@@ -11,7 +11,8 @@ int main(int argc, char** argv) {
     using namespace wrinkle;
     const std::filesystem::path folder = argv[1];
     const report::Results results = test::hostile_results();
-    const report::CiOptions options{std::filesystem::current_path(), "report", false};
+    report::CiOptions options;
+    options.attachment = [](const std::string& image) { return "report/" + image; };
     std::ofstream(folder / "junit.xml") << report::junit(results, options);
     std::ofstream(folder / "results.tap") << report::tap(results, options);
     std::ofstream(folder / "results.json") << report::to_json(results);

@@ -22,7 +22,7 @@ def check_junit(folder):
         for kind, count in (("failure", "failures"), ("error", "errors"), ("skipped", "skipped")):
             assert int(element.get(count)) == sum(case.find(kind) is not None for case in cases)
     attached = [out.text for out in root.iter("system-out")]
-    assert attached == ["[[ATTACHMENT|report/images/rings.png]]"], attached
+    assert attached == ["[[ATTACHMENT|report/images/rings <&>.png]]"], attached
     return len(found)
 
 

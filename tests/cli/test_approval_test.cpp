@@ -245,6 +245,7 @@ TEST_F(ApprovalTest, CiSystemsGetTheirFormats) {
     EXPECT_EQ(attachment("project"), "out/joined/t-a.png");
     EXPECT_EQ(attachment("xml"), "../out/joined/t-a.png");
     EXPECT_EQ(attachment("absolute"), folder / "out/joined/t-a.png");
+    EXPECT_EQ(attachment("none"), "");
     EXPECT_TRUE(exists("out/joined/t-a.png"));
     EXPECT_TRUE(says(get("j/r.xml"), "tests=\"5\" failures=\"4\" errors=\"0\" skipped=\"1\""));
     EXPECT_TRUE(says(test({"t", "--ci", "--tap", "r.tap", "--github"}).out,

@@ -1,231 +1,127 @@
-// JUnit, TAP and annotations: counts, escapes and outcomes, against texts written by hand.
+// Tests of JUnit XML, TAP and annotations: structure, counts and escapes.
 #include "report/ci_formats.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include <sstream>
-
-#include "base/text.h"
-#include "report/annotations.h"
-#include "report/hostile_results.h"
-#include "report/xml.h"
-
-namespace wrinkle::test {
+namespace wrinkle::report {
 namespace {
 
-using namespace report;
+class CiFormatsTest : public testing::Test {
+protected:
+    Check& add(const std::string& test, const std::string& name, Status status) {
+        Check& check = results.checks.emplace_back();
+        check.test = test;
+        check.name = name;
+        check.file = test + ".test.json";
+        check.line = 3;
+        check.column = 5;
+        check.status = status;
+        if (status != Status::passed) check.message = "differs";
+        return check;
+    }
 
-const std::string replaced = "\xEF\xBF\xBD";  // U+FFFD
-
-CiOptions options_here() {
-    return {std::filesystem::current_path(), "", false};
-}
-
-Check check_of(Status status) {
-    Check check;
-    check.test = "graphs/rings";
-    check.name = "points/2";
-    check.file = "graphs/rings.test.json";
-    check.line = 12;
-    check.column = 5;
-    check.kind = CheckKind::point;
-    check.status = status;
-    if (status != Status::passed) check.message = "normal is 3 degrees off";
-    return check;
-}
-
-Results results_of(std::initializer_list<Status> all) {
     Results results;
-    for (const Status status : all) {
-        results.checks.push_back(check_of(status));
-        results.checks.back().name += std::to_string(results.checks.size());
-    }
-    return results;
-}
+    CiOptions options;
+};
 
-TEST(Xml, EscapesAttributesAndTexts) {
-    EXPECT_EQ(xml_attribute("a&b<c>d\"e'f\tg\nh\ri"),
-              "a&amp;b&lt;c&gt;d&quot;e&apos;f&#9;g&#10;h&#13;i");
-    EXPECT_EQ(xml_text("a&b<c>d\"e'f\tg\nh\r ]]>"), "a&amp;b&lt;c&gt;d\"e'f\tg\nh&#13; ]]&gt;");
-}
-
-TEST(Xml, ReplacesCharactersThatItDoesNotAllow) {
-    for (int code = 0; code < 0x20; ++code) {
-        const std::string text = {'x', static_cast<char>(code), 'y'};
-        const bool allowed = code == 9 || code == 10 || code == 13;
-        EXPECT_EQ(xml_characters(text), allowed ? text : "x" + replaced + "y") << code;
-    }
-    EXPECT_EQ(xml_characters("\x7F \xC2\x85 \xEE\x80\x80 \xEF\xBF\xBD \xF4\x8F\xBF\xBF"),
-              "\x7F \xC2\x85 \xEE\x80\x80 \xEF\xBF\xBD \xF4\x8F\xBF\xBF");
-    EXPECT_EQ(xml_characters("\xEF\xBF\xBE\xEF\xBF\xBF"), replaced + replaced);
-    EXPECT_EQ(xml_characters("\xFF\xC0\x80 \xED\xA0\x80 \xE2\x82"),
-              replaced + replaced + replaced + " " + replaced + replaced + replaced + " " +
-                  replaced + replaced);
-}
-
-TEST(Xml, LeavesOutAnsiSequences) {
-    EXPECT_EQ(xml_characters("\x1B[1;31mred\x1B[0m, \x1B[?25lcursor"), "red, cursor");
-    EXPECT_EQ(xml_characters("\x1B]0;title\aa\x1B]8;;http://x\x1B\\b\x1BMc"), "abc");
-    EXPECT_EQ(xml_characters("\x1B]0;open"), "0;open");
-    EXPECT_EQ(xml_characters("\x1B[31\xC3\xA4"), "31\xC3\xA4");
-    EXPECT_EQ(xml_characters("\x1B"), replaced);
-}
-
-TEST(JUnit, IsASuiteForEachCaseAndATestcaseForEachCheck) {
-    Results results = results_of({Status::passed, Status::failed});
-    results.started = "2026-11-26T02:00:00Z";
-    results.checks[0].seconds = 0.5;
-    results.checks[1].seconds = 0.125;
-    results.checks[1].expected = "wrinkle test --accept";
-    results.checks[1].measured = {
-        {"normal", "weave.normal", "[0, 0, 1]", "[0, 1, 0]", 90, 0.05, "degrees"},
-        {"height", "", "1", "1", 0, 0.5, ""}};
-    results.checks[1].actual_image = "images/a b.png";
-    CiOptions options = options_here();
-    options.attachments = "build/report";
-    EXPECT_EQ(
-        junit(results, options),
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<testsuites name=\"wrinkle test\" tests=\"2\" failures=\"1\" errors=\"0\" skipped=\"0\" "
-        "time=\"0.625\">\n"
-        "  <testsuite name=\"graphs/rings\" tests=\"2\" failures=\"1\" errors=\"0\" skipped=\"0\" "
-        "time=\"0.625\" timestamp=\"2026-11-26T02:00:00Z\">\n"
-        "    <testcase name=\"points/21\" classname=\"graphs/rings\" "
-        "file=\"graphs/rings.test.json\" line=\"12\" time=\"0.500\"/>\n"
-        "    <testcase name=\"points/22\" classname=\"graphs/rings\" "
-        "file=\"graphs/rings.test.json\" line=\"12\" time=\"0.125\">\n"
-        "      <failure message=\"normal is 3 degrees off\" type=\"point-failed\">normal is 3 "
-        "degrees off\nwrinkle test --accept\n"
-        "normal (weave.normal): expected [0, 0, 1], found [0, 1, 0], measured 90 degrees, limit "
-        "0.05 degrees\n</failure>\n"
-        "      <system-out>[[ATTACHMENT|build/report/images/a b.png]]</system-out>\n"
-        "    </testcase>\n"
-        "  </testsuite>\n"
-        "</testsuites>\n");
-}
-
-TEST(JUnit, NewBaselinesFailOnlyWhereAskedAndDeletedOnesAlways) {
-    const Results results = results_of({Status::added, Status::deleted, Status::error});
-    CiOptions options = options_here();
-    EXPECT_NE(junit(results, options).find("failures=\"1\" errors=\"1\" skipped=\"1\""),
-              std::string::npos);
-    options.added_fails = true;
-    EXPECT_NE(junit(results, options).find("failures=\"2\" errors=\"1\" skipped=\"0\""),
+TEST_F(CiFormatsTest, JunitHasASuiteForEachCase) {
+    add("graphs/a", "glsl", Status::passed).seconds = 0.25;
+    add("graphs/a", "points/0", Status::failed);
+    add("graphs/b", "render", Status::error);
+    add("graphs/b", "glsl", Status::added);
+    add("graphs/golden", "c.png", Status::deleted);
+    results.started = "2026-01-02T03:04:05Z";
+    EXPECT_EQ(junit(results, options), R"(<?xml version="1.0" encoding="UTF-8"?>
+<testsuites name="wrinkle test" tests="5" failures="2" errors="1" skipped="1" time="0.250000">
+  <testsuite name="graphs/a" tests="2" failures="1" errors="0" skipped="0" time="0.250000" timestamp="2026-01-02T03:04:05Z">
+    <testcase name="glsl" classname="graphs.a" file="graphs/a.test.json" line="3" time="0.250000"/>
+    <testcase name="points/0" classname="graphs.a" file="graphs/a.test.json" line="3" time="0.000000">
+      <failure message="differs" type="failed">differs
+</failure>
+    </testcase>
+  </testsuite>
+  <testsuite name="graphs/b" tests="2" failures="0" errors="1" skipped="1" time="0.000000" timestamp="2026-01-02T03:04:05Z">
+    <testcase name="render" classname="graphs.b" file="graphs/b.test.json" line="3" time="0.000000">
+      <error message="differs" type="error">differs
+</error>
+    </testcase>
+    <testcase name="glsl" classname="graphs.b" file="graphs/b.test.json" line="3" time="0.000000">
+      <skipped message="differs"/>
+    </testcase>
+  </testsuite>
+  <testsuite name="graphs/golden" tests="1" failures="1" errors="0" skipped="0" time="0.000000" timestamp="2026-01-02T03:04:05Z">
+    <testcase name="c.png" classname="graphs.golden" file="graphs/golden.test.json" line="3" time="0.000000">
+      <failure message="differs" type="deleted">differs
+</failure>
+    </testcase>
+  </testsuite>
+</testsuites>
+)");
+    options.new_fails = true;
+    EXPECT_NE(junit(results, options).find("failures=\"3\" errors=\"1\" skipped=\"0\""),
               std::string::npos);
 }
 
-TEST(JUnit, AProblemOfTheRunIsAnError) {
-    Results results = results_of({Status::passed});
-    results.problems = {"OpenGL is not available"};
-    const std::string text = junit(results, options_here());
-    EXPECT_NE(
-        text.find("<testsuites name=\"wrinkle test\" tests=\"2\" failures=\"0\" errors=\"1\""),
-        text.npos);
-    EXPECT_NE(text.find("<error message=\"OpenGL is not available\" type=\"case-error\">"),
-              text.npos);
+TEST_F(CiFormatsTest, XmlIsEscaped) {
+    Check& check = add("a\"<&>'\t\n\r", "glsl", Status::failed);
+    check.message =
+        "\x1b[1;31mred\x1b[0m \x01 \xff \xed\xa0\x80 \xef\xbf\xbf ]]> \u00e9 \U0001f600";
+    const std::string text = junit(results, options);
+    EXPECT_NE(text.find("name=\"a&quot;&lt;&amp;&gt;&apos;&#9;&#10;&#13;\""), text.npos) << text;
+    const std::string bad = "\xef\xbf\xbd";
+    const std::string message =
+        "red " + bad + " " + bad + " " + bad + bad + bad + " " + bad + " ]]&gt; \u00e9 \U0001f600";
+    EXPECT_NE(text.find(">" + message + "\n</failure>"), text.npos) << text;
+    EXPECT_EQ(text.find('\x1b'), text.npos);
 }
 
-TEST(JUnit, AttachesNoImageThatWouldEndItsLine) {
-    Results results = results_of({Status::failed});
-    for (const std::string path :
-         {"a]]b.png", "a\nb.png", "a\rb.png", "a\x1B[m.png", "a\xFF.png"}) {
-        results.checks[0].actual_image = path;
-        EXPECT_EQ(junit(results, options_here()).find("ATTACHMENT"), std::string::npos) << path;
-    }
-    results.checks[0].actual_image.clear();
-    results.checks[0].expected_image = "gone.png";
-    EXPECT_NE(junit(results, options_here()).find("[[ATTACHMENT|gone.png]]"), std::string::npos);
+TEST_F(CiFormatsTest, AttachmentsAreThePathsOfTheCaller) {
+    add("a", "render", Status::failed).joined_image = "joined/a.png";
+    EXPECT_EQ(junit(results, options).find("ATTACHMENT"), std::string::npos);
+    options.attachment = [](const std::string& image) { return "out/<" + image; };
+    EXPECT_NE(junit(results, options)
+                  .find("<system-out>[[ATTACHMENT|out/&lt;joined/a.png]]</system-out>"),
+              std::string::npos);
 }
 
-TEST(JUnit, HostileTextsLeaveNoRawControlCharacter) {
-    const std::string text = junit(hostile_results(), options_here());
-    EXPECT_TRUE(is_utf8(text));
-    for (const char c : text)
-        ASSERT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t');
-    EXPECT_EQ(text.find("]]>"), text.npos);
-    EXPECT_EQ(text.find("[31m"), text.npos);
+TEST_F(CiFormatsTest, TapNumbersTheChecks) {
+    add("a", "glsl", Status::passed);
+    add("b # SKIP", "glsl", Status::failed).message = "two\nlines: \"x\"";
+    add("c", "glsl", Status::added);
+    EXPECT_EQ(tap(results, options), R"(TAP version 14
+1..3
+ok 1 - a/glsl
+not ok 2 - b \# SKIP/glsl
+  ---
+  message: "two\\nlines: \"x\""
+  file: "b # SKIP.test.json"
+  line: 3
+  ...
+ok 3 - c/glsl # SKIP differs
+)");
 }
 
-TEST(Tap, IsVersion14) {
-    Results results = results_of({Status::passed, Status::failed, Status::added});
-    results.checks[0].name = "a # b \\ c\n";
-    results.problems = {"no \"GL\""};
-    EXPECT_EQ(tap(results, options_here()),
-              "TAP version 14\n1..4\n"
-              "ok 1 - graphs/rings/a \\# b \\\\ c\\\\n\n"
-              "not ok 2 - graphs/rings/points/22\n"
-              "  ---\n"
-              "  message: \"normal is 3 degrees off\"\n"
-              "  status: failed\n"
-              "  at:\n"
-              "    file: \"graphs/rings.test.json\"\n"
-              "    line: 12\n"
-              "    column: 5\n"
-              "  ...\n"
-              "ok 3 - graphs/rings/points/23 # SKIP normal is 3 degrees off\n"
-              "not ok 4 - wrinkle test/run 1\n"
-              "  ---\n"
-              "  message: \"no \\\"GL\\\"\"\n"
-              "  status: error\n"
-              "  ...\n");
+TEST_F(CiFormatsTest, AnnotationsAreEscaped) {
+    add("a:b,c%", "glsl", Status::failed).message = "50 %: a, b\r\nnext";
+    EXPECT_EQ(github_annotations(results, options),
+              "::error file=a%3Ab%2Cc%25.test.json,line=3,col=5,title=a%3Ab%2Cc%25/glsl::50 %25: "
+              "a, b%0D%0Anext\n");
 }
 
-TEST(Tap, HostileTextsAddNoLine) {
-    std::istringstream lines(tap(hostile_results(), options_here()));
-    int points = 0;
-    for (std::string line; std::getline(lines, line);) {
-        points += line.starts_with("ok ") || line.starts_with("not ok ");
-        const bool known = line.starts_with("ok ") || line.starts_with("not ok ") ||
-                           line.starts_with("  ") || line.starts_with("1..7") ||
-                           line == "TAP version 14";
-        EXPECT_TRUE(known) << line;
-    }
-    EXPECT_EQ(points, 7);
-}
-
-TEST(Annotations, EscapeTextsAndProperties) {
-    EXPECT_EQ(github_commands({{true, "a,b:c%.json", 3, 4, "x: y, z", "50 %\r\nof: a, b"}}),
-              "::error file=a%2Cb%3Ac%25.json,line=3,col=4,title=x%3A y%2C z::"
-              "50 %25\\r%0Aof: a, b\n");
-    EXPECT_EQ(github_commands({{false, "", 0, 0, "", "no file"}}), "::warning::no file\n");
-    EXPECT_EQ(github_commands({{true, "a.json", 0, 9, "t", "general"}}),
-              "::error file=a.json,title=t::general\n");
-}
-
-TEST(Annotations, WorstComeFirstAndTheLastCountsTheRest) {
-    const auto lines_of = [](size_t count) {
-        Results results;
-        for (size_t i = 0; i < count; ++i)
-            results.checks.push_back(check_of(i + 1 < count ? Status::failed : Status::error));
-        std::vector<std::string> lines;
-        std::istringstream text(github_annotations(results, options_here()));
-        for (std::string line; std::getline(text, line);)
-            lines.push_back(line);
-        return lines;
-    };
-    EXPECT_EQ(lines_of(10).size(), 10U);
-    EXPECT_EQ(lines_of(10).back().find(" more"), std::string::npos);
-    const std::vector<std::string> lines = lines_of(15);
-    ASSERT_EQ(lines.size(), 10U);
-    EXPECT_EQ(lines[9], "::error title=wrinkle::and 6 more: see the log");
-    EXPECT_TRUE(lines[0].starts_with("::error file=graphs/rings.test.json,line=12,col=5,"))
-        << lines[0];
-    const Results mixed =
-        results_of({Status::added, Status::passed, Status::failed, Status::error});
-    const std::string text = github_annotations(mixed, options_here());
-    EXPECT_LT(text.find("points/24"), text.find("points/23"));
-    EXPECT_LT(text.find("points/23"), text.find("::warning"));
-    EXPECT_EQ(text.find("points/22"), text.npos);
-}
-
-TEST(Annotations, HostileTextsAddNoCommand) {
-    std::istringstream lines(github_annotations(hostile_results(), options_here()));
-    for (std::string line; std::getline(lines, line);) {
-        EXPECT_TRUE(line.starts_with("::error ") || line.starts_with("::warning ")) << line;
-        EXPECT_EQ(line.find('\x1B'), line.npos);
-    }
+TEST_F(CiFormatsTest, AnnotationsAreAtMostTen) {
+    for (int i = 0; i < 30; ++i)
+        add("a" + std::to_string(i), "glsl", Status::failed).measured = {
+            {"mean", "", "", "", static_cast<double>(i + 1), 1, ""}};
+    add("broken", "case", Status::error);
+    add("new", "glsl", Status::added);
+    const std::string text = github_annotations(results, options);
+    EXPECT_EQ(std::ranges::count(text, '\n'), 10);
+    EXPECT_TRUE(text.starts_with("::error file=broken.test.json"));
+    EXPECT_EQ(text.find("::error file=a29"), text.find('\n') + 1);
+    EXPECT_NE(text.find("and 23 more checks"), text.npos);
 }
 
 TEST(Severity, ExcessIsTheLargestPartOfALimit) {
@@ -239,4 +135,4 @@ TEST(Severity, ExcessIsTheLargestPartOfALimit) {
 }
 
 }  // namespace
-}  // namespace wrinkle::test
+}  // namespace wrinkle::report

@@ -43,6 +43,7 @@ TEST_F(ResultsJson, ReadsBackWhatWasWritten) {
         check.actual_text = "a\nc";
         check.nodes_of_lines = {"", "weave"};
         check.map_image = "map.png";
+        check.joined_image = "joined.png";
         check.map_measure = "flip";
         check.map_scale = 0.25;
         check.width = check.height = 128;
@@ -126,7 +127,7 @@ TEST_F(ResultsJson, RefusesMembersOfAnotherKind) {
 TEST_F(ResultsJson, RefusesImagesOutsideItsFolder) {
     for (const char* image :
          {"/etc/passwd", "../x.png", "a/../../x.png", "..", "a/..", "a/../b.png"})
-        for (const char* member : {"expected_image", "actual_image", "map_image"}) {
+        for (const char* member : {"expected_image", "actual_image", "map_image", "joined_image"}) {
             EXPECT_FALSE(read_check("\"" + std::string(member) + "\": \"" + image + "\"")) << image;
             EXPECT_EQ(problems.list()[0].rule, RuleId::outside_root);
         }
