@@ -1,4 +1,5 @@
 // wrinkle check FILE...: reports all problems of graphs.
+#include "cli/conflict_file.h"
 #include "cli/material_run.h"
 #include "cli/output.h"
 
@@ -14,10 +15,12 @@ struct CheckCommand {
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
         // Compiles the graphs to find problems beyond the document, such as mismatched bases.
-        for (const std::string& file : graphs_among(files, diagnostics))
+        for (const std::string& file : graphs_among(files, diagnostics)) {
             compile_runs(
                 file, common, nodes.registry, overrides, {},
                 [](size_t, const MaterialRun&, Diagnostics&) {}, diagnostics);
+            report_conflicts(file, diagnostics);
+        }
         return report(diagnostics, common.diagnostics);
     }
 };

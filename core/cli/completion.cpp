@@ -145,7 +145,8 @@ private:
             for (const char* end : {".obj", ".glb", ".gltf"})
                 offer_files(typed, end, found_);
         } else if (option.get_positional() &&
-                   (kind == "FILE" || kind == "GRAPH" || kind == "PATH")) {
+                   (kind == "FILE" || kind == "GRAPH" || kind == "PATH" || kind == "BEFORE" ||
+                    kind == "AFTER" || kind == "BASE" || kind == "OURS" || kind == "THEIRS")) {
             offer_files(typed, kind == "PATH" ? ".test.json" : ".json", found_);
         }
     }

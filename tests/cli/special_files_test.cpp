@@ -70,9 +70,12 @@ TEST_F(SpecialFilesTest, AreRefusedByEveryCommand) {
              {"convert", "*.png", "--to", "height", "-o", "out.png"},
              {"lint", "*.png"},
              {"compare", "*.png", "*.png"},
+             {"merge", "g.json", "*.json", "g.json"},
+             {"textconv", "*.json"},
              {"import", "*_color.png", "-o", "out.json", "--root", "/"},
              {"test", "*.test.json"}})
         expect_refused(words);
+    expect_refused({"diff", "*.json", "g.json"}, 2);
     expect_refused({"check", "@*.json"}, 2);
     EXPECT_FALSE(exists("out.png"));
 }

@@ -21,46 +21,46 @@ struct Command {
     std::set<std::string> outputs = {};
 };
 
-const std::vector<Command>& commands() {
-    static const std::vector<Command> all = {
-        {{"check", "graph.json"}},
-        {{"check", "wrong.json", "--diagnostics", "json"}},
-        {{"compile", "graph.json"}},
-        {{"compile", "graph.json", "--cost"}},
-        {{"compile", "graph.json", "-o", "out.glsl", "--reflect", "r.json", "-MD", "-MF", "out.d"},
-         {"out.glsl", "r.json", "out.d"}},
-        {{"compile", "graph.json", "-o", "out", "--form", "shader"}, {"out.vert", "out.frag"}},
-        {{"compile", "graph.json", "other.json", "-o", "out", "--reflect", "out"}, {"out"}},
-        {{"compile", "graph.json", "-o", "out.glsl", "--cache", "kept"}, {"out.glsl", "kept"}},
-        {{"eval", "graph.json", "--mesh", "plane", "--uv", "0.5,0.5"}},
-        {{"render", "graph.json", "-o", "out.png", "--size", "8x8"}, {"out.png"}},
-        {{"render", "graph.json", "-o", "-", "--size", "8x8"}},
-        {{"bake", "graph.json", "--mesh", "plane", "--size", "8", "-o", "out.png"}, {"out.png"}},
-        {{"bake", "graph.json", "--mesh", "plane", "--size", "8", "-o", "out", "--map",
-          "normal,derivative"},
-         {"out"}},
-        {{"bake", "graph.json", "--mesh", "plane", "--size", "8", "-o", "part", "--shard", "1/2"},
-         {"part"}},
-        {{"convert", "height.png", "-o", "out.exr", "--to", "slopes", "--mips"}, {"out.exr"}},
-        {{"convert", "height.png", "-o", "out.png", "--to", "normal"}, {"out.png"}},
-        {{"lint", "height.png", "--json"}},
-        {{"compare", "height.png", "height.png", "-o", "out.png"}, {"out.png"}},
-        {{"import", "height.png", "-o", "out.json"}, {"out.json"}},
-        {{"test", ".", "--report", "out"}, {"out"}},
-        {{"test", ".", "--update"}, {"golden", "graph.test.json"}},
-        {{"format", "ugly.json"}, {"ugly.json"}},
-        {{"inputs", "graph.json", "--json"}},
-        {{"nodes", "--json"}},
-        {{"nodes", "--schema"}},
-        {{"plugins"}},
-        {{"plugins", "--manifest", "nodes.so"}, {"nodes.so.json"}},
-        {{"new-plugin", "my_node"}, {"my_node"}},
-        {{"explain-log", "graph.json", "driver.log"}},
-        {{"completion", "bash"}},
-        {{"man", "compile"}},
-    };
-    return all;
-}
+const std::vector<Command> all_commands = {
+    {{"check", "graph.json"}},
+    {{"check", "wrong.json", "--diagnostics", "json"}},
+    {{"compile", "graph.json"}},
+    {{"compile", "graph.json", "--cost"}},
+    {{"compile", "graph.json", "-o", "out.glsl", "--reflect", "r.json", "-MD", "-MF", "out.d"},
+     {"out.glsl", "r.json", "out.d"}},
+    {{"compile", "graph.json", "-o", "out", "--form", "shader"}, {"out.vert", "out.frag"}},
+    {{"compile", "graph.json", "other.json", "-o", "out", "--reflect", "out"}, {"out"}},
+    {{"compile", "graph.json", "-o", "out.glsl", "--cache", "kept"}, {"out.glsl", "kept"}},
+    {{"eval", "graph.json", "--mesh", "plane", "--uv", "0.5,0.5"}},
+    {{"render", "graph.json", "-o", "out.png", "--size", "8x8"}, {"out.png"}},
+    {{"render", "graph.json", "-o", "-", "--size", "8x8"}},
+    {{"bake", "graph.json", "--mesh", "plane", "--size", "8", "-o", "out.png"}, {"out.png"}},
+    {{"bake", "graph.json", "--mesh", "plane", "--size", "8", "-o", "out", "--map",
+      "normal,derivative"},
+     {"out"}},
+    {{"bake", "graph.json", "--mesh", "plane", "--size", "8", "-o", "part", "--shard", "1/2"},
+     {"part"}},
+    {{"convert", "height.png", "-o", "out.exr", "--to", "slopes", "--mips"}, {"out.exr"}},
+    {{"convert", "height.png", "-o", "out.png", "--to", "normal"}, {"out.png"}},
+    {{"lint", "height.png", "--json"}},
+    {{"compare", "height.png", "height.png", "-o", "out.png"}, {"out.png"}},
+    {{"import", "height.png", "-o", "out.json"}, {"out.json"}},
+    {{"diff", "graph.json", "other.json", "--exit-zero"}},
+    {{"merge", "graph.json", "graph.json", "other.json", "-o", "out.json"}, {"out.json"}},
+    {{"textconv", "graph.json"}},
+    {{"test", ".", "--report", "out"}, {"out"}},
+    {{"test", ".", "--update"}, {"golden", "graph.test.json"}},
+    {{"format", "ugly.json"}, {"ugly.json"}},
+    {{"inputs", "graph.json", "--json"}},
+    {{"nodes", "--json"}},
+    {{"nodes", "--schema"}},
+    {{"plugins"}},
+    {{"plugins", "--manifest", "nodes.so"}, {"nodes.so.json"}},
+    {{"new-plugin", "my_node"}, {"my_node"}},
+    {{"explain-log", "graph.json", "driver.log"}},
+    {{"completion", "bash"}},
+    {{"man", "compile"}},
+};
 
 // Returns true for temporary files, and for rows that bake.json does not count yet.
 bool may_be_unfinished(const std::string& name) {
@@ -151,7 +151,7 @@ bool is_cached(const std::pair<const std::string, std::string>& file) {
 }
 
 TEST_F(HostileOutputs, OnAFullDiskAreWhole) {
-    for (const Command& command : commands()) {
+    for (const Command& command : all_commands) {
         const auto good = good_outputs(command);
         for (const rlim_t size : {rlim_t{1}, rlim_t{100}, rlim_t{1000}, rlim_t{5000}}) {
             const std::string label =
@@ -188,7 +188,7 @@ TEST_F(HostileOutputs, KilledAtEachChangeOfTheDiskAreWholeAndRunAgain) {
     MANY_PROCESSES;
     const Names calls = {"write", "pwrite64", "writev", "rename", "unlink",
                          "flock", "fchmod",   "fsync",  "mkdir"};
-    for (const Command& command : commands()) {
+    for (const Command& command : all_commands) {
         if (command.outputs.empty()) continue;
         const auto good = good_outputs(command);
         for (const std::string& call : calls)
@@ -213,7 +213,7 @@ TEST_F(HostileOutputs, KilledAtEachChangeOfTheDiskAreWholeAndRunAgain) {
 
 TEST_F(HostileOutputs, WithoutAUsableStandardOutputEndByTheContract) {
     const int nothing = open("/dev/null", O_RDWR), full = open("/dev/full", O_RDWR);
-    for (const Command& command : commands()) {
+    for (const Command& command : all_commands) {
         const auto good = good_outputs(command);
         const bool prints = !run(command.args).out.empty();
         restore();
