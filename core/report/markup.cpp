@@ -4,25 +4,14 @@
 #include <cmath>
 #include <cstdio>
 
-#include "base/base64.h"
-#include "base/file.h"
 #include "base/printable.h"
 #include "base/text.h"
-#include "report/text_diff.h"
 
 namespace wrinkle::report {
-namespace fs = std::filesystem;
 namespace {
 
 std::string cell(const std::string& text, const char* kind = "") {
     return "<td" + std::string(kind) + ">" + html(text) + "</td>";
-}
-
-std::string number(double value) {
-    char text[32];
-    const bool is_count = value == std::floor(value) && std::abs(value) < 1e9;
-    std::snprintf(text, sizeof text, is_count ? "%.0f" : "%.4g", value);
-    return text;
 }
 
 std::string milliseconds(double seconds) {
@@ -34,106 +23,77 @@ std::string milliseconds(double seconds) {
 std::string numbers_markup(const Check& check) {
     if (check.measured.empty()) return "";
     const bool of_outputs = check.kind == CheckKind::point;
+    const bool has_nodes = std::ranges::any_of(
+        check.measured, [](const Measured& each) { return !each.node.empty(); });
     std::string rows;
     for (const Measured& each : check.measured) {
         rows += each.within() ? "<tr>" : "<tr class=\"over\">";
-        rows += "<th scope=\"row\">" + html(each.name) + "</th>" + cell(each.node);
+        rows += "<th scope=\"row\">" + html(each.name) + "</th>";
+        if (has_nodes) rows += cell(each.node);
         if (of_outputs) rows += cell(each.expected) + cell(each.actual);
         rows += cell(number(each.value) + " " + each.unit, " class=\"number\"") +
                 cell(number(each.limit), " class=\"number\"") + "</tr>\n";
     }
-    return "<table><thead><tr><th scope=\"col\">" + std::string(of_outputs ? "Output" : "Measure") +
-           "</th><th scope=\"col\">Node</th>" +
-           (of_outputs ? "<th scope=\"col\">Expected</th><th scope=\"col\">Actual</th>" : "") +
-           "<th scope=\"col\">" + (check.kind == CheckKind::cost ? "Cost" : "Difference") +
-           "</th><th scope=\"col\">Limit</th></tr></thead><tbody>\n" + rows + "</tbody></table>\n";
-}
-
-// Returns a line with its indentation; tabs are four spaces.
-std::string code(std::string_view line) {
-    std::string spaced;
-    for (const char c : line)
-        spaced += c == '\t' ? std::string("    ") : std::string(1, c);
-    return html(spaced);
-}
-
-std::string diff_row(const DiffLine& line, const Check& check) {
-    using Kind = DiffLine::Kind;
-    if (line.kind == Kind::skipped)
-        return "<tr class=\"skipped\"><td colspan=\"5\">\u22ef</td></tr>\n";
-    const auto at = [](uint32_t place) { return place ? std::to_string(place) : ""; };
-    const char* mark = line.kind == Kind::removed ? "\u2212" : line.kind == Kind::added ? "+" : "";
-    const char* name = line.kind == Kind::removed ? " class=\"removed\""
-                       : line.kind == Kind::added ? " class=\"added\""
-                                                  : "";
-    const size_t index = line.actual_line - size_t{1};
-    const std::string node =
-        line.actual_line && index < check.nodes_of_lines.size() ? check.nodes_of_lines[index] : "";
-    return "<tr" + std::string(name) + ">" + cell(at(line.expected_line), " class=\"number\"") +
-           cell(at(line.actual_line), " class=\"number\"") + cell(node, " class=\"node\"") +
-           cell(mark) + "<td><code>" + code(line.text) + "</code></td></tr>\n";
-}
-
-std::string diff_markup(const Check& check) {
-    if (check.kind != CheckKind::text || check.actual_text.empty()) return "";
-    std::string rows;
-    for (const DiffLine& line : diff_lines(check.expected_text, check.actual_text))
-        rows += diff_row(line, check);
-    return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Lines of " +
-           html(check.id()) +
-           "\"><table class=\"diff\"><thead><tr><th scope=\"col\">Old</th><th "
-           "scope=\"col\">New</th><th scope=\"col\">Node</th><th scope=\"col\"><span "
-           "class=\"hidden\">Mark</span></th><th scope=\"col\">Line</th></tr></thead><tbody>\n" +
-           rows + "</tbody></table></div>\n";
-}
-
-// `path` is that of the image file, "" if the check has none.
-std::string figure(const char* name, const std::string& label, const std::string& path,
-                   const std::string& uri, const Check& check) {
-    if (path.empty()) return "";
-    const std::string open = "<figure class=\"" + std::string(name) + "\">";
-    const std::string caption = "<figcaption>" + html(label) + "</figcaption></figure>\n";
-    if (uri.empty()) return open + "<p>" + html(path) + " is not in this page.</p>" + caption;
-    const std::string size = check.width ? " width=\"" + std::to_string(check.width) +
-                                               "\" height=\"" + std::to_string(check.height) + "\""
-                                         : "";
-    return open + "<div class=\"frame\"><img src=\"" + uri + "\"" + size + " alt=\"" +
-           html(label + " of " + check.test) + "\"></div>" + caption;
-}
-
-std::string images_markup(const Check& check, const InlinedImages& images) {
-    if (check.actual_image.empty() && check.expected_image.empty()) return "";
-    const std::string scale = check.map_measure == "degrees"
-                                  ? "Difference: 0 to " + number(check.map_scale) + " degrees"
-                                  : "Difference: FLIP, 0 to " + number(check.map_scale);
-    return "<div class=\"images\" data-measure=\"" + html(check.map_measure) + "\">\n" +
-           figure("expected", "Expected", check.expected_image, images.expected, check) +
-           figure("actual", "Actual", check.actual_image, images.actual, check) +
-           figure("map", scale, check.map_image, images.map, check) + "</div>\n";
-}
-
-std::string data_uri(const std::string& image, const fs::path& folder) {
-    std::string why;
-    if (image.empty()) return "";
-    const auto path = inside(folder, folder / image);
-    const auto bytes = path ? read_file(*path, why) : std::nullopt;
-    return bytes ? "data:image/png;base64," + base64(*bytes) : "";
+    std::vector<std::string> heads = {of_outputs ? "Output" : "Measure"};
+    if (has_nodes) heads.emplace_back("Node");
+    if (of_outputs) heads.insert(heads.end(), {"Expected", "Actual"});
+    heads.insert(heads.end(), {check.kind == CheckKind::cost ? "Cost" : "Difference", "Limit"});
+    return "<table><thead><tr><th scope=\"col\">" + joined(heads, "</th><th scope=\"col\">") +
+           "</th></tr></thead><tbody>\n" + rows + "</tbody></table>\n";
 }
 
 // The number that exceeds its limit most, as text and as a bar.
 std::string worst_markup(const Check& check) {
     const auto worst = std::ranges::max_element(check.measured, {},
                                                 [](const Measured& each) { return each.excess(); });
-    if (worst == check.measured.end()) return "";
+    if (worst == check.measured.end() || worst->within()) return "";
     // Logarithmic: the limit is at a quarter, 1000 times the limit at the end.
-    const double part = std::clamp(0.25 + std::log10(worst->excess()) / 4, 0.0, 1.0) * 100;
-    return "<span class=\"worst\"><span class=\"bar\" aria-hidden=\"true\"><span style=\"width:" +
-           number(part) + "%\"></span></span>" +
+    const double part = std::clamp(0.25 + std::log10(worst->excess()) / 4, 0.0, 1.0) * 64;
+    return "<span class=\"worst\"><svg class=\"bar\" viewBox=\"0 0 64 8\" width=\"64\" "
+           "height=\"8\" aria-hidden=\"true\"><rect class=\"over\" width=\"" +
+           number(part) + "\" height=\"8\"/><rect class=\"limit\" x=\"15\" width=\"2\" " +
+           "height=\"8\"/></svg>" +
            html(number(worst->value) + " " + worst->unit + " / " + number(worst->limit)) +
            "</span>";
 }
 
+std::string lines_markup(const Check& check, const CheckParts& parts) {
+    if (check.kind != CheckKind::text || check.actual_text.empty()) return "";
+    if (parts.lines.empty()) return "<p>The lines that differ are not in this page.</p>\n";
+    if (parts.nodes.empty()) return parts.lines;
+    return "<p>Nodes of these lines: <code>" + html(parts.nodes) + "</code></p>\n" + parts.lines;
+}
+
+std::string body_markup(const Check& check, const CheckParts& parts) {
+    const std::string source =
+        check.line ? check.file + ":" + std::to_string(check.line) : check.file;
+    const std::string hint =
+        check.expected.empty() ? "" : "<p class=\"hint\">" + html(check.expected) + "</p>\n";
+    return hint + "<p class=\"source\">" + html(source) + "</p>\n" +
+           images_markup(check, parts.images) + numbers_markup(check) + lines_markup(check, parts);
+}
+
+// Errors could not run, and a budget is a limit: --accept writes neither.
+bool is_acceptable(const Check& check) {
+    return check.status != Status::error && check.kind != CheckKind::cost;
+}
+
+// Names of nodes, for the search of the page.
+std::string searched_nodes(const Check& check, const CheckParts& parts) {
+    std::string names = parts.nodes;
+    for (const Measured& each : check.measured)
+        names += " " + each.node;
+    return names;
+}
+
 }  // namespace
+
+std::string number(double value) {
+    char text[32];
+    const bool is_count = value == std::floor(value) && std::abs(value) < 1e9;
+    std::snprintf(text, sizeof text, is_count ? "%.0f" : "%.4g", value);
+    return text;
+}
 
 std::string html(std::string_view text) {
     std::string escaped;
@@ -158,26 +118,17 @@ std::string html(std::string_view text) {
     return escaped;
 }
 
-InlinedImages inlined_images(const Check& check, const fs::path& folder) {
-    return {data_uri(check.expected_image, folder), data_uri(check.actual_image, folder),
-            data_uri(check.map_image, folder)};
-}
-
-std::string check_markup(const Check& check, const InlinedImages& images, bool is_open) {
-    const std::string status(name_of(check.status)), id = html(check.id());
-    const std::string source =
-        check.line ? check.file + ":" + std::to_string(check.line) : check.file;
-    const std::string hint =
-        check.expected.empty() ? "" : "<p class=\"hint\">" + html(check.expected) + "</p>\n";
-    return "<details class=\"check " + status + "\" id=\"" + id + "\" data-status=\"" + status +
-           "\" data-excess=\"" + number(check.excess()) + "\" data-seconds=\"" +
-           number(check.seconds) + "\"" + (is_open ? " open" : "") + ">\n<summary><span " +
-           "class=\"status\">" + status + "</span><span class=\"name\">" + id + "</span>" +
-           worst_markup(check) + "<span class=\"time\">" + milliseconds(check.seconds) +
-           "</span></summary>\n<div class=\"body\">\n<p class=\"message\">" + html(check.message) +
-           "</p>\n" + hint + "<p class=\"source\">" + html(source) + "</p>\n" +
-           images_markup(check, images) + numbers_markup(check) + diff_markup(check) +
-           "</div>\n</details>\n";
+std::string check_markup(const Check& check, const CheckParts& parts, bool is_open) {
+    const std::string status(name_of(check.status));
+    return "<details class=\"check " + status + "\" id=\"" + html(check.id()) +
+           "\" data-status=\"" + status + "\" data-seconds=\"" + number(check.seconds) +
+           "\" data-nodes=\"" + html(searched_nodes(check, parts)) + "\"" +
+           (is_acceptable(check) ? " data-acceptable" : "") + (is_open ? " open" : "") +
+           ">\n<summary><span class=\"status\">" + status + "</span><span class=\"name\">" +
+           html(check.name) + "</span>" + worst_markup(check) + "<span class=\"time\">" +
+           milliseconds(check.seconds) + "</span></summary>\n<div class=\"body\">\n<p class=\"" +
+           "message\">" + html(check.message) + "</p>\n<noscript>\n" + body_markup(check, parts) +
+           "</noscript></div>\n</details>\n";
 }
 
 }  // namespace wrinkle::report

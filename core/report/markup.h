@@ -1,10 +1,10 @@
 // HTML of the parts of a report.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
+#include "report/image_markup.h"
 #include "report/results.h"
 
 namespace wrinkle::report {
@@ -13,14 +13,18 @@ namespace wrinkle::report {
 // for use in an element or in an attribute with double quotes.
 std::string html(std::string_view text);
 
-// Images of one check as data URIs; "" if there is none.
-struct InlinedImages {
-    std::string expected, actual, map;
-    size_t bytes() const { return expected.size() + actual.size() + map.size(); }
-};
-InlinedImages inlined_images(const Check& check, const std::filesystem::path& folder);
+// "12", "0.04871".
+std::string number(double value);
 
-// One check that is not passed: a <details> element.
-std::string check_markup(const Check& check, const InlinedImages& images, bool is_open);
+// The large parts of a check, which a page leaves out if it would be too large; "" if there is none.
+struct CheckParts {
+    std::string lines;  // diff_markup()
+    std::string nodes;  // of these lines, separated by spaces
+    InlinedImages images;
+};
+
+// One check that is not passed: a <details> element. Its body is in a <noscript> element, which a
+// browser with scripts reads as one text: the script of the page makes elements of it when needed.
+std::string check_markup(const Check& check, const CheckParts& parts, bool is_open);
 
 }  // namespace wrinkle::report

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <numeric>
+#include <set>
 
 #include "base/base64.h"
 #include "base/checksum.h"
+#include "base/text.h"
+#include "report/colormap.h"
 #include "report/markup.h"
+#include "report/page_contents.h"
 #include "report/page_texts.h"
 
 namespace wrinkle::report {
@@ -14,16 +17,29 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string script() {
-    return std::string(page_texts::report_js) + std::string(page_texts::images_js);
+    std::string colors = "\"use strict\";\n// Colors of the maps.\nconst magma = [";
+    for (const uint32_t color : magma)
+        colors += std::to_string(color) + ",";
+    return colors + "];\n" + std::string(page_texts::report_js) +
+           std::string(page_texts::pixels_js) + std::string(page_texts::images_js) +
+           std::string(page_texts::start_js);
+}
+
+std::string hash_source(const std::string& text) {
+    std::string digest;
+    const std::string digits = sha256(text);
+    for (size_t i = 0; i + 1 < digits.size(); i += 2)
+        digest += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
+    return "'sha256-" + base64(digest) + "'";
+}
+
+std::string style() {
+    return "\n" + std::string(page_texts::report_css) + std::string(page_texts::images_css);
 }
 
 std::string policy() {
-    std::string digest;
-    const std::string digits = sha256(script());
-    for (size_t i = 0; i + 1 < digits.size(); i += 2)
-        digest += static_cast<char>(std::stoi(digits.substr(i, 2), nullptr, 16));
-    return "default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'sha256-" +
-           base64(digest) + "'";
+    return "default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; style-src " +
+           hash_source(style()) + "; script-src " + hash_source(script());
 }
 
 std::string chips(const Results& results) {
@@ -52,7 +68,25 @@ std::string facts(const Results& results) {
     return html(text);
 }
 
-std::string header(const Results& results, size_t left_out) {
+// "3 of 40 cases differ; 2 images changed within their limits".
+std::string summary(const Results& results) {
+    std::set<std::string_view> all, differing;
+    size_t changed = 0;
+    for (const Check& check : results.checks) {
+        if (check.status == Status::deleted) continue;  // of no case
+        all.insert(check.test);
+        if (check.status != Status::passed)
+            differing.insert(check.test);
+        else if (check.kind == CheckKind::image && check.excess() > 0)
+            ++changed;
+    }
+    std::string text =
+        std::to_string(differing.size()) + " of " + std::to_string(all.size()) + " cases differ";
+    if (changed > 0) text += "; " + std::to_string(changed) + " images changed within their limits";
+    return "<p class=\"summary\">" + text + "</p>\n";
+}
+
+std::string header(const Results& results, const Contents& contents) {
     const bool passes = results.count(Status::failed) + results.count(Status::error) +
                             results.count(Status::deleted) ==
                         0;
@@ -61,26 +95,30 @@ std::string header(const Results& results, size_t left_out) {
                                 : added > 0 ? "Passed, with new checks"
                                             : "Passed";
     std::string text = "<header>\n<h1 class=\"" + std::string(passes ? "passes" : "fails") + "\">" +
-                       verdict + "</h1>\n<p class=\"facts\">" + facts(results) + "</p>\n";
+                       verdict + "</h1>\n" + summary(results) + "<p class=\"facts\">" +
+                       facts(results) + "</p>\n";
     for (const std::string& problem : results.problems)
         text += "<p class=\"problem\">" + html(problem) + "</p>\n";
-    if (left_out > 0)
+    if (contents.images_left_out + contents.lines_left_out > 0)
         text += "<p class=\"problem\">This page would be too large: the images of " +
-                std::to_string(left_out) + " checks are only in its folder.</p>\n";
+                std::to_string(contents.images_left_out) + " checks and the lines of " +
+                std::to_string(contents.lines_left_out) + " checks are only in its folder.</p>\n";
     if (!results.causes.empty()) {
         text += "<p>Likely causes</p>\n<ul class=\"causes\">\n";
         for (const std::string& cause : results.causes)
             text += "<li>" + html(cause) + "</li>\n";
         text += "</ul>\n";
     }
-    text += "<div class=\"filters\" role=\"group\" aria-label=\"Filters\">\n" + chips(results) +
-            "<label>Search <input type=\"search\" id=\"search\"></label>\n<label>Order "
-            "<select id=\"order\"><option value=\"severity\">severity</option><option "
-            "value=\"name\">name</option><option value=\"time\">time</option></select></label>\n"
-            "<button type=\"button\" id=\"help-button\">Keys</button></div>\n";
-    text += command("Repeat", "repeat", results.command) +
-            command("Accept", "accept", "wrinkle test --review") + "</header>\n";
-    return text;
+    if (!results.command.empty()) text += command("Repeat", "repeat", results.command);
+    return text + command("Accept", "accept", "wrinkle test --review") + "</header>\n";
+}
+
+std::string filters(const Results& results) {
+    return "<div class=\"filters\" role=\"search\" aria-label=\"Filters\">\n" + chips(results) +
+           "<label>Search <input type=\"search\" id=\"search\"></label>\n<label>Order "
+           "<select id=\"order\"><option value=\"severity\">severity</option><option "
+           "value=\"name\">name</option><option value=\"time\">time</option></select></label>\n"
+           "<button type=\"button\" id=\"help-button\">Keys</button></div>\n";
 }
 
 std::string passed_list(const Results& results) {
@@ -92,31 +130,44 @@ std::string passed_list(const Results& results) {
            " passed</summary>\n<ul>\n" + items + "</ul>\n</details>\n";
 }
 
+std::string cases_markup(const Results& results, const std::vector<Case>& cases,
+                         const std::vector<CheckParts>& parts) {
+    std::string text;
+    bool is_first = true;
+    for (const Case& each : cases) {
+        text += "<section class=\"case\" data-name=\"" + html(each.name) + "\">\n<h3>" +
+                html(each.name);
+        if (!each.passed.empty())
+            text += "<span>passed: " + html(joined(each.passed, ", ")) + "</span>";
+        text += "</h3>\n";
+        for (const size_t i : each.differing) {
+            text += check_markup(results.checks[i], parts[i], is_first);
+            is_first = false;
+        }
+        text += "</section>\n";
+    }
+    return text.empty() ? "<p>No check differs.</p>\n" : text;
+}
+
 }  // namespace
 
 std::string page(const Results& results, const fs::path& folder, uint64_t max_bytes) {
-    const std::vector<size_t> order = results.by_severity();
-    std::string checks;
-    size_t left_out = 0;
-    for (const size_t i : order) {
-        const Check& check = results.checks[i];
-        InlinedImages images = inlined_images(check, folder);
-        if (images.bytes() > 0 && checks.size() + images.bytes() > max_bytes) {
-            images = {};
-            ++left_out;
-        }
-        checks += check_markup(check, images, i == order.front());
-    }
-    if (order.empty()) checks = "<p>No check differs.</p>\n";
+    const std::vector<Case> cases = cases_by_severity(results);
+    const std::string passed = passed_list(results);
+    const uint64_t fixed = passed.size() + style().size() + script().size() + 8192;
+    const Contents contents = contents_within(results, cases, folder, max_bytes, fixed);
+    const size_t failures = results.count(Status::failed) + results.count(Status::error);
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
            "http-equiv=\"Content-Security-Policy\" content=\"" +
            policy() +
            "\">\n<meta name=\"viewport\" content=\"width=device-width\">\n<title>Wrinkle test: " +
-           std::to_string(results.count(Status::failed) + results.count(Status::error)) +
-           " failed</title>\n<style>\n" + std::string(page_texts::report_css) +
-           "</style>\n</head>\n<body>\n" + header(results, left_out) +
-           "<main>\n<h2 class=\"hidden\">Checks</h2>\n<div id=\"checks\">\n" + checks + "</div>\n" +
-           passed_list(results) + "</main>\n" + std::string(page_texts::help_html) +
+           std::to_string(failures) + " failed</title>\n<style>" + style() +
+           "</style>\n</head>\n<body>\n" + header(results, contents) + filters(results) +
+           "<main>\n<h2 class=\"hidden\">Checks</h2>\n<p id=\"none\" hidden>No check is shown: "
+           "change "
+           "the filters.</p>\n<div id=\"checks\">\n" +
+           cases_markup(results, cases, contents.parts) + "</div>\n" + passed + "</main>\n" +
+           std::string(page_texts::help_html) +
            "<div id=\"announcement\" class=\"hidden\" role=\"status\"></div>\n<script>" + script() +
            "</script>\n</body>\n</html>\n";
 }

@@ -34,7 +34,8 @@ def dump(chromium, page, flags=()):
     """Returns the document after its scripts ran."""
     return subprocess.run(
         [chromium, "--headless", "--no-sandbox", "--disable-gpu", "--window-size=1280,900",
-         "--virtual-time-budget=10000", *flags, "--dump-dom", page.as_uri()],
+         "--virtual-time-budget=10000", *flags, "--dump-dom",
+         page if isinstance(page, str) else page.as_uri()],
         check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
 
 
@@ -57,25 +58,45 @@ KEYS = """addEventListener('load', () => setTimeout(() => {
   seen.push(checks.indexOf(current));
   press('a');
   seen.push(document.querySelector('#accept').textContent.includes(current.id));
-  const pictured = document.querySelector('.images img').closest('details');
+  const pictured = checks.find((check) => check.id === 'graphs/base_and_detail/render');
   select(pictured);
   setTimeout(() => {
     const view = viewers.get(pictured);
     const tabs = [...pictured.querySelectorAll('[role=tab]')];
-    for (const key of ['2', '3', '4', '5', '6', '1']) {
+    for (const key of ['2', '3', '4', '5', '6']) {
       press(key);
       seen.push(tabs.findIndex((tab) => tab.getAttribute('aria-selected') === 'true'));
     }
+    seen.push(location.hash.includes('v=map'));
+    press('1');
     press('+');
     seen.push(view.zoom);
+    view.panel.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', bubbles: true}));
+    seen.push(view.pan[0]);
+    seen.push(new Set(view.images.map((image) => image.style.transform)).size);
     press('f');
     seen.push(view.zoom);
+    tabs[0].focus();
+    press('ArrowLeft');
+    seen.push(view.view, document.activeElement === tabs[5]);
+    seen.push(view.text_at(64, 64).split('   ').map((text) => text.split(' ')[0]).join());
+    seen.push(pictured.querySelector('.scale p').textContent.includes('degrees'));
+    has_keys.checked = false;
+    press('1');
+    seen.push(view.view);
+    has_keys.checked = true;
     search.value = 'rusty_steel/budget';
     search.dispatchEvent(new Event('input'));
     seen.push(shown_checks().length);
     seen.push(location.hash.includes('rusty_steel'));
+    select(shown_checks()[0]);
+    press('a');
+    seen.push(accept.textContent.includes('budget'));
+    search.value = '!graphs';
+    search.dispatchEvent(new Event('input'));
+    seen.push(shown_checks().length, document.querySelector('#none').hidden);
     document.title = JSON.stringify(seen);
-  }, 100);
+  }, 500);
 }, 100));"""
 
 AXE_RUN = """addEventListener('load', () => setTimeout(async () => {
@@ -132,6 +153,72 @@ def install(packages, folder):
                    cwd=folder, check=True)
 
 
+def check_without_script(chromium, html, folder):
+    """Messages, lines and images are elements without scripts too: in a frame that has none."""
+    count = """const frame = document.querySelector('iframe');
+        frame.onload = () => document.title = ['.source', '.frame img', 'mark'].map(
+            (part) => frame.contentDocument.querySelectorAll('noscript ' + part).length > 0);
+        frame.srcdoc = TEXT;""".replace("TEXT", json.dumps(html).replace("<", "\\u003c"))
+    page = folder / "frame.html"
+    page.write_text(f"<iframe sandbox='allow-same-origin'></iframe><script>{count}</script>")
+    dom = dump(chromium, page)
+    assert title_of(dom) == "true,true,true", title_of(dom)
+
+
+def check_link(chromium, page):
+    """A link shows a check in a view, and the filters."""
+    link = page.as_uri() + "#q=weave&s=failed&c=graphs/base_and_detail/render&v=swipe"
+    dom = dump(chromium, link)
+    check = re.search(r'<details [^>]*id="graphs/base_and_detail/render"[^>]*>', dom).group(0)
+    assert " open=" in check and "current" in check, check
+    assert re.search(r'aria-selected="true"[^>]*>Swipe<', dom)
+    assert re.search(r'data-status="deleted" aria-pressed="false"', dom)
+
+
+def multiplied(folder, name, count, kind=None):
+    """Returns the folder of a report with that many checks which are not passed."""
+    results = json.loads((folder / "report/results.json").read_text())
+    checks = [check for check in results["checks"]
+              if check["status"] != "passed" and kind in (None, check["kind"])]
+    results["checks"] = [dict(checks[i % len(checks)], test=f"case_{i // 2}", name=f"check_{i}")
+                         for i in range(count)]
+    shutil.rmtree(folder / name, ignore_errors=True)
+    shutil.copytree(folder / "report", folder / name)
+    (folder / name / "results.json").write_text(json.dumps(results))
+    return folder / name
+
+
+LOADED = """addEventListener('load', () => setTimeout(() => {
+  const time = performance.getEntriesByType('navigation')[0].loadEventEnd;
+  const start = performance.now();
+  search.value = 'check_1';
+  search.dispatchEvent(new Event('input'));
+  document.body.offsetHeight;
+  const filtered = performance.now();
+  select(shown_checks().at(-1));
+  document.body.offsetHeight;
+  document.title = [checks.length, shown_checks().length > 0, viewers.size < 3, current !== null,
+      Math.round(time), Math.round(filtered - start), Math.round(performance.now() - filtered)].join();
+}, 100));"""
+
+
+def check_sizes(chromium, wrinkle, folder):
+    """Large reports are within the size, and checks are elements only where they are seen."""
+    for name, count, kind in (("images", 300, "image"), ("many", 10000, None)):
+        shard = multiplied(folder, name, count, kind)
+        subprocess.run([wrinkle, "test", "--merge", shard, "--report", folder / (name + "_merged")],
+                       stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        page = folder / (name + "_merged") / "index.html"
+        size = page.stat().st_size
+        assert size <= 32 << 20, size
+        html = page.read_text()
+        found = title_of(dump(chromium, with_script(html, LOADED, folder / "large.html")))
+        assert found.startswith(f"{count},true,true,true,"), found
+        load, search, select = found.split(",")[4:]
+        print(f"{count} checks, {size / 1e6:.1f} MB: loaded in {load} ms, "
+              f"search {search} ms, next {select} ms")
+
+
 def main():
     wrinkle, source, build, chromium = sys.argv[1:]
     folder = pathlib.Path(build) / "page"
@@ -152,7 +239,11 @@ def main():
     assert "Failed</h1>" in dump(chromium, page, ["--virtual-time-budget=1"])
     print(f"{page.stat().st_size / 1e6:.1f} MB, loaded in {time.monotonic() - start:.2f} s")
     keys = title_of(dump(chromium, with_script(html, KEYS, folder / "keys.html")))
-    assert keys == "[1,true,1,2,3,4,5,0,2,1,1,true]", keys
+    assert keys == ('[1,true,1,2,3,4,5,true,2,40,1,1,5,true,"64,,expected,actual,about,map",true,5,'
+                    '1,true,false,0,false]'), keys
+    check_without_script(chromium, html, folder)
+    check_link(chromium, page)
+    check_sizes(chromium, wrinkle, folder)
     check_accessibility(chromium, html, folder)
     check_junit(folder)
 

@@ -4,19 +4,26 @@
 #include <gtest/gtest.h>
 
 #include "base/base64.h"
+#include "report/diff_markup.h"
 #include "report/markup.h"
 #include "support/files.h"
 
 namespace wrinkle::report {
 namespace {
 
-constexpr const char* hostile = "<img src=x onerror=alert(1)>\"'&</script>";
+constexpr const char* hostile = "<img src=x onerror=alert(1)>\"'&</script></noscript>";
 
 size_t count(const std::string& text, const std::string& part) {
     size_t found = 0;
     for (size_t at = text.find(part); at != text.npos; at = text.find(part, at + part.size()))
         ++found;
     return found;
+}
+
+// A file that begins as a PNG file of 16 x 8 pixels, of that many bytes.
+std::string png(size_t bytes) {
+    std::string file("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x10\0\0\0\x08", 24);
+    return file + std::string(bytes - file.size(), 'x');
 }
 
 Check failed(const std::string& test, CheckKind kind) {
@@ -39,7 +46,7 @@ protected:
         check.measured = {{"mean", "", "", "", factor, 1, ""}};
         check.expected_image = check.actual_image = check.map_image = test + ".png";
         check.width = check.height = 16;
-        temporary.put(test + ".png", std::string(bytes, 'x'));
+        temporary.put(test + ".png", png(bytes));
         results.checks.push_back(check);
     }
 
@@ -68,8 +75,9 @@ TEST_F(PageTest, NoTextBecomesMarkup) {
     EXPECT_EQ(text.find("<img"), text.npos);
     EXPECT_EQ(count(text, "<script"), 1U);
     EXPECT_EQ(count(text, "</script"), 1U);
+    EXPECT_EQ(count(text, "</noscript"), 2U);  // one of each check
     EXPECT_EQ(text.find("x\"'"), text.npos);
-    EXPECT_GT(count(text, "&lt;img src=x onerror=alert(1)&gt;&quot;'&amp;&lt;/script&gt;"), 12U);
+    EXPECT_GT(count(text, "&lt;img src=x onerror=alert(1)&gt;&quot;'&amp;&lt;/script&gt;&lt;/noscript&gt;"), 12U);
 }
 
 TEST_F(PageTest, ControlCharactersAndBytesThatAreNoTextAreEscaped) {
@@ -81,8 +89,10 @@ TEST_F(PageTest, ControlCharactersAndBytesThatAreNoTextAreEscaped) {
 TEST_F(PageTest, OnlyTheScriptOfThePageMayRun) {
     const std::string text = made();
     const std::string policy =
-        "content=\"default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src "
-        "'sha256-";
+        "content=\"default-src 'none'; base-uri 'none'; form-action 'none'; img-src data:; "
+        "style-src 'sha256-";
+    EXPECT_EQ(count(text, "'unsafe-"), 0U);
+    EXPECT_EQ(count(text, " style="), 0U);
     ASSERT_NE(text.find(policy), text.npos);
     EXPECT_LT(text.find(policy), text.find("<style"));
     for (const char* word : {"http:", "https:", "//cdn", "src=\"/", "import ", " onclick"})
@@ -106,8 +116,8 @@ TEST_F(PageTest, VerdictFollowsTheChecks) {
 }
 
 TEST_F(PageTest, ErrorsComeFirstThenTheWorst) {
-    add_images("small", 10, 2);
-    add_images("large", 10, 50);
+    add_images("small", 30, 2);
+    add_images("large", 30, 50);
     results.checks.push_back(failed("broken", CheckKind::none));
     results.checks.back().status = Status::error;
     const std::string text = made();
@@ -118,25 +128,26 @@ TEST_F(PageTest, ErrorsComeFirstThenTheWorst) {
 TEST_F(PageTest, ImagesAreInThePageOfTheWorstUntilItIsFull) {
     add_images("small", 3000, 2);
     add_images("large", 3000, 50);
-    const std::string uri = "data:image/png;base64," + base64(std::string(3000, 'x'));
+    const std::string uri = "data:image/png;base64," + base64(png(3000));
     EXPECT_EQ(count(made(), uri), 6U);
     EXPECT_EQ(made().find("too large"), std::string::npos);
-    max_bytes = 20000;
+    max_bytes = made().size() - 6000;
     const std::string text = made();
     EXPECT_EQ(count(text, uri), 3U);
     EXPECT_LT(text.find(uri), text.find("id=\"small/glsl\""));
-    EXPECT_NE(text.find("the images of 1 checks are only in its folder"), text.npos);
+    EXPECT_NE(text.find("the images of 1 checks and the lines of 0 checks are only in its folder"),
+              text.npos);
     EXPECT_NE(text.find("small.png is not in this page"), text.npos);
 }
 
 TEST_F(PageTest, ImagesOutsideTheFolderAreNotRead) {
-    temporary.put("secret.png", "secret");
+    temporary.put("secret.png", png(40));
     std::filesystem::create_directory(folder / "report");
     Check check = failed("a", CheckKind::image);
     check.actual_image = "../secret.png";
     results.checks = {check};
     const std::string text = page(results, folder / "report");
-    EXPECT_EQ(text.find(base64("secret")), text.npos);
+    EXPECT_EQ(text.find(base64(png(40))), text.npos);
     EXPECT_NE(text.find("../secret.png is not in this page"), text.npos);
 }
 
@@ -153,6 +164,88 @@ TEST_F(PageTest, TextsHaveTheNodeOfEachLine) {
     EXPECT_NE(row.find("weave"), row.npos);
     EXPECT_NE(row.find("<code>2</code>"), row.npos);
     EXPECT_EQ(count(text, "<tr class=\"removed\">"), 1U);
+    EXPECT_NE(text.find("Nodes of these lines: <code>weave</code>"), text.npos);
+    EXPECT_NE(text.find("data-nodes=\"weave\""), text.npos);
+}
+
+TEST_F(PageTest, ThePartOfALineThatChangedIsMarked) {
+    Check check = failed("a", CheckKind::text);
+    check.expected_text = "same\nfloat x = a + b;\n\u00e9\u00e8\u00e9\nall of it\n";
+    check.actual_text = "same\nfloat x = a - b;\n\u00e9\u00ea\u00e9\n12345678\n";
+    const std::string table = diff_markup(check).table;
+    for (const char* part : {"float x = a <mark>+</mark> b;", "float x = a <mark>-</mark> b;",
+                             "\u00e9<mark>\u00e8</mark>\u00e9", "\u00e9<mark>\u00ea</mark>\u00e9",
+                             "<code>all of it</code>", "<code>12345678</code>"})
+        EXPECT_NE(table.find(part), table.npos) << part;
+}
+
+TEST_F(PageTest, LongDifferencesAreCut) {
+    Check check = failed("a", CheckKind::text);
+    for (int i = 0; i < 50; ++i)
+        check.actual_text += std::to_string(i) + "\n";
+    const std::string table = diff_markup(check, 20).table;
+    EXPECT_EQ(count(table, "<tr class=\"added\">"), 20U);
+    EXPECT_NE(table.find("30 more lines are not in this page."), table.npos);
+}
+
+TEST_F(PageTest, AllOfAPageIsWithinItsSize) {
+    for (int i = 0; i < 300; ++i) {
+        Check check = failed("case_" + std::to_string(1000 + i), CheckKind::text);
+        check.measured = {{"lines", "", "", "", 1000.0 - i, 1, ""}};
+        for (int line = 0; line < 20; ++line) {
+            check.expected_text += "old " + std::to_string(line) + "\n";
+            check.actual_text += "new " + std::to_string(line) + "\n";
+        }
+        results.checks.push_back(check);
+    }
+    const size_t all = made().size();
+    max_bytes = all / 2;
+    const std::string text = made();
+    EXPECT_LE(text.size(), max_bytes);
+    EXPECT_GT(text.size(), max_bytes * 9 / 10);
+    const size_t left_out = count(text, "The lines that differ are not in this page.");
+    EXPECT_GT(left_out, 100U);
+    EXPECT_NE(text.find("the lines of " + std::to_string(left_out) + " checks are only"),
+              text.npos);
+    EXPECT_LT(text.find("<tr class=\"removed\">"), text.find("id=\"case_1001/glsl\""));
+    EXPECT_NE(text.find("id=\"case_1299/glsl\""), text.npos);
+}
+
+TEST_F(PageTest, ChecksOfACaseAreTogetherWithThosePassed) {
+    for (const char* name : {"b", "a", "b", "b"}) {
+        results.checks.push_back(failed(name, CheckKind::point));
+        results.checks.back().name = "points/" + std::to_string(results.checks.size());
+    }
+    results.checks[2].status = Status::passed;
+    results.checks[3].status = Status::error;
+    const std::string text = made();
+    const auto at = [&](const char* part) { return text.find(part); };
+    EXPECT_LT(at("<h3>b<span>passed: points/3</span></h3>"), at("id=\"b/points/1\""));
+    EXPECT_LT(at("id=\"b/points/1\""), at("id=\"b/points/4\""));
+    EXPECT_LT(at("id=\"b/points/4\""), at("<h3>a</h3>"));
+    EXPECT_NE(at("2 of 2 cases differ</p>"), text.npos);
+    EXPECT_NE(at("id=\"b/points/4\" data-status=\"error\" data-seconds=\"0\" "
+                 "data-nodes=\"\">"),
+              text.npos);
+}
+
+TEST_F(PageTest, ImagesHaveTheirSizeAndADescription) {
+    add_images("a", 30, 2);
+    results.checks[0].message = "differs by 7";
+    temporary.put("other.png", "no image");
+    results.checks[0].expected_image = "other.png";
+    const std::string text = made();
+    EXPECT_NE(text.find("<p>other.png is not in this page.</p><figcaption>Expected"), text.npos);
+    EXPECT_EQ(count(text, "\" width=\"16\" height=\"8\" alt=\""), 2U);
+    EXPECT_NE(text.find("alt=\"Map of the difference: differs by 7\""), text.npos);
+}
+
+TEST_F(PageTest, ImagesWithinTheirLimitsAreCounted) {
+    add_images("a", 30, 0.5);
+    add_images("b", 30, 0);
+    for (Check& check : results.checks)
+        check.status = Status::passed;
+    EXPECT_NE(made().find("0 of 2 cases differ; 1 images changed within"), std::string::npos);
 }
 
 TEST_F(PageTest, PassedChecksAreNames) {

@@ -1,22 +1,29 @@
 // Views of the images of a check. A viewer is made when its check is opened first.
 
-const view_names = ["Side by side", "Swipe", "Onion skin", "Blink", "Difference", "Map"];
+const view_names = [
+    { id: "side", text: "Side by side" },
+    { id: "swipe", text: "Swipe" },
+    { id: "onion", text: "Onion skin" },
+    { id: "blink", text: "Blink" },
+    { id: "difference", text: "Difference" },
+    { id: "map", text: "Map" },
+];
+const [side, swipe, onion, blink, difference, map] = view_names.keys();
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 const fit_width = 384;
 const viewers = new Map();
 
-function pixels_of(image) {
-    const canvas = element("canvas", { width: image.naturalWidth, height: image.naturalHeight });
-    const context = canvas.getContext("2d", { willReadFrequently: true });
-    context.drawImage(image, 0, 0);
-    return context.getImageData(0, 0, canvas.width, canvas.height);
+function tool(text, label, use) {
+    const button = element("button", { type: "button", textContent: text });
+    button.setAttribute("aria-label", label);
+    button.addEventListener("click", use);
+    return button;
 }
 
-function degrees_between(a, b) {
-    const [u, v] = [a, b].map((texel) => texel.map((value) => value / 127.5 - 1));
-    const dot = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
-    const length = Math.hypot(...u) * Math.hypot(...v);
-    return length > 0 ? Math.acos(Math.min(1, dot / length)) * 180 / Math.PI : 0;
+function labelled(made, label, event, use) {
+    made.setAttribute("aria-label", label);
+    made.addEventListener(event, use);
+    return made;
 }
 
 class Viewer {
@@ -24,88 +31,127 @@ class Viewer {
         this.box = box;
         this.figures = ["expected", "actual", "map"].map((name) => find("." + name, box));
         this.images = this.figures.map((figure) => figure && find("img", figure));
-        this.has_pair = this.images[0] && this.images[1];
-        this.has_map = Boolean(this.images[2]);
-        this.width = this.images.find(Boolean)?.naturalWidth || 1;
-        this.height = this.images.find(Boolean)?.naturalHeight || 1;
-        this.zoom = 1;
-        this.pan = [0, 0];
+        this.frames = this.images.map((image) => image?.closest(".frame"));
+        this.has_pair = Boolean(this.images[0] && this.images[1]);
+        const present = this.images.filter(Boolean);
+        this.width = Math.max(...present.map((image) => +image.getAttribute("width")));
+        this.height = Math.max(...present.map((image) => +image.getAttribute("height")));
+        this.unit = box.dataset.measure === "degrees" ? " degrees" : "";
         this.stack = element("div", { className: "stack" });
         this.stacked = element("figure", {}, this.stack, element("figcaption"));
         this.values = element("div", { className: "values" });
+        this.panel = element("div", { className: "panel", tabIndex: 0, id: `panel-${viewers.size}` },
+            ...this.figures.filter(Boolean), this.stacked);
+        this.panel.setAttribute("role", "tabpanel");
         this.make_tools();
-        box.prepend(this.tools);
-        box.append(this.stacked, this.values);
-        box.addEventListener("pointermove", (event) => this.point(event));
-        box.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+        box.append(this.tools, this.panel, this.values);
+        this.listen();
         this.fit();
-        this.show(0);
+        this.show(side);
+        if (this.images[2]) this.add_scale();
     }
 
     make_tools() {
-        this.tabs = view_names.map((name, i) => {
-            const tab = element("button", { type: "button", textContent: name });
+        this.tabs = view_names.map(({ text }, i) => {
+            const tab = element("button", { type: "button", textContent: text,
+                id: `${this.panel.id}-${i}`, disabled: !this.has_view(i) });
             tab.setAttribute("role", "tab");
-            tab.disabled = i > 0 && (i < 5 ? !this.has_pair : !this.has_map);
+            tab.setAttribute("aria-controls", this.panel.id);
             tab.addEventListener("click", () => this.show(i));
             return tab;
         });
         const group = element("div", {}, ...this.tabs);
         group.setAttribute("role", "tablist");
         group.setAttribute("aria-label", "Views of the images");
-        this.slider = element("input", { type: "range", min: 0, max: 100, value: 50 });
-        this.slider.setAttribute("aria-label", "Part of the actual image");
-        this.slider.addEventListener("input", () => this.update());
-        this.factor = element("select", {},
-            ...[1, 4, 16].map((n) => element("option", { value: n, textContent: "× " + n })));
-        this.factor.setAttribute("aria-label", "Factor of the difference");
-        this.factor.addEventListener("change", () => this.update());
-        const button = (text, label, use) => {
-            const made = element("button", { type: "button", textContent: text });
-            made.setAttribute("aria-label", label);
-            made.addEventListener("click", use);
-            return made;
-        };
+        group.addEventListener("keydown", (event) => this.step_tab(event));
+        this.slider = labelled(element("input", { type: "range", min: 0, max: 100, value: 50 }),
+            "Part of the actual image", "input", () => this.update());
+        const factors = [1, 4, 16].map((n) => element("option", { value: n, textContent: "× " + n }));
+        this.factor = labelled(element("select", {}, ...factors),
+            "Factor of the difference", "change", () => this.update());
         this.tools = element("div", { className: "tools" }, group, this.slider, this.factor,
-            button("+", "Zoom in", () => this.zoom_by(2)),
-            button("\u2212", "Zoom out", () => this.zoom_by(0.5)),
-            button("Fit", "Fit", () => this.fit()));
+            tool("+", "Zoom in", () => this.zoom_by(2)),
+            tool("\u2212", "Zoom out", () => this.zoom_by(0.5)),
+            tool("Fit", "Fit", () => this.fit()));
     }
 
-    is_stacked() { return this.view >= 1 && this.view <= 4; }
+    async add_scale() {
+        const image = this.images[2];
+        try {
+            await image.decode();
+            find("figcaption", this.figures[2]).after(
+                scale_of_map(image, Number(this.box.dataset.scale), this.unit));
+        } catch {
+            announce("The map cannot be shown");
+        }
+    }
+
+    listen() {
+        this.panel.addEventListener("pointermove", (event) => this.point(event));
+        this.panel.addEventListener("pointerleave", () => { this.values.textContent = ""; });
+        this.panel.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+        this.panel.addEventListener("keydown", (event) => this.move(event));
+        this.panel.addEventListener("dragstart", (event) => event.preventDefault());
+    }
+
+    has_view(view) {
+        return view === side || (view === map ? Boolean(this.images[2]) : this.has_pair);
+    }
+
+    is_stacked() { return this.view >= swipe && this.view <= difference; }
 
     show(view) {
-        if (this.tabs[view].disabled) return;
+        if (!this.has_view(view)) return;
         this.view = view;
-        this.tabs.forEach((tab, i) => tab.setAttribute("aria-selected", i === view));
+        this.tabs.forEach((tab, i) => {
+            tab.setAttribute("aria-selected", i === view);
+            tab.tabIndex = i === view ? 0 : -1;
+        });
+        this.panel.setAttribute("aria-labelledby", this.tabs[view].id);
         clearInterval(this.timer);
+        this.timer = null;
         const stacked = this.is_stacked();
         this.figures.forEach((figure, i) => {
             if (!figure) return;
-            figure.hidden = stacked || (view === 5 && i !== 2);
-            const frame = this.frames?.[i] ?? find(".frame", figure);
-            if (!frame) return;
-            this.frames = Object.assign(this.frames ?? [], { [i]: frame });
+            figure.hidden = stacked || (view === map && i !== 2);
+            const frame = this.frames[i];
             if (stacked && i < 2) this.stack.append(frame);
-            else if (frame.parentNode !== figure) figure.prepend(frame);
+            else if (frame && frame.parentNode !== figure) figure.prepend(frame);
         });
         this.stacked.hidden = !stacked;
-        this.stack.classList.toggle("difference", view === 4);
-        this.slider.hidden = view !== 1 && view !== 2;
-        this.factor.hidden = view !== 4;
+        this.stack.classList.toggle("difference", view === difference);
+        this.slider.hidden = view !== swipe && view !== onion;
+        this.factor.hidden = view !== difference;
         this.actual_shown = true;
-        if (view === 3 && !still.matches) this.timer = setInterval(() => this.blink(), 500);
+        if (view === blink && !still.matches) this.timer = setInterval(() => this.blink(), 500);
         this.update();
+        if (current && viewers.get(current) === this) {
+            state.v = view;
+            write_hash();
+        }
+    }
+
+    // Arrows choose the tab, as in the ARIA pattern of tabs.
+    step_tab(event) {
+        const direction = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+        if (!direction) return;
+        event.preventDefault();
+        let view = this.view;
+        do view = (view + direction + this.tabs.length) % this.tabs.length;
+        while (!this.has_view(view));
+        this.show(view);
+        this.tabs[view].focus();
     }
 
     // Shows one image, then the other.
     exchange() {
-        if (this.view === 3 && this.timer) {
+        if (this.view === blink && this.timer) {
             clearInterval(this.timer);
             this.timer = null;
             announce("Stopped");
-        } else if (this.view === 3) {
+        } else if (this.view === blink) {
             this.blink();
+            announce(this.actual_shown ? "Actual" : "Expected");
         } else {
             this.slider.value = this.slider.value < 50 ? 100 : 0;
             this.update();
@@ -113,51 +159,73 @@ class Viewer {
     }
 
     blink() {
-        if (!this.box.isConnected || !this.box.closest("details").open) return;
+        if (!this.box.closest("details").open) return;
         this.actual_shown = !this.actual_shown;
         this.update();
     }
 
     update() {
-        const actual = this.frames?.[1];
-        const part = Number(this.slider.value);
-        const caption = find("figcaption", this.stacked);
-        this.stack.style.filter = this.view === 4 ? `brightness(${this.factor.value})` : "";
-        for (const frame of this.frames ?? []) {
-            if (!frame) continue;
-            frame.style.width = this.width * this.fitted + "px";
-            frame.style.height = this.height * this.fitted + "px";
-            const scale = this.fitted * this.zoom;
+        const scale = this.fitted * this.zoom;
+        this.frames.forEach((frame, i) => {
+            if (!frame) return;
+            const image = this.images[i];
+            frame.style.width = image.getAttribute("width") * this.fitted + "px";
+            frame.style.height = image.getAttribute("height") * this.fitted + "px";
             frame.classList.toggle("pixels", scale >= 2);
-            find("img", frame).style.transform =
+            image.style.transform =
                 `translate(${-this.pan[0] * scale}px, ${-this.pan[1] * scale}px) scale(${scale})`;
-        }
-        if (!actual) return;
-        actual.style.clipPath = this.view === 1 ? `inset(0 0 0 ${100 - part}%)` : "";
-        actual.style.opacity = this.view === 2 ? part / 100 : 1;
-        actual.style.visibility = this.view === 3 && !this.actual_shown ? "hidden" : "";
-        caption.textContent = ["", "Expected left, actual right", "Expected below, actual above",
-            this.actual_shown ? "Actual" : "Expected", "Difference of the colors"][this.view] ?? "";
+        });
+        if (this.has_pair) this.update_stack(this.frames[1].style);
+    }
+
+    update_stack(actual) {
+        const part = Number(this.slider.value);
+        const first = this.view === blink && !this.actual_shown;
+        this.stack.style.filter = this.view === difference ? `brightness(${this.factor.value})` : "";
+        this.stack.classList.toggle("first", first);
+        this.stack.classList.toggle("second", this.view === blink && !first);
+        actual.clipPath = this.view === swipe ? `inset(0 0 0 ${100 - part}%)` : "";
+        actual.opacity = this.view === onion ? part / 100 : 1;
+        actual.visibility = first ? "hidden" : "";
+        find("figcaption", this.stacked).textContent = {
+            [swipe]: "Expected left, actual right",
+            [onion]: "Expected below, actual above",
+            [blink]: first ? "Expected" : "Actual",
+            [difference]: "Difference of the colors",
+        }[this.view] ?? "";
     }
 
     fit() {
-        this.fitted = Math.max(1, Math.floor(fit_width / Math.max(this.width, this.height))) ||
-            fit_width / this.width;
-        if (this.width > fit_width) this.fitted = fit_width / this.width;
+        const scale = fit_width / Math.max(this.width, this.height);
+        this.fitted = scale >= 1 ? Math.floor(scale) : scale;
         this.zoom = 1;
         this.pan = [0, 0];
         this.update();
     }
 
-    zoom_by(factor, at = [this.width / 2, this.height / 2]) {
-        const zoom = Math.min(Math.max(this.zoom * factor, 1), 64);
-        this.pan = this.pan.map((pan, i) => {
+    pan_to(pan) {
+        this.pan = pan.map((value, i) => {
             const size = i === 0 ? this.width : this.height;
-            const moved = at[i] - (at[i] - pan) * this.zoom / zoom;
-            return Math.min(Math.max(moved, 0), size - size / zoom);
+            return Math.min(Math.max(value, 0), size - size / this.zoom);
         });
-        this.zoom = zoom;
         this.update();
+    }
+
+    zoom_by(factor, at = [this.pan[0] + this.width / 2 / this.zoom,
+        this.pan[1] + this.height / 2 / this.zoom]) {
+        const zoom = Math.min(Math.max(this.zoom * factor, 1), 64);
+        const before = this.zoom;
+        this.zoom = zoom;
+        this.pan_to(this.pan.map((pan, i) => at[i] - (at[i] - pan) * before / zoom));
+    }
+
+    move(event) {
+        const direction = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1],
+            ArrowDown: [0, 1] }[event.key];
+        if (!direction || this.zoom === 1) return;
+        event.preventDefault();
+        const step = this.width / this.zoom / 8;
+        this.pan_to(this.pan.map((pan, i) => pan + direction[i] * step));
     }
 
     // Returns the pixel under the pointer, or null.
@@ -166,23 +234,15 @@ class Viewer {
         if (!frame) return null;
         const box = frame.getBoundingClientRect();
         const scale = this.fitted * this.zoom;
-        const x = Math.floor((event.clientX - box.left) / scale + this.pan[0]);
-        const y = Math.floor((event.clientY - box.top) / scale + this.pan[1]);
-        return x >= 0 && y >= 0 && x < this.width && y < this.height ? [x, y] : null;
+        return [Math.floor((event.clientX - box.left - frame.clientLeft) / scale + this.pan[0]),
+            Math.floor((event.clientY - box.top - frame.clientTop) / scale + this.pan[1])];
     }
 
     point(event) {
         const pixel = this.pixel(event);
-        if (event.buttons === 1 && pixel) {
-            const scale = this.fitted * this.zoom;
-            this.zoom_by(1);
-            this.pan = this.pan.map((pan, i) => {
-                const size = i === 0 ? this.width : this.height;
-                const moved = pan - (i === 0 ? event.movementX : event.movementY) / scale;
-                return Math.min(Math.max(moved, 0), size - size / this.zoom);
-            });
-            this.update();
-        }
+        const scale = this.fitted * this.zoom;
+        if (event.buttons === 1 && pixel)
+            this.pan_to([this.pan[0] - event.movementX / scale, this.pan[1] - event.movementY / scale]);
         this.values.textContent = pixel ? this.text_at(...pixel) : "";
     }
 
@@ -194,50 +254,18 @@ class Viewer {
     }
 
     text_at(x, y) {
-        this.pixels ??= this.images.slice(0, 2).map((image) => image && pixels_of(image));
-        const texels = this.pixels.map((data) =>
-            data && [...data.data.slice((y * data.width + x) * 4, (y * data.width + x) * 4 + 3)]);
+        if (this.images.some((image) => image && !image.naturalWidth)) return "";
+        this.pixels ??= this.images.map((image) => image && pixels_of(image));
+        const [expected, actual, error] = this.pixels.map((data) => data && texel(data, x, y));
         let text = `${x}, ${y}`;
-        if (texels[0]) text += `   expected ${texels[0].join(" ")}`;
-        if (texels[1]) text += `   actual ${texels[1].join(" ")}`;
-        if (texels[0] && texels[1] && this.box.dataset.measure === "degrees")
-            text += `   ${degrees_between(texels[0], texels[1]).toFixed(2)} degrees`;
+        if (expected) text += `   expected ${expected.join(" ")}`;
+        if (actual) text += `   actual ${actual.join(" ")}`;
+        if (expected && actual && this.unit)
+            text += `   about ${degrees_between(expected, actual).toFixed(1)} degrees`;
+        if (error) {
+            const value = step_of(error) * Number(this.box.dataset.scale) / 255;
+            text += `   map ${value.toPrecision(3)}${this.unit}`;
+        }
         return text;
     }
 }
-
-function open_viewer(check) {
-    const box = find(".images", check);
-    if (!box || viewers.has(check) || !find("img", box)) return;
-    viewers.set(check, new Viewer(box));
-}
-
-// Small images in the line of a check.
-function add_thumbnails(check) {
-    const time = find(".time", check);
-    for (const image of find_all(".images img", check)) {
-        const draw = () => {
-            const height = 40;
-            const width = Math.round(height * image.naturalWidth / image.naturalHeight);
-            const canvas = element("canvas", { width: 2 * width, height: 2 * height });
-            canvas.setAttribute("aria-hidden", "true");
-            canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
-            time.before(canvas);
-        };
-        if (image.complete && image.naturalWidth) draw();
-        else image.addEventListener("load", draw, { once: true });
-    }
-}
-
-function start() {
-    for (const check of checks) {
-        add_thumbnails(check);
-        check.addEventListener("toggle", () => check.open && open_viewer(check));
-        find("summary", check).addEventListener("click", () => make_current(check));
-        if (check.open) open_viewer(check);
-    }
-    read_hash();
-    apply_state();
-}
-if (document.readyState === "complete") start();
-else addEventListener("load", start);

@@ -1,0 +1,28 @@
+// HTML of the images of a check.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "report/results.h"
+
+namespace wrinkle::report {
+
+struct InlinedImage {
+    std::string uri;  // "data:image/png;base64,..."; "" if there is no image
+    uint32_t width = 0, height = 0;
+};
+
+struct InlinedImages {
+    InlinedImage expected, actual, map;
+    size_t bytes() const { return expected.uri.size() + actual.uri.size() + map.uri.size(); }
+};
+
+// Reads the images of a check. An image that is not a PNG file in `folder` has no uri.
+InlinedImages inlined_images(const Check& check, const std::filesystem::path& folder);
+
+// Figures of the images; an image without uri is named.
+std::string images_markup(const Check& check, const InlinedImages& images);
+
+}  // namespace wrinkle::report
