@@ -112,6 +112,7 @@ struct TestCommand {
         Results results;
         results.version = WRINKLE_VERSION;
         results.command = command_of_run();
+        results.approval = approval();
         results.started = time_now();
         if (const auto part = *parse_shard(); part.count > 1)
             std::erase_if(tests, [&](const fs::path& test) {
@@ -245,8 +246,7 @@ struct TestCommand {
 
     std::string hint_of(const Results& results) const {
         if (std::ranges::none_of(results.checks, is_pending)) return "";
-        const std::string where = report_folder.empty() ? "" : " --report " + report_folder;
-        return "report: " + (folder() / "index.html").string() + "; wrinkle test" + where +
+        return "report: " + (folder() / "index.html").string() + "; " + results.approval +
                " --review shows each difference, --accept ID writes it";
     }
 
@@ -292,6 +292,8 @@ struct TestCommand {
 
     int merge() {
         Results results;
+        results.version = WRINKLE_VERSION;
+        results.approval = approval();
         std::string why;
         if (!make_report_folder(folder(), why)) return fail(exit_environment, why);
         for (const std::string& each : shards)
@@ -301,6 +303,11 @@ struct TestCommand {
         write_outputs(results, environment);
         Diagnostics diagnostics;
         return conclude(results, environment, diagnostics);
+    }
+
+    std::string approval() const {
+        return report_folder.empty() ? "wrinkle test"
+                                     : "wrinkle test --report " + shell_quoted(report_folder);
     }
 
     std::string command_of_run() const {

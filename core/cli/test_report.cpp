@@ -129,6 +129,7 @@ bool merge_report(const fs::path& shard, const fs::path& folder, report::Results
     }
     results.seconds += part->seconds;
     if (results.driver.empty()) results.driver = part->driver;
+    if (results.command.empty()) results.command = part->command;
     if (results.started.empty() || part->started < results.started) results.started = part->started;
     results.causes.insert(results.causes.end(), part->causes.begin(), part->causes.end());
     results.problems.insert(results.problems.end(), part->problems.begin(), part->problems.end());

@@ -110,7 +110,7 @@ std::string header(const Results& results, const Contents& contents) {
         text += "</ul>\n";
     }
     if (!results.command.empty()) text += command("Repeat", "repeat", results.command);
-    return text + command("Accept", "accept", "wrinkle test --review") + "</header>\n";
+    return text + command("Accept", "accept", results.approval + " --review") + "</header>\n";
 }
 
 std::string filters(const Results& results) {

@@ -84,6 +84,7 @@ struct Results {
     std::string version;                // Wrinkle's
     std::string driver;                 // OpenGL's; "" if no image was drawn
     std::string command;                // that repeats the run
+    std::string approval;               // that accepts, without names: "wrinkle test --report out"
     std::string started;                // ISO 8601, UTC
     double seconds = 0;                 // time of the run
     std::vector<std::string> problems;  // for the entire run: no OpenGL

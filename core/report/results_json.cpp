@@ -62,6 +62,7 @@ void visit_members(Results& results, Visit&& visit) {
     visit("wrinkle", results.version);
     visit("driver", results.driver);
     visit("command", results.command);
+    visit("approval", results.approval);
     visit("started", results.started);
     visit("seconds", results.seconds);
     visit("problems", results.problems);

@@ -69,7 +69,8 @@ TEST_F(PageTest, NoTextBecomesMarkup) {
     point.kind = CheckKind::point;
     passed.status = Status::passed;
     results.checks = {check, point, passed};
-    results.version = results.driver = results.command = results.started = hostile;
+    results.version = results.driver = results.command = results.approval = results.started =
+        hostile;
     results.problems = {hostile};
     const std::string text = made();
     EXPECT_EQ(text.find("<img"), text.npos);
@@ -77,7 +78,10 @@ TEST_F(PageTest, NoTextBecomesMarkup) {
     EXPECT_EQ(count(text, "</script"), 1U);
     EXPECT_EQ(count(text, "</noscript"), 2U);  // one of each check
     EXPECT_EQ(text.find("x\"'"), text.npos);
-    EXPECT_GT(count(text, "&lt;img src=x onerror=alert(1)&gt;&quot;'&amp;&lt;/script&gt;&lt;/noscript&gt;"), 12U);
+    EXPECT_GT(
+        count(text,
+              "&lt;img src=x onerror=alert(1)&gt;&quot;'&amp;&lt;/script&gt;&lt;/noscript&gt;"),
+        12U);
 }
 
 TEST_F(PageTest, ControlCharactersAndBytesThatAreNoTextAreEscaped) {
@@ -97,6 +101,15 @@ TEST_F(PageTest, OnlyTheScriptOfThePageMayRun) {
     EXPECT_LT(text.find(policy), text.find("<style"));
     for (const char* word : {"http:", "https:", "//cdn", "src=\"/", "import ", " onclick"})
         EXPECT_EQ(text.find(word), text.npos) << word;
+}
+
+TEST_F(PageTest, HasTheCommandsOfTheRun) {
+    results.approval = "wrinkle test --report out";
+    EXPECT_NE(made().find("<code id=\"accept\">wrinkle test --report out --review</code>"),
+              std::string::npos);
+    EXPECT_EQ(made().find("<code id=\"repeat\">"), std::string::npos);
+    results.command = "wrinkle test a";
+    EXPECT_NE(made().find("<code id=\"repeat\">wrinkle test a</code>"), std::string::npos);
 }
 
 TEST_F(PageTest, VerdictFollowsTheChecks) {
