@@ -13,19 +13,20 @@ using difference::Section;
 
 Diagnostic located(const Document& document, const Conflict& conflict, std::string message,
                    std::string expected) {
+    constexpr RuleId rule = RuleId::wrong_file;
     const Node* node = conflict.section == Section::nodes ? document.find(conflict.id) : nullptr;
     if (node && conflict.key.is_port)
-        return diagnose_port(document, *node, conflict.key.name, std::move(message),
+        return diagnose_port(document, *node, conflict.key.name, rule, std::move(message),
                              std::move(expected));
-    if (node) return diagnose(document, *node, std::move(message), std::move(expected));
+    if (node) return diagnose(document, *node, rule, std::move(message), std::move(expected));
     const GraphInput* input = document.inputs.find(conflict.id);
     if (conflict.section == Section::inputs && input)
-        return diagnose_key(document, *input, conflict.key.name, std::move(message),
+        return diagnose_key(document, *input, conflict.key.name, rule, std::move(message),
                             std::move(expected));
     const Output* output = document.outputs.find(conflict.id);
     if (conflict.section == Section::outputs && output)
-        return diagnose(document, *output, std::move(message), std::move(expected));
-    return diagnose(document, std::move(message), std::move(expected));
+        return diagnose(document, *output, rule, std::move(message), std::move(expected));
+    return diagnose(document, rule, std::move(message), std::move(expected));
 }
 
 }  // namespace

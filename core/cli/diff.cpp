@@ -20,7 +20,8 @@ std::optional<Document> read_graph(const std::string& file, Diagnostics& diagnos
     if (own.has_errors())
         diagnostics.append(own);
     else
-        diagnostics.add(file_problem(Severity::error, file, "is not a graph: " + fault, ""));
+        diagnostics.add(file_problem(Severity::error, RuleId::wrong_file, file,
+                                     "is not a graph: " + fault, ""));
     return {};
 }
 

@@ -67,7 +67,7 @@ std::optional<std::string> read_operand(const std::string& name, Diagnostics& di
     if (!is_revision) return read_text(name, diagnostics);
     GitResult shown = run_git({"cat-file", "blob", name});
     if (shown.code == 0) return std::move(shown.output);
-    diagnostics.add(file_problem(Severity::error, name,
+    diagnostics.add(file_problem(Severity::error, RuleId::file_unreadable, name,
                                  shown.code < 0 ? "cannot be read: git cannot be started"
                                                 : "is not a file, and not one of a Git revision",
                                  "a file, or REVISION:PATH"));

@@ -56,7 +56,8 @@ struct SettleCommand {
         for (const std::string& id : ids)
             if (std::ranges::none_of(conflicts,
                                      [&](const Conflict& each) { return is_selected(each, id); }))
-                problems.add(file_problem(Severity::error, file, "has no open conflict of " + id,
+                problems.add(file_problem(Severity::error, RuleId::option, file,
+                                          "has no open conflict of " + id,
                                           "wrinkle settle " + file + " lists them"));
         auto text = read_text(file, problems);
         if (problems.has_errors()) return {};
@@ -77,7 +78,7 @@ struct SettleCommand {
     std::string with_choice(std::string text, const Conflict& conflict,
                             Diagnostics& problems) const {
         if (conflict.kind == ConflictKind::error) {
-            problems.add(file_problem(Severity::error, file,
+            problems.add(file_problem(Severity::error, RuleId::option, file,
                                       "has no side to choose: " + sentence_of(conflict),
                                       "edit the graph, then --current"));
             return text;

@@ -136,7 +136,8 @@ std::optional<std::vector<Conflict>> read_conflicts(std::string text, std::strin
         if (conflict) conflicts.push_back(std::move(*conflict));
     }
     if (is_valid) return conflicts;
-    diagnostics.add(file_problem(Severity::error, std::move(file), "is not a list of conflicts",
+    diagnostics.add(file_problem(Severity::error, RuleId::wrong_file, std::move(file),
+                                 "is not a list of conflicts",
                                  "the file that wrinkle merge wrote"));
     return {};
 }
