@@ -10,7 +10,7 @@ namespace wrinkle::report {
 
 struct DiffMarkup {
     std::string table;               // "" if the check has no text
-    std::vector<std::string> nodes;  // of the added lines, each once, in the order of the lines
+    std::vector<std::string> nodes;  // nodes of added lines, each once, in the order of the lines
 };
 
 // Lines that differ with their nodes; the part of a line that changed is in a <mark> element. At

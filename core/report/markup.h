@@ -16,10 +16,10 @@ std::string html(std::string_view text);
 // "12", "0.04871".
 std::string number(double value);
 
-// The large parts of a check, which a page leaves out if it would be too large; "" if there is none.
+// The large parts of a check, which a page leaves out if it would be too large; "" for none.
 struct CheckParts {
     std::string lines;  // diff_markup()
-    std::string nodes;  // of these lines, separated by spaces
+    std::string nodes;  // nodes of these lines, separated by spaces
     InlinedImages images;
 };
 

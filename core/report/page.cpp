@@ -73,7 +73,7 @@ std::string summary(const Results& results) {
     std::set<std::string_view> all, differing;
     size_t changed = 0;
     for (const Check& check : results.checks) {
-        if (check.status == Status::deleted) continue;  // of no case
+        if (check.status == Status::deleted) continue;  // belongs to no case
         all.insert(check.test);
         if (check.status != Status::passed)
             differing.insert(check.test);
