@@ -6,6 +6,7 @@
 #include <xxhash.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,11 @@ namespace wrinkle {
 
 // Returns 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);
+
+// XXH64 with seed 0.
+inline uint64_t xxh64(std::string_view bytes) {
+    return XXH64(bytes.data(), bytes.size(), 0);
+}
 
 // XXH64 with seed 0 of bytes given in pieces; add() may be called after digest().
 class Xxh64 {

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/file_log.h"
+
 namespace wrinkle {
 namespace fs = std::filesystem;
 
@@ -109,8 +111,10 @@ bool hold_the_same(const fs::path& one, const fs::path& other) {
 // Atomic write of one file: written under a temporary name, then renamed to its target.
 class AtomicFileWrite {
 public:
-    explicit AtomicFileWrite(const FileBytes& file)
-        : file_(file), target_(link_target(file.path)) {}
+    explicit AtomicFileWrite(const FileBytes& file) : file_(file), target_(link_target(file.path)) {
+        log_output(file.path);
+        log_output(target_);
+    }
 
     std::error_code write(Sync sync = Sync::no) {
         std::error_code error;
@@ -171,6 +175,9 @@ bool write_files(std::span<const FileBytes> files, std::string& why) {
 
 bool replace_file(Temporary& written, const fs::path& path, std::string& why) {
     const fs::path target = link_target(path);
+    log_output(path);
+    log_output(target);
+    log_output(written.path());
     std::error_code error;
     if (is_special(target))
         error =

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "base/file.h"
+#include "base/file_log.h"
 #include "base/limits.h"
 #include "base/text.h"
 
@@ -70,6 +71,7 @@ std::optional<int> stream_number(std::string_view name) {
 
 // O_NONBLOCK avoids waiting in open() for pipes; it does not affect regular files.
 OpenedFile open_to_read(const fs::path& path, std::string& why) {
+    log_input(path);
     const int handle = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
     if (handle < 0) {
         why = errno == ENXIO ? "is a socket, not a file" : unread();

@@ -12,6 +12,8 @@
 #include <string>
 #include <utility>
 
+#include "base/file_log.h"
+
 namespace wrinkle {
 namespace fs = std::filesystem;
 
@@ -113,6 +115,7 @@ std::error_code Temporary::place(const fs::path& target) {
         return error;
     }
     close(std::exchange(handle_, -1));
+    log_replaced(target);
     return {};
 }
 

@@ -27,8 +27,7 @@ std::string one_line_failure(const CLI::App* app, const CLI::Error& error) {
         app, CLI::Error(error.get_name(), sentence, error.get_exit_code()));
 }
 
-// Parses the command line, runs the command, returns the exit code.
-int run_cli(int argc, const char* const* argv) {
+int parse_and_run(std::vector<std::string> words) {
     CLI::App app("Layered bump mapping: graphs to GLSL, pictures and numbers.", "wrinkle");
     app.set_version_flag("--version", "wrinkle " WRINKLE_VERSION);
     app.require_subcommand(1);
@@ -39,12 +38,9 @@ int run_cli(int argc, const char* const* argv) {
 #define WRINKLE_DECLARE(name) declare_##name(app, run);
     WRINKLE_COMMANDS(WRINKLE_DECLARE)
 #undef WRINKLE_DECLARE
-    std::string why;
-    auto words = command_words(argc, argv, why);
-    if (!words) return fail(exit_usage, why);
-    std::reverse(words->begin(), words->end());  // CLI11 expects the words in reverse order
+    std::reverse(words.begin(), words.end());  // CLI11 expects the words in reverse order
     try {
-        app.parse(std::move(*words));
+        app.parse(std::move(words));
     } catch (const CLI::ParseError& error) {
         const int code = app.exit(error);
         return code == exit_success || code == exit_environment ? code : int{exit_usage};
@@ -54,13 +50,19 @@ int run_cli(int argc, const char* const* argv) {
 
 }  // namespace
 
-}  // namespace wrinkle::cli
-
 // Flushes standard output, because a buffered write may still fail.
-int main(int argc, char** argv) {
-    using namespace wrinkle::cli;
-    const int code = run_cli(argc, argv);
+int run_words(std::vector<std::string> words) {
+    const int code = parse_and_run(std::move(words));
     const bool printed = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     if (printed || code == exit_environment) return code;
     return fail(exit_environment, "standard output cannot be written");
+}
+
+}  // namespace wrinkle::cli
+
+int main(int argc, char** argv) {
+    using namespace wrinkle::cli;
+    std::string why;
+    auto words = command_words(argc, argv, why);
+    return words ? run_words(std::move(*words)) : fail(exit_usage, why);
 }

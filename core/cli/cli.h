@@ -27,11 +27,14 @@ using Run = std::function<int()>;
     row(check) row(compile) row(eval) row(render) row(bake) row(convert) row(lint) row(compare) \
         row(import) row(test) row(diff) row(merge) row(settle) row(textconv) row(git_setup)     \
             row(format) row(upgrade) row(inputs) row(nodes) row(plugins) row(new_plugin)        \
-                row(explain_log) row(completion) row(man)
+                row(explain_log) row(watch) row(completion) row(man)
 
 #define WRINKLE_DECLARE(name) void declare_##name(CLI::App& app, Run& run);
 WRINKLE_COMMANDS(WRINKLE_DECLARE)
 #undef WRINKLE_DECLARE
+
+// Parses the words of a command line, runs its command and returns the exit code.
+int run_words(std::vector<std::string> words);
 
 // Adds a command to the parser and returns it with its Command, which holds the values of the
 // options; Command::run() returns the exit code.

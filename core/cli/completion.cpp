@@ -81,7 +81,7 @@ private:
             } else if (word.starts_with('-') && word != "-") {
                 const CLI::Option* option = option_named(word);
                 if (option && takes_value(*option)) awaits_ = option;
-            } else if (!command_) {
+            } else if (!command_ || runs_another()) {
                 command_ = command_named(word);
             } else {
                 ++positionals_;
@@ -89,6 +89,8 @@ private:
         }
     }
 
+    // The words after `watch COMMAND` are those of COMMAND.
+    bool runs_another() const { return command_ && command_->get_name() == "watch"; }
     const CLI::App* command_named(const std::string& word) const {
         const auto named = [&](const CLI::App* sub) { return sub->get_name() == word; };
         const auto found = app_.get_subcommands(named);

@@ -1,6 +1,7 @@
 #include "mesh/gltf_parts.h"
 
 #include "base/file.h"
+#include "base/file_log.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
@@ -72,6 +73,7 @@ struct FileGate {
     bool allows(const std::string& name) {
         const fs::path path(name);
         if (is_image(path)) return false;
+        log_input(path);
         if (inside(folder, path) || (!root.empty() && inside(root, path))) return true;
         if (refused.empty())
             refused = "names the external file '" + path.filename().string() +

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "base/file.h"
+#include "base/file_log.h"
 #include "base/folders.h"
 #include "base/printable.h"
 #include "base/text.h"
@@ -54,6 +55,7 @@ public:
         : registry_(registry), diagnostics_(diagnostics), options_(options) {}
 
     void load(const std::string& name) {
+        log_input(name);
         std::error_code error;
         const fs::file_status status = fs::status(name, error);
         if (!fs::exists(status)) {
@@ -81,6 +83,7 @@ private:
     }
 
     void file(const std::string& path, Severity severity) {
+        log_input(path);
         std::error_code error;
         const fs::path real = fs::canonical(path, error);
         if (!seen_.insert(error ? fs::path(path) : real).second) return;

@@ -44,6 +44,8 @@ bool has(const Names& names, const std::string& name) {
 TEST_F(CompletionTest, OffersCommands) {
     EXPECT_EQ(offered({"c"}), (Names{"check", "compare", "compile", "completion", "convert"}));
     EXPECT_TRUE(has(offered({""}), "render"));
+    EXPECT_EQ(offered({"watch", "com"}), (Names{"compare", "compile"}));
+    EXPECT_EQ(offered({"watch", "compile", "--targ"}), Names{"--target"});
     EXPECT_FALSE(has(offered({""}), "complete"));
     EXPECT_EQ(offered({}), Names{});
 }

@@ -10,7 +10,7 @@ using Names = std::vector<std::string>;
 const Names commands = {
     "check",   "compile", "eval",  "render",  "convert",    "lint",       "test",        "format",
     "upgrade", "inputs",  "nodes", "plugins", "new-plugin", "completion", "explain-log", "bake",
-    "import",  "compare", "diff",  "merge",   "settle",     "textconv",   "git-setup"};
+    "import",  "compare", "diff",  "merge",   "settle",     "textconv",   "git-setup",   "watch"};
 
 TEST_F(ConventionsTest, HelpListsEveryCommand) {
     const Ran ran = run({"--help"});

@@ -65,6 +65,8 @@ TEST_F(PrintedNamesTest, NamesOfFilesAreEscaped) {
              {"inputs", "--json", evil + "unformatted.json"},
              {"check", "@" + missing},
              {evil},
+             {"watch", evil},
+             {"watch", "compile", "--" + evil},
              {"check", "a.json", "--" + evil}})
         expect_harmless(run(words), words[0] + " " + words.back());
 }

@@ -1,0 +1,34 @@
+// Detects that another program changed a file: compares its stamp, and its bytes only if the stamp
+// differs.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
+
+namespace wrinkle {
+
+struct Stamp {
+    bool there = false;
+    int64_t seconds = 0, nanoseconds = 0;  // last modification
+    uint64_t size = 0, inode = 0;
+    bool operator==(const Stamp&) const = default;
+};
+// Follows links. A file that does not exist or cannot be examined has Stamp{}.
+Stamp stamp_of(const std::filesystem::path& file);
+
+// The file at the last read or write.
+struct DiskCopy {
+    Stamp stamp;
+    uint64_t bytes = 0;  // XXH64
+
+    static DiskCopy of(const std::filesystem::path& file, std::string_view bytes);
+    // Reads the file. The contents of a folder are the names in it but those of temporary files.
+    static DiskCopy of(const std::filesystem::path& file);
+};
+
+enum class OnDisk : uint8_t { same, changed, gone };
+// Compares with the current file or folder; updates `known` if only the date differs.
+OnDisk compare(DiskCopy& known, const std::filesystem::path& file);
+
+}  // namespace wrinkle

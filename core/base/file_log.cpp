@@ -1,0 +1,69 @@
+#include "base/file_log.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <sstream>
+#include <string>
+
+namespace wrinkle {
+namespace fs = std::filesystem;
+namespace {
+
+int log_descriptor = -1;  // set before threads start
+
+enum Record : char { input = 'i', output = 'o', replaced = 'r' };
+
+// A record is one write, so those of several threads do not mix.
+void log_record(Record kind, const fs::path& file, const Stamp& stamp) {
+    if (file.native().find('\0') != std::string::npos) return;
+    std::ostringstream text;
+    text << char{kind} << ' ' << stamp.there << ' ' << stamp.seconds << ' ' << stamp.nanoseconds
+         << ' ' << stamp.size << ' ' << stamp.inode << ' ' << file.native() << '\0';
+    const std::string record = text.str();
+    while (write(log_descriptor, record.data(), record.size()) < 0 && errno == EINTR) {
+    }
+}
+
+}  // namespace
+
+void start_file_log(int descriptor) {
+    log_descriptor = descriptor;
+}
+
+void log_input(const fs::path& file) {
+    if (log_descriptor >= 0) log_record(input, file, stamp_of(file));
+}
+
+void log_output(const fs::path& file) {
+    if (log_descriptor >= 0) log_record(output, file, {});
+}
+
+void log_replaced(const fs::path& file) {
+    if (log_descriptor >= 0) log_record(replaced, file, {});
+}
+
+FileLog read_file_log(int descriptor) {
+    std::string bytes;
+    char block[1 << 14];
+    ssize_t count = 0;
+    while ((count = pread(descriptor, block, sizeof block, static_cast<off_t>(bytes.size()))) > 0)
+        bytes.append(block, static_cast<size_t>(count));
+    FileLog log;
+    for (size_t at = 0, end = 0; (end = bytes.find('\0', at)) != std::string::npos; at = end + 1) {
+        std::istringstream record(bytes.substr(at, end - at));
+        char kind = 0;
+        Stamp stamp;
+        record >> kind >> stamp.there >> stamp.seconds >> stamp.nanoseconds >> stamp.size >>
+            stamp.inode;
+        record.ignore(1);
+        std::string path;
+        std::getline(record, path, '\0');
+        if (kind == input) log.inputs.push_back({path, stamp});
+        if (kind == output) log.outputs.emplace_back(path);
+        if (kind == replaced) log.replaced.emplace_back(path);
+    }
+    return log;
+}
+
+}  // namespace wrinkle

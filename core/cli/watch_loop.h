@@ -1,0 +1,19 @@
+// The loop of `wrinkle watch`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace wrinkle::cli {
+
+struct WatchOptions {
+    std::vector<std::string> words;  // the command and its arguments
+    bool poll = false;               // no inotify
+};
+
+// Runs the command, then again after each change of a file that it reads or looks for, until
+// SIGINT or SIGTERM. Prints one line per build, and the errors of a failed one once. Returns
+// exit_success; exit_usage if the first run refuses its arguments.
+int watch(const WatchOptions& options);
+
+}  // namespace wrinkle::cli
