@@ -12,7 +12,7 @@ namespace wrinkle::cli {
 class WatchedInputs {
 public:
     // Takes the inputs of a build without its outputs. After a failed build the inputs of the
-    // builds before are kept too, because it may have ended before it came to them.
+    // builds before stay inputs, because it may have ended before it came to them.
     void set(const FileLog& log, bool succeeded);
     // Reads the files that are new or changed since the last call. Returns true if one changed
     // after the build had opened it. Call it when the files of files() are watched.
