@@ -35,7 +35,7 @@ void push_names(const fs::path& path, std::vector<std::string>& names) {
 // Adds each folder that is passed on the way to an absolute path, with the next name in it. A path
 // to a folder adds all names in that.
 void add_folders(const fs::path& file, FolderNames& folders) {
-    constexpr int longest_chain = 40;  // of links, as in the system
+    constexpr int longest_chain = 40;  // the system follows as many links
     fs::path at = "/";
     std::vector<std::string> rest;
     push_names(file, rest);

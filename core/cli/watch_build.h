@@ -19,7 +19,7 @@ struct BuildOutcome {
     int code = 0;      // exit code; 128 + the signal of a crash
     std::string text;  // standard error
     FileLog files;
-    double seconds = 0;  // of the run
+    double seconds = 0;  // run time
 };
 
 class Build {
