@@ -2,6 +2,7 @@
 # (tests/layout greps the #include lines as well).
 #
 #   wrinkle_library(NAME LINK lib...)        static library of the folder's *.cpp
+#   wrinkle_texts(TARGET SPACE FOLDER)       the files of a folder as constants
 #   wrinkle_test(NAME LINK lib...)           one GoogleTest program of the folder's *.cpp
 
 option(WRINKLE_WERROR "Treat warnings as errors" ON)

@@ -3,8 +3,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <set>
 #include <sstream>
 #include <string>
+
+#include "base/file.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
@@ -41,6 +44,15 @@ void log_output(const fs::path& file) {
 
 void log_replaced(const fs::path& file) {
     if (log_descriptor >= 0) log_record(replaced, file, {});
+}
+
+std::vector<fs::path> FileLog::made() const {
+    std::vector<fs::path> made;
+    std::set<fs::path> seen;
+    for (const fs::path& file : outputs)
+        if (!Temporary::is_name(file.filename().native()) && seen.insert(real_path(file)).second)
+            made.push_back(file);
+    return made;
 }
 
 FileLog read_file_log(int descriptor) {

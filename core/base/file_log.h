@@ -25,6 +25,9 @@ struct FileLog {
     };
     std::vector<Input> inputs;  // in the order of the calls, with repetitions
     std::vector<std::filesystem::path> outputs, replaced;
+
+    // Returns the outputs without temporary files and without repetitions through links.
+    std::vector<std::filesystem::path> made() const;
 };
 // Reads all records of a log.
 FileLog read_file_log(int descriptor);

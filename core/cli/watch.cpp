@@ -13,6 +13,8 @@ constexpr std::array watched_commands = {"check",   "compile", "eval",    "rende
 struct WatchCommand {
     WatchOptions options;
     std::string command;
+    bool serve = false;
+    int port = 8137;
     const CLI::App* app = nullptr;
 
     int run() {
@@ -21,6 +23,7 @@ struct WatchCommand {
             if (options.words[i] == "-" && (i == 0 || options.words[i - 1] != "-o"))
                 return fail(exit_usage, "watch reads files; standard input can be read only once");
         options.words.insert(options.words.begin(), command);
+        if (serve) options.port = port;
         return watch(options);
     }
 };
@@ -37,6 +40,14 @@ void declare_watch(CLI::App& app, Run& run) {
         ->required();
     sub.add_flag("--poll", c.options.poll,
                  "Looks at the files ten times a second, for file systems that report no changes");
+    CLI::Option* serve =
+        sub.add_flag("--serve", c.serve,
+                     "Shows outputs and errors on a page of this machine, http://localhost:PORT");
+    sub.add_option("--port", c.port, "The port of that page; 0 takes a free one")
+        ->type_name("PORT")
+        ->check(CLI::Range(0, 65535))
+        ->capture_default_str()
+        ->needs(serve);
 }
 
 }  // namespace wrinkle::cli

@@ -13,6 +13,7 @@
 #include "cli/output.h"
 #include "cli/watch_build.h"
 #include "cli/watch_inputs.h"
+#include "cli/watch_page.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -47,18 +48,19 @@ std::string names_of(const std::vector<std::filesystem::path>& files) {
 // Prints the outcomes of builds: errors once, one line per build.
 class BuildReport {
 public:
-    void add(const BuildOutcome& outcome) {
+    // Returns the line of the build.
+    std::string add(const BuildOutcome& outcome) {
         if (outcome.text != shown_) std::fputs(outcome.text.c_str(), stderr);
         const bool repeated = outcome.code != 0 && failing_ && outcome.text == shown_;
         shown_ = outcome.text;
         char time[32];
         std::snprintf(time, sizeof time, " (%.0f ms)", outcome.seconds * 1000);
-        if (outcome.code != 0) {
-            say((repeated ? "failed as before" : "failed") + ending(outcome.code) + time);
-        } else {
-            say((failing_ ? "fixed; " : "") + result_of(outcome.files) + time);
-        }
+        const std::string result =
+            outcome.code == 0 ? (failing_ ? "fixed; " : "") + result_of(outcome.files)
+                              : (repeated ? "failed as before" : "failed") + ending(outcome.code);
         failing_ = outcome.code != 0;
+        say(result + time);
+        return result + time;
     }
 
 private:
@@ -79,6 +81,11 @@ public:
     explicit Loop(const WatchOptions& options) : options_(options) {}
 
     int run() {
+        if (options_.port) {
+            page_ = WatchPage::start(*options_.port, why_);
+            if (!page_) return fail(exit_environment, why_);
+            say("shows http://localhost:" + std::to_string(page_->port()));
+        }
         catch_signals();
         if (!options_.poll) {
             std::string why;
@@ -181,21 +188,28 @@ private:
             std::fputs(outcome.text.c_str(), stderr);
             end_ = exit_usage;
         } else if (is_first) {
-            report_.add(outcome);
+            report(outcome);
             say("watches " + std::to_string(inputs_.files().size()) + " files; Ctrl-C stops");
         } else if (!failed) {
-            report_.add(outcome);
+            report(outcome);
         } else if (!changed_) {
             const Time now = WatchClock::now();
             held_ = Held{std::move(outcome), now + first_check, now + second_check};
         }
     }
 
+    void report(const BuildOutcome& outcome) {
+        const std::string line = report_.add(outcome);
+        if (outcome.code == 0) outputs_ = outcome.files.made();
+        if (page_)
+            page_->send({outcome.code == 0, options_.words[0], line, outcome.text, outputs_});
+    }
+
     void check_held() {
         look_at_files();
         if (changed_) return;
         if (held_->check == held_->report) {
-            report_.add(held_->outcome);
+            report(held_->outcome);
             held_.reset();
         } else {
             held_->check = held_->report;
@@ -220,6 +234,8 @@ private:
     std::optional<FolderWatch> folders_;  // none: polls
     WatchedInputs inputs_;
     BuildReport report_;
+    std::optional<WatchPage> page_;
+    std::vector<std::filesystem::path> outputs_;  // of the last good build
     std::optional<Build> build_;
     std::optional<Held> held_;
     std::optional<Time> first_event_;

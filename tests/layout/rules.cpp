@@ -44,6 +44,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
       "spirv",   "cpu",  "image",   "mesh",    "maps",     "gpu",        "bake",
       "certify", "cost", "compile", "import",  "report",   "difference", "list of nodes",
       "cli11",   "glm",  "tbb",     "contract"}},
+    {"core/serve", {"base", "httplib"}},
     {"nodes", {"sdk", "base"}},
     {"plugins", {"sdk"}},
     {"editor/model",
@@ -130,6 +131,7 @@ std::string library_of_file(std::string_view path) {
     if (path == "kissfft.hh") return "kissfft";
     if (path == "libdeflate.h") return "libdeflate";
     if (path == "png.h") return "png";
+    if (path == "httplib.h") return "httplib";
     if (path == "xxhash.h") return "xxhash";
     if (path == "mimalloc.h") return "mimalloc";
     if (path.starts_with("tiny_gltf") || path.starts_with("tiny_obj")) return "mesh files";
