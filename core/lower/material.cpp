@@ -9,6 +9,7 @@
 #include "ir/inspect.h"
 #include "ir/rewrite.h"
 #include "lower/check.h"
+#include "lower/flat.h"
 #include "lower/reachable.h"
 
 namespace wrinkle {
