@@ -27,11 +27,13 @@ std::string numbers_markup(const Check& check) {
         check.measured, [](const Measured& each) { return !each.node.empty(); });
     std::string rows;
     for (const Measured& each : check.measured) {
-        rows += each.within() ? "<tr>" : "<tr class=\"over\">";
+        const bool is_missing = of_outputs && each.actual.empty();
+        rows += each.within() && !is_missing ? "<tr>" : "<tr class=\"over\">";
         rows += "<th scope=\"row\">" + html(each.name) + "</th>";
         if (has_nodes) rows += cell(each.node);
         if (of_outputs) rows += cell(each.expected) + cell(each.actual);
-        rows += cell(number(each.value) + " " + each.unit, " class=\"number\"") +
+        rows += cell(is_missing ? "missing" : number(each.value) + " " + each.unit,
+                     " class=\"number\"") +
                 cell(number(each.limit), " class=\"number\"") + "</tr>\n";
     }
     std::vector<std::string> heads = {of_outputs ? "Output" : "Measure"};

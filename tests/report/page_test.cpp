@@ -192,6 +192,16 @@ TEST_F(PageTest, ThePartOfALineThatChangedIsMarked) {
         EXPECT_NE(table.find(part), table.npos) << part;
 }
 
+TEST_F(PageTest, OutputsThatAreMissingAreNamed) {
+    Check check = failed("a", CheckKind::point);
+    check.measured = {{"height", "", "0.5", "", 0, 0, ""}, {"front", "lit", "1", "1", 0, 1, ""}};
+    results.checks = {check};
+    const std::string text = made();
+    EXPECT_NE(text.find("<tr class=\"over\"><th scope=\"row\">height</th>"), text.npos);
+    EXPECT_NE(text.find(">missing</td>"), text.npos);
+    EXPECT_EQ(count(text, "<tr class=\"over\">"), 1U);
+}
+
 TEST_F(PageTest, LongDifferencesAreCut) {
     Check check = failed("a", CheckKind::text);
     for (int i = 0; i < 50; ++i)
