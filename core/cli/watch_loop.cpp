@@ -235,7 +235,7 @@ private:
     WatchedInputs inputs_;
     BuildReport report_;
     std::optional<WatchPage> page_;
-    std::vector<std::filesystem::path> outputs_;  // of the last good build
+    std::vector<std::filesystem::path> outputs_;  // from the last good build
     std::optional<Build> build_;
     std::optional<Held> held_;
     std::optional<Time> first_event_;

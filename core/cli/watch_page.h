@@ -26,7 +26,7 @@ public:
         bool ok = false;
         std::string command;  // "compile"
         std::string line, text;
-        std::vector<std::filesystem::path> outputs;  // of the last good build
+        std::vector<std::filesystem::path> outputs;  // from the last good build
     };
     void send(const News& news);
 

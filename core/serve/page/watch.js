@@ -63,3 +63,4 @@ function lost() {
 
 document.addEventListener("visibilitychange", connect);
 connect();
+refresh().catch(lost);
