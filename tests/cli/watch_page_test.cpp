@@ -96,14 +96,14 @@ TEST_F(WatchPageTest, ShowsOutputsAndErrors) {
 TEST_F(WatchPageTest, AnswersItsOwnPagesOnly) {
     for (const char* host : {"localhost:", "127.0.0.1:", "[::1]:"})
         EXPECT_EQ(code("/state", host + port_), "200") << host;
-    for (const std::string host :
+    for (const std::string& host :
          {std::string("evil.example"), "evil.example:" + port_, "127.0.0.1.evil.example:" + port_,
           std::string("localhost"), std::string("localhost:1"), std::string()})
         EXPECT_EQ(code("/state", host), "403") << host;
     EXPECT_EQ(code("/state", own(), "Host: evil.example\r\n"), "403");
     EXPECT_EQ(code("/state", own(), "Origin: http://" + own() + "\r\n"), "200");
-    for (const std::string origin : {std::string("null"), std::string("http://evil.example"),
-                                     "https://" + own(), std::string("http://localhost:1")})
+    for (const std::string& origin : {std::string("null"), std::string("http://evil.example"),
+                                      "https://" + own(), std::string("http://localhost:1")})
         EXPECT_EQ(code("/state", own(), "Origin: " + origin + "\r\n"), "403") << origin;
     EXPECT_EQ(code("/output/0", own(), "Sec-Fetch-Site: cross-site\r\n"), "403");
     EXPECT_EQ(get_page("/state", own()).find("Access-Control"), std::string::npos);
