@@ -5,6 +5,9 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
+
 #include "base/file.h"
 #include "base/file_log.h"
 #include "support/files.h"
