@@ -23,6 +23,7 @@ enum class RuleId : uint8_t {
     invalid_name,
     format_version,
     wrong_file,
+    merge_conflict,
     // Nodes and wires
     unknown_node_type,
     node_version,

@@ -13,7 +13,7 @@ using difference::Section;
 
 Diagnostic located(const Document& document, const Conflict& conflict, std::string message,
                    std::string expected) {
-    constexpr RuleId rule = RuleId::wrong_file;
+    constexpr RuleId rule = RuleId::merge_conflict;
     const Node* node = conflict.section == Section::nodes ? document.find(conflict.id) : nullptr;
     if (node && conflict.key.is_port)
         return diagnose_port(document, *node, conflict.key.name, rule, std::move(message),

@@ -96,6 +96,8 @@ TEST_F(GitConflictTest, CheckExplainsConflictsUntilTheyAreSettled) {
                                     " (wrinkle settle g.json softer --ours or --theirs"))
         << check.err;
     EXPECT_TRUE(check.err.starts_with("g.json:6:")) << check.err;
+    EXPECT_TRUE(says(wrinkle({"check", "g.json", "--diagnostics", "json"}).err,
+                     "\"rule\": \"merge-conflict\""));
     EXPECT_EQ(wrinkle({"settle", "g.json"}).code, 1);
     EXPECT_EQ(wrinkle({"settle", "g.json"}).out, sentence + "\n");
     EXPECT_EQ(wrinkle({"settle", "g.json", "paint", "--ours"}).code, 1);
