@@ -31,6 +31,7 @@ void remove_images(const fs::path& folder, const report::Results& results) {
                 named.insert((folder / (check.*member)).lexically_normal());
     std::error_code problem;
     for (const char* name : image_folders) {
+        if (!is_in_report(folder, folder / name)) continue;
         std::vector<fs::path> unnamed;
         for (fs::directory_iterator at(folder / name, problem), end; !problem && at != end;
              at.increment(problem))
@@ -67,7 +68,17 @@ const char* verdict_of(Status status) {
 
 }  // namespace
 
+bool is_in_report(const fs::path& folder, const fs::path& file) {
+    return inside(folder, link_target(file)) &&
+           (folder != default_report || inside(".", link_target(folder)));
+}
+
 bool make_report_folder(const fs::path& folder, std::string& why) {
+    for (const char* name : {page_file, results_file})
+        if (!is_in_report(folder, folder / name)) {
+            why = (folder / name).string() + ": leads outside the report";
+            return false;
+        }
     std::error_code problem;
     fs::create_directories(folder, problem);
     if (problem) {
@@ -80,6 +91,7 @@ bool make_report_folder(const fs::path& folder, std::string& why) {
     }
     if (folder != default_report) return true;
     const fs::path ignore = folder.parent_path() / ".gitignore";
+    if (!inside(".", link_target(ignore))) return true;
     if (write_file(ignore, "*\n", why)) return true;
     why = ignore.string() + ": " + why;
     return false;
@@ -121,6 +133,7 @@ bool merge_report(const fs::path& shard, const fs::path& folder, report::Results
                 continue;
             }
             const fs::path to = folder / image;
+            if (!is_in_report(folder, to)) continue;
             std::error_code ignored;
             fs::create_directories(to.parent_path(), ignored);
             if (!write_file(to, *bytes, why)) return false;

@@ -13,6 +13,10 @@ namespace wrinkle::cli {
 inline constexpr const char* default_report = ".wrinkle/test";
 inline constexpr const char* results_file = "results.json";
 
+// Returns false if links lead a write to `file` out of the folder, or the default folder out of the
+// working folder: a checkout may contain such links.
+bool is_in_report(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 // Creates the folder; the default one with a .gitignore. Returns false and the reason in `why` on
 // failure.
 bool make_report_folder(const std::filesystem::path& folder, std::string& why);

@@ -11,6 +11,7 @@
 #include "cli/test_accept.h"
 #include "cli/test_compare.h"
 #include "cli/test_image.h"
+#include "cli/test_report.h"
 #include "image/load.h"
 #include "json/write.h"
 
@@ -290,6 +291,7 @@ void CaseRun::compare_image(const Image& image, Check check) {
 bool CaseRun::save(const Image& image, const char* folder, std::string& path) {
     const fs::path relative = fs::path(folder) / (test_.flat_name() + ".png");
     const fs::path file = settings_.folder / relative;
+    if (!is_in_report(settings_.folder, file)) return false;
     std::error_code ignored;
     fs::create_directories(file.parent_path(), ignored);
     Diagnostics problems;
@@ -297,7 +299,8 @@ bool CaseRun::save(const Image& image, const char* folder, std::string& path) {
         path = relative.generic_string();
         return true;
     }
-    outcome_.environment = problems.list().front().message;
+    // A case has its verdict without the default folder.
+    if (settings_.folder != default_report) outcome_.environment = problems.list().front().message;
     return false;
 }
 

@@ -1,4 +1,6 @@
 // Tests that `wrinkle test` does not read or write through links that lead out of its root.
+#include <fstream>
+
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -53,6 +55,34 @@ TEST_F(GoldenLinksTest, ATestThatIsFoundAndLeadsOutIsRefused) {
     put("outside/h.test.json", R"({"glsl": true})");
     fs::create_symlink("../outside/h.test.json", folder / "t/h.test.json");
     expect_refused();
+}
+
+TEST_F(GoldenLinksTest, AReportDoesNotFollowLinksOutOfTheWorkingFolder) {
+    put("t/g.test.json", R"({"glsl": true, "render": {"size": "8x8"}})");
+    const fs::path away = folder.parent_path() / "away";
+    fs::create_directories(away / "actual");
+    std::ofstream(away / "actual/mine.png") << "mine";
+    std::ofstream(away / "results.json") << "{}";
+    const auto untouched = [&] {
+        size_t count = 0;
+        for (const auto& entry : fs::recursive_directory_iterator(away))
+            count += entry.is_regular_file();
+        return count == 2 && bytes_of(away / "actual/mine.png") == "mine" &&
+               bytes_of(away / "results.json") == "{}";
+    };
+    for (const char* link : {".wrinkle", ".wrinkle/test", ".wrinkle/test/actual",
+                             ".wrinkle/test/index.html", ".wrinkle/test/results.json"}) {
+        fs::remove_all(folder / ".wrinkle");
+        fs::create_directories((folder / link).parent_path());
+        const std::string leaf = fs::path(link).filename();
+        const bool is_file = leaf.find(".json") != leaf.npos || leaf.find(".html") != leaf.npos;
+        fs::create_symlink(leaf == "actual" ? away / "actual"
+                           : is_file        ? away / leaf
+                                            : away,
+                           folder / link);
+        EXPECT_EQ(run({"test", "t"}, "", {"CI="}).code, 0) << link;
+        EXPECT_TRUE(untouched()) << link;
+    }
 }
 
 TEST_F(GoldenLinksTest, LinksBelowTheRootAreFollowed) {

@@ -221,9 +221,9 @@ TEST_F(HostileFiles, AsGraphsKeepTheContract) {
         {"inner.json", {"eval", "graph.json", "--mesh", "plane", "--uv", "0.5,0.5"}},
         {"inner.json", {"inputs", "graph.json"}},
         {"inner.json", {"render", "graph.json", "-o", "out.png", "--size", "8x8"}, {"out.png"}},
-        {"plain.test.json", {"test", "."}},
-        {"plain.test.json", {"test", "plain.test.json", "--diagnostics", "json"}},
-        {"plain.json", {"test", "."}},
+        {"plain.test.json", {"test", "."}, {".wrinkle"}},
+        {"plain.test.json", {"test", "plain.test.json", "--diagnostics", "json"}, {".wrinkle"}},
+        {"plain.json", {"test", "."}, {".wrinkle"}},
     };
     for (const Position& position : positions)
         attack(position);
@@ -272,9 +272,9 @@ TEST_F(HostileFiles, AsOptionsLogsGoldensAndPluginsKeepTheContract) {
         {"points.json", {"eval", "plain.json", "--at", "@points.json"}},
         {"options", {"@options"}},
         {"driver.log", {"explain-log", "plain.json", "driver.log"}},
-        {"golden/plain.glsl", {"test", "."}},
+        {"golden/plain.glsl", {"test", "."}, {".wrinkle"}},
         {"golden/plain.glsl", {"test", ".", "--report", "out"}, {"out"}},
-        {"golden/plain.png", {"test", "."}},
+        {"golden/plain.png", {"test", "."}, {".wrinkle"}},
         {"golden/plain.png", {"test", ".", "--report", "out"}, {"out"}},
         {"nodes.so", {"check", "plain.json", "--plugin-path", "nodes.so"}},
         {"nodes.so", {"plugins", "--plugin-path", "."}},
@@ -290,7 +290,7 @@ TEST_F(HostileFiles, AsOptionsLogsGoldensAndPluginsKeepTheContract) {
 TEST_F(HostileFiles, AsGoldensAreNotWrittenOutsideOfTheRoot) {
     for (const std::string golden : {"golden/plain.glsl", "golden/plain.png"}) {
         const std::string before = get("../outside/secret.txt");
-        attack({golden, {"test", ".", "--update"}, {"golden"}});
+        attack({golden, {"test", ".", "--update"}, {"golden", ".wrinkle"}});
         EXPECT_EQ(get("../outside/secret.txt"), before) << golden;
     }
 }

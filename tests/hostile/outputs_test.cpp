@@ -49,7 +49,7 @@ const std::vector<Command> all_commands = {
     {{"merge", "graph.json", "graph.json", "other.json", "-o", "out.json"}, {"out.json"}},
     {{"textconv", "graph.json"}},
     {{"test", ".", "--report", "out"}, {"out"}},
-    {{"test", ".", "--update"}, {"golden", "graph.test.json"}},
+    {{"test", ".", "--update"}, {"golden", "graph.test.json", ".wrinkle"}},
     {{"format", "ugly.json"}, {"ugly.json"}},
     {{"inputs", "graph.json", "--json"}},
     {{"nodes", "--json"}},

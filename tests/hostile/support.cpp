@@ -59,6 +59,7 @@ std::string unsafe_character(std::string_view text) {
 
 void HostileTest::SetUp() {
     CliTest::SetUp();
+    setenv("SOURCE_DATE_EPOCH", "0", 1);  // equal reports in every run
     seconds = WRINKLE_SANITIZED ? 60 : 5;
     temporary.put("outside/secret.txt", secret);
     temporary.put("outside/secret.json", "{\"wrinkle\": 1, \"name\": \"SECRET-CONTENT\"}");
