@@ -1,6 +1,8 @@
 #include "cli/arguments.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstring>
 #include <filesystem>
 #include <span>
 #include <vector>
@@ -142,6 +144,17 @@ std::string overwrite_fault_of_run(std::span<const std::string> outputs,
                                    std::vector<std::string> inputs) {
     inputs.insert(inputs.end(), opened.begin(), opened.end());
     return overwrite_fault(outputs, inputs);
+}
+
+std::string shell_quoted(const std::string& word) {
+    const bool plain = !word.empty() && std::ranges::all_of(word, [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("/._-+,:@%", c);
+    });
+    if (plain) return word;
+    std::string quoted = "'";
+    for (const char c : word)
+        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
 }
 
 }  // namespace wrinkle::cli

@@ -31,6 +31,9 @@ std::optional<std::vector<std::string>> command_words(int argc, const char* cons
 std::string overwrite_fault_of_run(std::span<const std::string> outputs,
                                    std::vector<std::string> inputs);
 
+// Returns the word as a POSIX shell reads it: in single quotes, unless all characters are plain.
+std::string shell_quoted(const std::string& word);
+
 // Names of all pixel types, in their order.
 inline constexpr std::array pixel_type_names = {"u8", "u16", "half", "float"};
 inline std::optional<PixelType> pixel_type_named(std::string_view name) {

@@ -3,6 +3,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "cli/arguments.h"
 #include "cli/git.h"
 #include "cli/output.h"
 #include "cli/session.h"
@@ -20,13 +21,6 @@ struct Setting {
     std::string key, value;
 };
 
-std::string shell_word(const std::string& word) {
-    std::string quoted = "'";
-    for (const char c : word)
-        quoted += c == '\'' ? "'\\''" : std::string(1, c);
-    return quoted + "'";
-}
-
 // Returns "wrinkle" if the shell finds this program by that name, else its path in quotes.
 std::string program_word() {
     std::error_code error;
@@ -35,9 +29,9 @@ std::string program_word() {
     for (const std::string_view folder : split(folders ? folders : "", ':')) {
         const fs::path found = fs::path(folder) / "wrinkle";
         if (!fs::exists(found, error)) continue;
-        return real_path(found) == self ? "wrinkle" : shell_word(self.string());
+        return real_path(found) == self ? "wrinkle" : shell_quoted(self.string());
     }
-    return shell_word(self.string());
+    return shell_quoted(self.string());
 }
 
 std::vector<Setting> settings(const std::string& program) {

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <ctime>
 #include <iterator>
 #include <set>
@@ -31,8 +30,8 @@ using report::Check;
 using report::Results;
 using report::Status;
 
-// SOURCE_DATE_EPOCH (reproducible-builds.org) is the time of reports that are the same in every run:
-// they have no durations.
+// SOURCE_DATE_EPOCH (reproducible-builds.org) is the time of reports that are the same in every
+// run: they have no durations.
 const char* fixed_time() {
     return std::getenv("SOURCE_DATE_EPOCH");
 }
@@ -55,17 +54,6 @@ void remove_durations(Results& results) {
 // Returns the part, 1 to `count`, of a name: by its hash, so that a new test moves no other.
 unsigned shard_of(const std::string& name, unsigned count) {
     return static_cast<unsigned>(std::stoull(sha256(name).substr(0, 8), nullptr, 16) % count) + 1;
-}
-
-std::string shell_quoted(const std::string& word) {
-    const bool plain = !word.empty() && std::ranges::all_of(word, [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) || std::strchr("/._-+,:@%", c);
-    });
-    if (plain) return word;
-    std::string quoted = "'";
-    for (const char c : word)
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
 }
 
 struct TestCommand {
@@ -127,6 +115,7 @@ struct TestCommand {
         results.command = command_of_run();
         results.approval = approval();
         results.started = time_now();
+        results.added_fails = in_ci();
         if (const auto part = *parse_shard(); part.count > 1)
             std::erase_if(tests, [&](const fs::path& test) {
                 return shard_of(near_path(test).generic_string(), part.count) != part.index;

@@ -141,6 +141,7 @@ bool merge_report(const fs::path& shard, const fs::path& folder, report::Results
         results.checks.push_back(std::move(check));
     }
     results.seconds += part->seconds;
+    results.added_fails = results.added_fails || part->added_fails;
     if (results.driver.empty()) results.driver = part->driver;
     if (results.command.empty()) results.command = part->command;
     if (results.started.empty() || part->started < results.started) results.started = part->started;

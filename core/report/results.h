@@ -87,6 +87,7 @@ struct Results {
     std::string approval;               // that accepts, without names: "wrinkle test --report out"
     std::string started;                // ISO 8601, UTC
     double seconds = 0;                 // time of the run
+    bool added_fails = false;           // checks with Status::added are failures
     std::vector<std::string> problems;  // for the entire run: no OpenGL
     std::vector<std::string> causes;    // likely causes of failures (suspects.h), a clause each
     std::vector<Check> checks;          // in the order of their files

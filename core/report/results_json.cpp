@@ -65,6 +65,7 @@ void visit_members(Results& results, Visit&& visit) {
     visit("approval", results.approval);
     visit("started", results.started);
     visit("seconds", results.seconds);
+    visit("added_fails", results.added_fails);
     visit("problems", results.problems);
     visit("causes", results.causes);
     visit("checks", results.checks);
@@ -78,6 +79,9 @@ std::string text_of(const std::string& text) {
 }
 std::string text_of(uint32_t number) {
     return std::to_string(number);
+}
+std::string text_of(bool truth) {
+    return truth ? "true" : "false";
 }
 std::string text_of(double number) {
     return std::isfinite(number) ? shortest(number) : "null";
@@ -137,6 +141,11 @@ private:
     static bool read(const json::Value& value, std::string& text) {
         if (!value.is(json::Kind::string)) return false;
         text = value.as_string();
+        return true;
+    }
+    static bool read(const json::Value& value, bool& truth) {
+        if (!value.is(json::Kind::boolean)) return false;
+        truth = value.as_boolean();
         return true;
     }
     static bool read(const json::Value& value, double& number) {

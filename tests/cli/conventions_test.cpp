@@ -108,7 +108,7 @@ TEST_F(ConventionsTest, DiagnosticsForCodeScanningNameFilesOfTheRepository) {
     const Ran annotated = run({"check", "a b.json", "--diagnostics", "github"});
     EXPECT_EQ(annotated.code, 1);
     EXPECT_TRUE(annotated.err.starts_with(
-        "::error file=work/a b.json,line=1,col=25,title=unknown-node-type::node 'x': "))
+        "::error file=work/a b.json,line=1,col=26,title=unknown-node-type::node 'x': "))
         << annotated.err;
     put("good.json", tilt_graph());
     EXPECT_EQ(run({"check", "good.json", "--diagnostics", "github"}).err, "");

@@ -124,6 +124,9 @@ TEST_F(PageTest, VerdictFollowsTheChecks) {
     EXPECT_EQ(verdict({Status::passed}), "Passed");
     EXPECT_EQ(verdict({Status::passed, Status::added}), "Passed, with new checks");
     EXPECT_EQ(verdict({Status::passed, Status::failed}), "Failed");
+    results.added_fails = true;
+    EXPECT_EQ(verdict({Status::passed, Status::added}), "Failed");
+    results.added_fails = false;
     EXPECT_EQ(verdict({Status::error}), "Failed");
     EXPECT_EQ(verdict({Status::deleted, Status::added}), "Failed");
 }
