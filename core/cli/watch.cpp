@@ -1,6 +1,7 @@
 // wrinkle watch COMMAND...: runs a command again whenever one of its inputs changes.
 #include <array>
 
+#include "cli/cli.h"
 #include "cli/output.h"
 #include "cli/watch_loop.h"
 
