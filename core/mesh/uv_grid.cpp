@@ -31,7 +31,7 @@ UvBox uv_box(const Mesh& mesh, size_t triangle) {
 uint32_t UvGrid::cell_of(double coordinate, int axis) const {
     const double size = box_.high[axis] - box_.low[axis];
     const double cell = size > 0 ? std::floor((coordinate - box_.low[axis]) / size * side_) : 0;
-    return static_cast<uint32_t>(std::clamp<double>(cell, 0, side_ - 1));
+    return static_cast<uint32_t>(std::fmin(std::fmax(cell, 0), side_ - 1.0));  // NaN becomes 0
 }
 
 UvGrid::CellRange UvGrid::cells_of(const Mesh& mesh, size_t triangle) const {
