@@ -62,7 +62,9 @@ TEST(TextDiff, LargeTextsEndSoon) {
         a += "a" + std::to_string(i) + "\n";
         b += "b" + std::to_string(i) + "\n";
     }
-    const auto lines = diff_lines(a + "end\n", b + "end\n");
+    a += "end\n";
+    b += "end\n";
+    const auto lines = diff_lines(a, b);
     EXPECT_EQ(lines.size(), 400'002U);
     EXPECT_EQ(lines.front().text, "begin");
     EXPECT_EQ(lines.back().text, "end");
