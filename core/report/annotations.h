@@ -14,7 +14,7 @@ namespace wrinkle::report {
 
 struct Annotation {
     enum class Level : uint8_t { error, warning, notice } level = Level::error;
-    std::string file;  // relative to the repository; "" if there is none
+    std::string file;  // relative to the repository; "" without a file
     uint32_t line = 0, column = 0;
     std::string title, text;
 };

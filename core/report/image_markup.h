@@ -10,7 +10,7 @@
 namespace wrinkle::report {
 
 struct InlinedImage {
-    std::string uri;  // "data:image/png;base64,..."; "" if there is no image
+    std::string uri;  // "data:image/png;base64,..."; "" without an image
     uint32_t width = 0, height = 0;
 };
 

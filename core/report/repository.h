@@ -6,7 +6,7 @@
 
 namespace wrinkle::report {
 
-// Returns the nearest of `folder` and its parents that holds ".git"; `folder` if there is none.
+// Returns the nearest of `folder` and its parents that holds ".git"; `folder` if none does.
 std::filesystem::path repository_root(const std::filesystem::path& folder);
 
 // Returns the path of `file`, which is relative to the working folder or absolute, relative to

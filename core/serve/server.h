@@ -1,4 +1,4 @@
-// HTTP server of the page of `wrinkle watch --serve`, on 127.0.0.1 and, if there is one, ::1.
+// HTTP server of the page of `wrinkle watch --serve`, on 127.0.0.1 and, if the machine has it, ::1.
 //
 //   /             the page, with /watch.js and /watch.css
 //   /state        the last build as JSON
@@ -21,7 +21,7 @@ class State {
 public:
     void set(std::string json, std::vector<std::filesystem::path> outputs);
     std::string json() const;
-    // Returns std::nullopt if there is no such output.
+    // Returns std::nullopt if no output has this number.
     std::optional<std::filesystem::path> output(size_t number) const;
     // Waits until another build than `seen` is set, 10 s at most; returns the number of the build.
     size_t wait(size_t seen) const;
