@@ -55,12 +55,17 @@ std::vector<fs::path> FileLog::made() const {
     return made;
 }
 
-FileLog read_file_log(int descriptor) {
+std::string bytes_of_descriptor(int descriptor) {
     std::string bytes;
     char block[1 << 14];
     ssize_t count = 0;
     while ((count = pread(descriptor, block, sizeof block, static_cast<off_t>(bytes.size()))) > 0)
         bytes.append(block, static_cast<size_t>(count));
+    return bytes;
+}
+
+FileLog read_file_log(int descriptor) {
+    const std::string bytes = bytes_of_descriptor(descriptor);
     FileLog log;
     for (size_t at = 0, end = 0; (end = bytes.find('\0', at)) != std::string::npos; at = end + 1) {
         std::istringstream record(bytes.substr(at, end - at));

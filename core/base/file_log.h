@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "base/disk_copy.h"
@@ -29,6 +30,9 @@ struct FileLog {
     // Returns the outputs without temporary files and without repetitions through links.
     std::vector<std::filesystem::path> made() const;
 };
+// Returns all bytes of an open file, from its beginning, without moving its offset.
+std::string bytes_of_descriptor(int descriptor);
+
 // Reads all records of a log.
 FileLog read_file_log(int descriptor);
 

@@ -41,15 +41,6 @@ void run_on(int) {}
     _exit(code);
 }
 
-std::string all_of(int file) {
-    std::string bytes;
-    char block[1 << 12];
-    ssize_t count = 0;
-    while ((count = pread(file, block, sizeof block, static_cast<off_t>(bytes.size()))) > 0)
-        bytes.append(block, static_cast<size_t>(count));
-    return bytes;
-}
-
 }  // namespace
 
 std::optional<Build> Build::start(const std::vector<std::string>& words, std::string& why) {
@@ -92,7 +83,7 @@ std::optional<BuildOutcome> Build::outcome() {
     child_ = -1;
     BuildOutcome outcome;
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    outcome.text = all_of(text_);
+    outcome.text = bytes_of_descriptor(text_);
     outcome.files = read_file_log(log_);
     outcome.seconds = std::chrono::duration<double>(WatchClock::now() - begun_).count();
     return outcome;
