@@ -191,7 +191,7 @@ void declare_compare(CLI::App& app, Run& run) {
     sub.add_option("A", c.reference, "The reference: PNG, JPEG, TIFF, OpenEXR, HDR, PFM, PNM")
         ->required();
     sub.add_option("B", c.test, "An image of the same size")->required();
-    add_choice(sub, "--metric", c.metric, {"flip", "degrees", "rms"},
+    add_choice(sub, "--metric", c.metric, image_metrics,
                "flip: the visible difference, 0 to 1; degrees: angle of normals in normal maps; "
                "rms: root mean square in steps of 8 bits");
     sub.add_option("-o", c.output,

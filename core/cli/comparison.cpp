@@ -88,8 +88,8 @@ std::string size_text(const Image& image) {
     return std::to_string(image.width) + " x " + std::to_string(image.height);
 }
 
-double mean_of(const Comparison& comparison, const report::Pooling& pooled) {
-    return comparison.metric == "rms" ? pooled.root_mean_square() : pooled.mean();
+double mean_of(std::string_view metric, const report::Pooling& pooled) {
+    return metric == "rms" ? pooled.root_mean_square() : pooled.mean();
 }
 
 std::vector<std::string> exceeded(const Comparison& comparison, const report::Pooling& pooled,
@@ -101,7 +101,7 @@ std::vector<std::string> exceeded(const Comparison& comparison, const report::Po
             sentences.push_back(name + " " + six_digits(value) + " is above " + option + " " +
                                 six_digits(*limit));
     };
-    hold("the mean", mean_of(comparison, pooled), limits.mean, "--max-mean");
+    hold("the mean", mean_of(comparison.metric, pooled), limits.mean, "--max-mean");
     hold("pixel " + place_of_max(pooled) + " with", pooled.max(), limits.pixel, "--max-pixel");
     if (limits.max_over) {
         const uint64_t count = pooled.count_above(static_cast<float>(*limits.over));
@@ -118,7 +118,7 @@ std::vector<std::string> exceeded(const Comparison& comparison, const report::Po
 std::string as_text(const Comparison& comparison, const report::Pooling& pooled,
                     const CompareLimits& limits) {
     std::string text = head_of(comparison);
-    text += "  mean " + six_digits(mean_of(comparison, pooled)) + unit_of(comparison) + "\n";
+    text += "  mean " + six_digits(mean_of(comparison.metric, pooled)) + unit_of(comparison) + "\n";
     text += "  weighted median " + six_digits(pooled.weighted_quantile(0.5)) + ", quartiles " +
             six_digits(pooled.weighted_quantile(0.25)) + " and " +
             six_digits(pooled.weighted_quantile(0.75)) + "\n  percentiles ";
@@ -140,7 +140,7 @@ std::string as_json(const Comparison& comparison, const report::Pooling& pooled,
         member("metric", json_quoted(comparison.metric)),
         member("width", std::to_string(comparison.map.width)),
         member("height", std::to_string(comparison.map.height)),
-        member("mean", six_digits(mean_of(comparison, pooled))),
+        member("mean", six_digits(mean_of(comparison.metric, pooled))),
         member("weighted_median", six_digits(pooled.weighted_quantile(0.5))),
         member("weighted_quartiles", "[" + six_digits(pooled.weighted_quantile(0.25)) + ", " +
                                          six_digits(pooled.weighted_quantile(0.75)) + "]"),

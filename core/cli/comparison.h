@@ -1,9 +1,11 @@
 // Result of `wrinkle compare`: the map of a measure, its limits, and how they are printed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "image/image.h"
@@ -32,10 +34,12 @@ struct Comparison {
     std::string map_file, exposure_file;  // written files, else ""
 };
 
+inline constexpr std::array image_metrics = {"rms", "flip", "degrees"};
+
 std::string size_text(const Image& image);  // "640 x 480"
 
-// Mean of the map; of `rms` the root mean square over all pixels.
-double mean_of(const Comparison& comparison, const report::Pooling& pooled);
+// Mean of the map of a metric; of `rms` the root mean square over all pixels.
+double mean_of(std::string_view metric, const report::Pooling& pooled);
 
 // Returns one sentence per exceeded limit; empty if the images are the same within the limits.
 std::vector<std::string> exceeded(const Comparison& comparison, const report::Pooling& pooled,

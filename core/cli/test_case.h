@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/comparison.h"
 #include "cli/offscreen_renderer.h"
 #include "cli/points.h"
 #include "cli/test_budget.h"
@@ -29,8 +30,7 @@ struct RenderCase {
     std::optional<double> max_over;   // limit of that count
 };
 
-// Measures of images, and the default limit of their mean.
-inline constexpr std::array image_metrics = {"rms", "flip", "degrees"};
+// The default limit of the mean of a metric.
 double default_tolerance(std::string_view metric);
 
 struct TestCase {

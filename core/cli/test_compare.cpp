@@ -113,7 +113,7 @@ Measure measure(const std::string& metric, Image expected, Image got) {
                  : metric == "flip" ? report::flip(expected, got, report::default_pixels_per_degree)
                                     : report::degrees_apart(expected, got);
     const report::Pooling pooled(result.map);
-    result.mean = metric == "rms" ? pooled.root_mean_square() : pooled.mean();
+    result.mean = mean_of(metric, pooled);
     return result;
 }
 

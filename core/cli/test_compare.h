@@ -25,7 +25,7 @@ CaseComparison compare_point(const TestCase& test, const Document& document,
                              size_t point);
 
 struct ImageComparison : CaseComparison {
-    Image map;  // the difference in color; empty if there is none or the sizes differ
+    Image map;  // the difference in color; empty for equal images and other sizes
     std::string map_measure;
     double map_scale = 1;
 };
