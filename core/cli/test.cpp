@@ -188,7 +188,7 @@ struct TestCommand {
     void write_outputs(const Results& results, std::string& environment) const {
         write_folder(results, environment);
         std::string why;
-        if (!write_formats(formats, results, folder(), in_ci(), why) && environment.empty())
+        if (!write_formats(formats, results, folder(), why) && environment.empty())
             environment = why;
     }
 
@@ -216,30 +216,23 @@ struct TestCommand {
             std::printf("%s\n", printable(hint).c_str());
         std::printf("%s\n", counts_text(results).c_str());
         if (!environment.empty()) return exit_environment;
-        return is_failure(results) ? int{exit_input} : code;
+        return results.fails() ? int{exit_input} : code;
     }
 
     // Failures of cases that ran, as problems.
     static Diagnostics failed_checks(const Results& results) {
         Diagnostics failures;
         for (const Check& check : results.checks)
-            if (is_pending(check) || check.kind == report::CheckKind::cost)
-                if (check.status != Status::passed)
-                    failures.add({RuleId::test_failed,
-                                  Severity::error,
-                                  {check.file, check.line, check.column},
-                                  check.pointer,
-                                  "",
-                                  check.message,
-                                  check.expected});
+            if (is_pending(check) ||
+                (check.kind == report::CheckKind::cost && check.status != Status::passed))
+                failures.add({RuleId::test_failed,
+                              Severity::error,
+                              {check.file, check.line, check.column},
+                              check.pointer,
+                              "",
+                              check.message,
+                              check.expected});
         return failures;
-    }
-
-    bool is_failure(const Results& results) const {
-        return results.count(Status::failed) + results.count(Status::error) +
-                       results.count(Status::deleted) >
-                   0 ||
-               (in_ci() && results.count(Status::added) > 0);
     }
 
     bool in_ci() const {
@@ -297,6 +290,7 @@ struct TestCommand {
         Results results;
         results.version = WRINKLE_VERSION;
         results.approval = approval();
+        results.added_fails = in_ci();
         std::string why;
         if (!make_report_folder(folder(), why)) return fail(exit_environment, why);
         for (const std::string& each : shards)

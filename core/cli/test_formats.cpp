@@ -33,9 +33,9 @@ void declare_formats(CLI::App& command, CiFormats& formats) {
 }
 
 bool write_formats(const CiFormats& formats, const report::Results& results, const fs::path& folder,
-                   bool new_fails, std::string& why) {
+                   std::string& why) {
     report::CiOptions options;
-    options.new_fails = new_fails;
+    options.new_fails = results.added_fails;
     if (formats.attachments != "none")
         options.attachment = [&](const std::string& image) {
             return attachment_path(folder / image, formats);

@@ -20,6 +20,6 @@ void declare_formats(CLI::App& command, CiFormats& formats);
 // Writes the files, and prints the annotations. `folder` is that of the report. Returns false and
 // the reason in `why` on failure.
 bool write_formats(const CiFormats& formats, const report::Results& results,
-                   const std::filesystem::path& folder, bool new_fails, std::string& why);
+                   const std::filesystem::path& folder, std::string& why);
 
 }  // namespace wrinkle::cli

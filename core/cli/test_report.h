@@ -37,7 +37,7 @@ bool merge_report(const std::filesystem::path& shard, const std::filesystem::pat
 // One line per check that is not passed: "FAIL graphs/rings/points/2: output ... (FILE:LINE)".
 std::string failures_text(const report::Results& results);
 
-// "12 passed, 1 failed", and the numbers of new and deleted baselines if there are any. Checks that
+// "12 passed, 1 failed", and the numbers of new and deleted baselines that are not 0. Checks that
 // could not run count as failed.
 std::string counts_text(const report::Results& results);
 

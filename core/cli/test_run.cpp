@@ -97,7 +97,10 @@ private:
     void check_budget();
     void check_image();
     void compare_image(const Image& image, Check check);
-    std::string hash() const { return hash_of_inputs(test_, settings_.registry, settings_.common); }
+    const std::string& hash() {
+        if (hash_.empty()) hash_ = hash_of_inputs(test_, settings_.registry, settings_.common);
+        return hash_;
+    }
     bool save(const Image& image, const char* folder, std::string& path);
     Check begin(CheckKind kind, const std::string& name, const json::Value& place) const;
     void end(Check check);
@@ -112,6 +115,7 @@ private:
     std::optional<MaterialRun> given_, screen_;  // given and screen differentials
     Shader shader_;
     double compile_ms_ = 0;
+    std::string hash_;  // hash(), once it is needed
     TextureStore textures_;
     Stopwatch watch_;  // since the last check
 };

@@ -18,7 +18,7 @@ namespace wrinkle::cli {
 struct TestFile {
     std::filesystem::path path;
     std::vector<TestCase> cases;
-    Diagnostics problems;  // if it has errors, there are no cases
+    Diagnostics problems;  // from reading; `cases` is empty if it has errors
 };
 TestFile read_test_file(const std::filesystem::path& path);
 

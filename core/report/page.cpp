@@ -88,9 +88,7 @@ std::string summary(const Results& results) {
 
 std::string header(const Results& results, const Contents& contents) {
     const size_t added = results.count(Status::added);
-    const bool passes = results.count(Status::failed) + results.count(Status::error) +
-                            results.count(Status::deleted) + (results.added_fails ? added : 0) ==
-                        0;
+    const bool passes = !results.fails();
     const std::string verdict = !passes     ? "Failed"
                                 : added > 0 ? "Passed, with new checks"
                                             : "Passed";

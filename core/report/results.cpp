@@ -21,6 +21,12 @@ size_t Results::count(Status status) const {
     return static_cast<size_t>(std::ranges::count(checks, status, &Check::status));
 }
 
+bool Results::fails() const {
+    return std::ranges::any_of(checks, [&](const Check& check) {
+        return check.status != Status::passed && (check.status != Status::added || added_fails);
+    });
+}
+
 std::vector<size_t> Results::by_severity() const {
     std::vector<size_t> order;
     for (size_t i = 0; i < checks.size(); ++i)

@@ -37,7 +37,7 @@ inline std::string_view name_of(CheckKind kind) {
 struct Measured {
     std::string name;      // "normal", "rms", "alu"
     std::string node;      // where it comes from: "weave.normal"; "" if not known
-    std::string expected;  // as printed: "[0, 0, 1]"; "" if there is none
+    std::string expected;  // as printed: "[0, 0, 1]"; may be empty
     std::string actual;
     double value = 0, limit = 0;  // the difference and its limit; of a cost, the cost
     std::string unit;             // "degrees", "of 255"; "" for plain numbers
@@ -61,13 +61,13 @@ struct Check {
     double seconds = 0;    // time of the check; the first of a case has the time of compiling
     std::vector<Measured> measured;
 
-    std::string graph;     // file
+    std::string graph;     // file, for programs that read the JSON
     std::string inputs;    // SHA-256 of all files that the case reads; "" if the check passed
     std::string baseline;  // file that holds it, for example golden/rings.png
     // Texts that are not passed; for points the values of the outputs as JSON.
     std::string expected_text, actual_text;
     std::vector<std::string> nodes_of_lines;  // for each line of actual_text; "": none
-    // PNG files, relative to the folder of the report; "" if there is none.
+    // PNG files, relative to the folder of the report; may be empty.
     std::string expected_image, actual_image, map_image;
     std::string map_measure;         // "flip" or "degrees"
     double map_scale = 0;            // value of the map's last color
@@ -75,7 +75,7 @@ struct Check {
 
     std::string joined_image;  // the images side by side, for systems that show one
 
-    double excess() const;  // the largest of its numbers; 0 if there is none
+    double excess() const;  // the largest of its numbers; 0 without numbers
     // Unique in a run, and the same in every run: "graphs/rings.old/render".
     std::string id() const { return test + "/" + name; }
 };
@@ -93,6 +93,7 @@ struct Results {
     std::vector<Check> checks;          // in the order of their files
 
     size_t count(Status status) const;
+    bool fails() const;  // a check failed, could not run, or is deleted; or is new and added_fails
     // Indices of the checks that are not passed: errors, failures by their excess, deleted, new.
     std::vector<size_t> by_severity() const;
 };
