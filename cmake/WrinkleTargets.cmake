@@ -46,6 +46,9 @@ if(WRINKLE_SANITIZE)
     add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
                         -fno-omit-frame-pointer)
     add_link_options(-fsanitize=address,undefined)
+    if(CMAKE_CXX_COMPILER_ID MATCHES Clang)
+        add_compile_definitions(__SANITIZE_ADDRESS__=1)  # as gcc defines it
+    endif()
 endif()
 
 function(wrinkle_library name)
@@ -77,9 +80,8 @@ namespace @namespace@ {
 ]])
 endfunction()
 
-# wrinkle_test(NAME [PROGRAMS] LINK LIBRARIES): PROGRAMS labels a test that starts programs.
 function(wrinkle_test name)
-    cmake_parse_arguments(ARG "PROGRAMS" "" "LINK" ${ARGN})
+    cmake_parse_arguments(ARG "" "" "LINK" ${ARGN})
     find_package(GTest REQUIRED)
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     add_executable(test_${name} ${sources})
@@ -92,10 +94,4 @@ function(wrinkle_test name)
         WRINKLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" WRINKLE_BINARY_DIR="${CMAKE_BINARY_DIR}")
     add_dependencies(test_${name} wrinkle-plugin-probe)  # what loads plugins starts it
     add_test(NAME ${name} COMMAND test_${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-    if(ARG_PROGRAMS)
-        set_tests_properties(${name} PROPERTIES LABELS programs)
-        if(NOT WRINKLE_PROGRAM_TESTS)
-            set_target_properties(test_${name} PROPERTIES EXCLUDE_FROM_ALL ON)
-        endif()
-    endif()
 endfunction()
