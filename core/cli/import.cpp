@@ -1,9 +1,11 @@
-// wrinkle import FOLDER -o GRAPH: makes the graph of a material from a set of textures.
+// wrinkle import FOLDER|FILE.mtlx -o GRAPH: makes the graph of a material from a set of textures or
+// from a MaterialX document.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "base/file.h"
+#include "base/limits.h"
 #include "base/mapped.h"
 #include "base/text.h"
 #include "cli/arguments.h"
@@ -11,6 +13,8 @@
 #include "cli/output.h"
 #include "graph/write.h"
 #include "import/material_graph.h"
+#include "import/mtlx_material.h"
+#include "materialx/document.h"
 #include "mesh/uv_survey.h"
 
 namespace wrinkle::cli {
@@ -20,7 +24,7 @@ namespace {
 struct ImportCommand {
     CommonOptions common;
     std::vector<std::string> inputs;
-    std::string output, green, mesh;
+    std::string output, green, mesh, material;
     std::vector<double> texel;
     std::optional<double> height;
 
@@ -33,6 +37,13 @@ struct ImportCommand {
     }
 
     std::string wrong_usage() const {
+        if (is_materialx()) {
+            if (inputs.size() > 1) return "one MaterialX document is imported at a time";
+            if (!green.empty() || !mesh.empty() || !texel.empty() || height)
+                return "--green, --mesh, --texel and --height are options of textures";
+        } else if (!material.empty()) {
+            return "--material is an option of MaterialX documents";
+        }
         if (texel.size() > 2) return "--texel takes one size or two";
         for (const double size : texel)
             if (!(size >= 1e-9 && size <= 1e6)) return "--texel takes sizes from 1e-9 to 1e6";
@@ -45,6 +56,36 @@ struct ImportCommand {
 
     // Returns "" after an error.
     std::string graph_text(Diagnostics& problems) const {
+        return is_materialx() ? text_of_materialx(problems) : text_of_textures(problems);
+    }
+
+    bool is_materialx() const {
+        return std::ranges::any_of(
+            inputs, [](const std::string& input) { return input.ends_with(".mtlx"); });
+    }
+
+    std::string text_of_materialx(Diagnostics& problems) const {
+        const fs::path file = inputs.front();
+        std::string why;
+        const auto text = read_file(file, limit_of(Limit::file_bytes), why);
+        if (!text) {
+            problems.add(file_problem(Severity::error, RuleId::file_unreadable, inputs.front(), why,
+                                      "a MaterialX document"));
+            return {};
+        }
+        const auto document = materialx::read_document(*text, inputs.front(), problems);
+        if (!document) return {};
+        const fs::path folder = file.parent_path();
+        const materialx::MaterialOptions options{folder.empty() ? "." : folder, graph_folder(),
+                                                 material};
+        auto made = materialx::material_graph(*document, options, problems);
+        if (!made) return {};
+        made->images.push_back(inputs.front());
+        check_read(made->images, problems);
+        return problems.has_errors() ? std::string() : canonical_text(made->graph);
+    }
+
+    std::string text_of_textures(Diagnostics& problems) const {
         auto set = textures::find_textures(mapped<fs::path>(inputs, std::identity()), problems);
         if (!set) return {};
         check_files(*set, problems);
@@ -63,10 +104,14 @@ struct ImportCommand {
 
     // The graph must be able to read the images, and must not replace one of them.
     void check_files(const textures::TextureSet& set, Diagnostics& problems) const {
-        const fs::path root = root_folder();
         std::vector<std::string> read;
         for (const auto& texture : set.channels)
             if (texture) read.push_back(texture->file.string());
+        check_read(read, problems);
+    }
+
+    void check_read(const std::vector<std::string>& read, Diagnostics& problems) const {
+        const fs::path root = root_folder();
         const auto is_outside = [&](const std::string& file) { return !inside(root, file); };
         const auto outside = std::ranges::find_if(read, is_outside);
         if (outside != read.end())
@@ -107,8 +152,10 @@ struct ImportCommand {
 
 void declare_import(CLI::App& app, Run& run) {
     auto [sub, c] = add_command<ImportCommand>(app, run, "import",
-                                               "The graph of a material made from its textures");
-    sub.add_option("INPUT", c.inputs, "A folder with the textures of a material, or its images")
+                                               "The graph of a material made from its textures "
+                                               "or from a MaterialX document");
+    sub.add_option("INPUT", c.inputs,
+                   "A folder with the textures of a material, its images, or a file .mtlx")
         ->required();
     sub.add_option("-o", c.output, "The graph to write; - is standard output")
         ->type_name("GRAPH")
@@ -128,6 +175,9 @@ void declare_import(CLI::App& app, Run& run) {
                    "Height of white over black in length units; default: by the normal map, else "
                    "0.02 of a repeat")
         ->type_name("H");
+    sub.add_option("--material", c.material,
+                   "The material of the MaterialX document; default: the only one")
+        ->type_name("NAME");
     sub.add_option("--root", c.common.root,
                    "Where the images must lie; default: the folder of the graph")
         ->type_name("DIR");
