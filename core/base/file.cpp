@@ -221,4 +221,10 @@ std::optional<fs::path> inside(const fs::path& root, const fs::path& path) {
     return real;
 }
 
+fs::path path_from(const fs::path& folder, const fs::path& path) {
+    fs::path normal = path.lexically_normal();
+    fs::path relative = normal.lexically_relative(folder.lexically_normal());
+    return relative.empty() || *relative.begin() == ".." ? normal : relative;
+}
+
 }  // namespace wrinkle

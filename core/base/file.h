@@ -78,6 +78,11 @@ std::filesystem::path real_path(const std::filesystem::path& path);
 std::optional<std::filesystem::path> inside(const std::filesystem::path& root,
                                             const std::filesystem::path& path);
 
+// Returns the normal form of `path`, relative to `folder` if it is below it. Both are absolute.
+// Links are not followed.
+std::filesystem::path path_from(const std::filesystem::path& folder,
+                                const std::filesystem::path& path);
+
 // Returns a sentence that names both files if an output is an input of the same run, or another
 // output; "" if all may be written. Compares files, not names: different spellings, symbolic links
 // and hard links of one file are equal. "-", devices and pipes are ignored. O(n log n) with one

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <set>
 #include <sstream>
@@ -28,6 +29,11 @@ void log_record(Record kind, const fs::path& file, const Stamp& stamp) {
     }
 }
 
+bool is_temporary(const fs::path& file) {
+    return std::ranges::any_of(
+        file, [](const fs::path& step) { return Temporary::is_name(step.native()); });
+}
+
 }  // namespace
 
 void start_file_log(int descriptor) {
@@ -50,8 +56,7 @@ std::vector<fs::path> FileLog::made() const {
     std::vector<fs::path> made;
     std::set<fs::path> seen;
     for (const fs::path& file : outputs)
-        if (!Temporary::is_name(file.filename().native()) && seen.insert(real_path(file)).second)
-            made.push_back(file);
+        if (seen.insert(real_path(file)).second) made.push_back(file);
     return made;
 }
 
@@ -76,6 +81,7 @@ FileLog read_file_log(int descriptor) {
         record.ignore(1);
         std::string path;
         std::getline(record, path, '\0');
+        if (is_temporary(path)) continue;
         if (kind == input) log.inputs.push_back({path, stamp});
         if (kind == output) log.outputs.emplace_back(path);
         if (kind == replaced) log.replaced.emplace_back(path);

@@ -28,6 +28,7 @@ enum class Limit : uint8_t {
     all_images_bytes,
     mesh_bytes,
     mesh_corners,
+    materialx_bytes,
 };
 
 struct LimitRow {
@@ -38,7 +39,7 @@ struct LimitRow {
 };
 
 // In the order of the enumerators.
-inline constexpr std::array<LimitRow, 11> limit_rows = {{
+inline constexpr std::array<LimitRow, 12> limit_rows = {{
     {"WRINKLE_FILE_MAX_BYTES", uint64_t{1} << 30, "bytes",
      "A file that is read, and standard input; not images and meshes, which have their own"},
     {"WRINKLE_GRAPH_MAX_NODES", 1'000'000, "nodes",
@@ -58,6 +59,7 @@ inline constexpr std::array<LimitRow, 11> limit_rows = {{
      "A mesh's file, and all external files of it together"},
     {"WRINKLE_MESH_MAX_CORNERS", uint64_t{1} << 26, "corners",
      "Corners of a mesh's triangles, three each; elements of an accessor"},
+    {"WRINKLE_MATERIALX_MAX_BYTES", uint64_t{16} << 20, "bytes", "A MaterialX document"},
 }};
 
 constexpr const LimitRow& row_of(Limit limit) {

@@ -84,6 +84,12 @@ std::string json_quoted(std::string_view text) {
     return quoted + "\"";
 }
 
+std::string lower_case(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
+
 std::string identifier(std::string_view text) {
     std::string name;
     for (const char c : text)

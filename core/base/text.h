@@ -27,6 +27,8 @@ inline bool is_json_plain(char c) {
 // are escaped; a byte that is not UTF-8 becomes U+FFFD.
 std::string json_quoted(std::string_view text);
 
+std::string lower_case(std::string text);  // changes A to Z
+
 // Returns a C-like identifier: every byte outside [A-Za-z0-9_] becomes '_', runs of '_' become one
 // (GLSL reserves "__"), and a leading digit is prefixed with "n"; never empty.
 std::string identifier(std::string_view text);

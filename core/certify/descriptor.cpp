@@ -9,9 +9,7 @@ namespace wrinkle::certify {
 namespace {
 
 bool mentions(const std::string& doc, std::initializer_list<std::string_view> words) {
-    std::string lower = doc;
-    for (char& c : lower)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const std::string lower = lower_case(doc);
     return std::ranges::any_of(
         words, [&](std::string_view word) { return lower.find(word) != lower.npos; });
 }

@@ -9,7 +9,6 @@
 #include "cli/comparison.h"
 #include "cli/output.h"
 #include "image/load.h"
-#include "image/texels.h"
 #include "report/colormap.h"
 #include "report/measures.h"
 
@@ -129,14 +128,12 @@ struct CompareCommand {
         result.exposure_file = exposure_output;
         if (metric == "flip") {
             result.pixels_per_degree = ppd;
-            for (Image* image : {&a, &b})
-                if (is_integer(image->source)) decode_srgb(*image);
             if (hdr)
-                compare_hdr(a, b, result);
+                compare_hdr(std::move(a), std::move(b), result);
             else
-                result.map = report::flip(a, b, ppd);
+                result.map = map_of(metric, std::move(a), std::move(b), ppd);
         } else {
-            result.map = metric == "rms" ? report::steps_apart(a, b) : report::degrees_apart(a, b);
+            result.map = map_of(metric, std::move(a), std::move(b));
             result.scale = *std::ranges::max_element(result.map.data);
             if (result.scale == 0) result.scale = 1;
         }
@@ -144,7 +141,9 @@ struct CompareCommand {
         return result;
     }
 
-    void compare_hdr(const Image& a, const Image& b, Comparison& result) const {
+    void compare_hdr(Image a, Image b, Comparison& result) const {
+        decode_loaded(a);
+        decode_loaded(b);
         result.tone = tone.empty() ? report::tone_names[0] : tone;
         const report::Tone curve = *report::tone_named(result.tone);
         result.exposures = exposures.empty() ? report::exposures_of(a, curve) : *parse_exposures();

@@ -5,6 +5,8 @@
 
 #include "base/printable.h"
 #include "base/text.h"
+#include "image/texels.h"
+#include "report/measures.h"
 
 namespace wrinkle::cli {
 namespace {
@@ -90,6 +92,18 @@ std::string size_text(const Image& image) {
 
 double mean_of(std::string_view metric, const report::Pooling& pooled) {
     return metric == "rms" ? pooled.root_mean_square() : pooled.mean();
+}
+
+void decode_loaded(Image& image) {
+    if (is_integer(image.source)) decode_srgb(image);
+}
+
+Image map_of(std::string_view metric, Image reference, Image test, double pixels_per_degree) {
+    if (metric == "rms") return report::steps_apart(reference, test);
+    if (metric == "degrees") return report::degrees_apart(reference, test);
+    decode_loaded(reference);
+    decode_loaded(test);
+    return report::flip(reference, test, pixels_per_degree);
 }
 
 std::vector<std::string> exceeded(const Comparison& comparison, const report::Pooling& pooled,

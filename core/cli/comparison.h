@@ -41,6 +41,13 @@ std::string size_text(const Image& image);  // "640 x 480"
 // Mean of the map of a metric; of `rms` the root mean square over all pixels.
 double mean_of(std::string_view metric, const report::Pooling& pooled);
 
+// Decodes an image as loaded: integers are sRGB, floats are linear.
+void decode_loaded(Image& image);
+
+// Returns the map of a metric of two images as loaded, of one size. For HDR-FLIP see report/flip.h.
+Image map_of(std::string_view metric, Image reference, Image test,
+             double pixels_per_degree = report::default_pixels_per_degree);
+
 // Returns one sentence per exceeded limit; empty if the images are the same within the limits.
 std::vector<std::string> exceeded(const Comparison& comparison, const report::Pooling& pooled,
                                   const CompareLimits& limits);

@@ -15,6 +15,12 @@ struct MaterialRun {
     Compiled compiled;  // baked parameters; `ok` is false if a problem was reported
 };
 
+// A graph as read, and the problems of reading it.
+struct ReadGraph {
+    Project project;
+    Diagnostics problems;
+};
+
 // Callback for a compiled run and its index from 0. The run is destroyed after the call.
 using UseRun = std::function<void(size_t, const MaterialRun&, Diagnostics&)>;
 
@@ -25,6 +31,11 @@ using UseRun = std::function<void(size_t, const MaterialRun&, Diagnostics&)>;
 void compile_runs(const std::string& file, const CommonOptions& common, const Registry& registry,
                   const Overrides& overrides, MaterialOptions options, const UseRun& use,
                   Diagnostics& diagnostics, const std::string& double_sided = "");
+
+// As above for a graph that was read. A graph with errors is only checked.
+void compile_runs(ReadGraph graph, const CommonOptions& common, const Registry& registry,
+                  const Overrides& overrides, MaterialOptions options, const UseRun& use,
+                  Diagnostics& diagnostics);
 
 // Emits the function form with screen derivatives, the default of `wrinkle compile`.
 Shader emit_function(const MaterialRun& run, const std::string& name, Diagnostics& diagnostics);

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <iterator>
 #include <set>
 
@@ -19,6 +18,7 @@
 #include "cli/test_report.h"
 #include "cli/test_review.h"
 #include "cli/test_run.h"
+#include "cli/test_selection.h"
 #include "gpu/context.h"
 #include "report/results_json.h"
 
@@ -30,27 +30,6 @@ using report::Check;
 using report::Results;
 using report::Status;
 
-// SOURCE_DATE_EPOCH (reproducible-builds.org) is the time of reports that are the same in every
-// run: they have no durations.
-const char* fixed_time() {
-    return std::getenv("SOURCE_DATE_EPOCH");
-}
-
-std::string time_now() {
-    std::time_t now = std::time(nullptr);
-    if (fixed_time()) parse_number(std::string_view(fixed_time()), now);
-    std::tm utc{};
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&now, &utc));
-    return text;
-}
-
-void remove_durations(Results& results) {
-    results.seconds = 0;
-    for (Check& check : results.checks)
-        check.seconds = 0;
-}
-
 // Returns the part, 1 to `count`, of a name: by its hash, so that a new test moves no other.
 unsigned shard_of(const std::string& name, unsigned count) {
     return static_cast<unsigned>(std::stoull(sha256(name).substr(0, 8), nullptr, 16) % count) + 1;
@@ -59,8 +38,8 @@ unsigned shard_of(const std::string& name, unsigned count) {
 struct TestCommand {
     CommonOptions common;
     CiFormats formats;
-    std::vector<std::string> paths, names, shards;
-    std::string report_folder, cache_folder, shard;
+    std::vector<std::string> paths, names, shards, filters;
+    std::string report_folder, cache_folder, shard, revision;
     unsigned jobs = 0;
     bool schema = false, update = false, review = false, is_ci = false;
 
@@ -89,6 +68,8 @@ struct TestCommand {
         if (!names.empty() && (review || update))
             return "--accept, --review and --update exclude each other";
         if (review && update) return "--review and --update exclude each other";
+        if (paths.empty() && !(filters.empty() && revision.empty()))
+            return "--filter and --changed-since select among the tests of PATH";
         if (is_ci && (update || approves)) return "--ci writes no baselines";
         if (!shard.empty() && !parse_shard())
             return "--shard " + shard + ": expected I/N with 1 <= I <= N, such as 2/4";
@@ -108,25 +89,27 @@ struct TestCommand {
 
     fs::path folder() const { return report_folder.empty() ? default_report : report_folder; }
 
-    int run_tests(std::vector<fs::path> tests, const Registry& registry, Diagnostics& diagnostics) {
+    int run_tests(const std::vector<fs::path>& tests, const Registry& registry,
+                  Diagnostics& diagnostics) {
         const auto start = std::chrono::steady_clock::now();
         Results results;
         results.version = WRINKLE_VERSION;
         results.command = command_of_run();
         results.approval = approval();
-        results.started = time_now();
+        results.started = time_of_report();
         results.added_fails = in_ci();
-        if (const auto part = *parse_shard(); part.count > 1)
-            std::erase_if(tests, [&](const fs::path& test) {
-                return shard_of(near_path(test).generic_string(), part.count) != part.index;
-            });
         std::optional<Cache> images;
         if (!cache_folder.empty()) images.emplace(cache_folder, Cache::default_limit);
         const TestSettings settings{registry, common, folder(), images ? &*images : nullptr};
-        std::vector<TestOutcome> outcomes(tests.size());
-        for_each_item(tests.size(), thread_count(jobs, tests.size()), [&](size_t i) {
-            outcomes[i] = run_test_file(read_test_file(tests[i]), settings);
-        });
+        std::vector<TestFile> files(tests.size());
+        for_each_item(tests.size(), thread_count(jobs, tests.size()),
+                      [&](size_t i) { files[i] = read_test_file(tests[i]); });
+        const std::vector<Check> deleted = deleted_of(files);
+        select(files, registry, diagnostics);
+        if (diagnostics.has_errors()) return report(diagnostics, common.diagnostics);
+        std::vector<TestOutcome> outcomes(files.size());
+        for_each_item(files.size(), thread_count(jobs, files.size()),
+                      [&](size_t i) { outcomes[i] = run_test_file(files[i], settings); });
         if (images) images->prune();
         std::string environment;
         std::vector<report::CaseUses> uses;
@@ -135,10 +118,10 @@ struct TestCommand {
             take(outcome, results, environment, diagnostics);
         }
         results.causes = report::likely_causes(uses);
-        add_deleted(tests, results);
+        results.checks.insert(results.checks.end(), deleted.begin(), deleted.end());
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
         results.seconds = passed.count();
-        if (fixed_time()) remove_durations(results);
+        remove_fixed_durations(results);
         if (!environment.empty()) results.problems.push_back(environment);
         return finish(results, environment, registry, diagnostics);
     }
@@ -153,21 +136,53 @@ struct TestCommand {
     }
 
     // Searches the folders that were named, not those of files that were named.
-    void add_deleted(const std::vector<fs::path>& tests, Results& results) const {
+    std::vector<Check> deleted_of(const std::vector<TestFile>& files) const {
         std::error_code ignored;
         std::set<fs::path> folders;
-        for (const fs::path& test : tests)
+        for (const TestFile& file : files)
             if (std::ranges::any_of(paths, [&](const std::string& path) {
-                    return fs::is_directory(path, ignored) && inside(path, test);
+                    return fs::is_directory(path, ignored) && inside(path, file.path);
                 }))
-                folders.insert(test.parent_path());
-        const auto part = *parse_shard();
-        std::vector<fs::path> files = unread_baselines({folders.begin(), folders.end()});
-        std::erase_if(files, [&](const fs::path& file) {
-            return shard_of(near_path(file).generic_string(), part.count) != part.index;
+                folders.insert(file.path.parent_path());
+        std::vector<fs::path> unread = unread_baselines(folders, files);
+        std::erase_if(unread, [&](const fs::path& file) {
+            const fs::path name = file.parent_path().parent_path() / file.stem();
+            return !is_in_shard(file) ||
+                   !has_selected_name(filters, near_path(name).generic_string());
         });
-        for (Check& check : deleted_checks(files))
-            results.checks.push_back(std::move(check));
+        return deleted_checks(unread);
+    }
+
+    // Removes the cases that the options leave out. A file that cannot be read remains.
+    void select(std::vector<TestFile>& files, const Registry& registry,
+                Diagnostics& diagnostics) const {
+        std::optional<ChangedFiles> changed;
+        if (!revision.empty()) changed = ChangedFiles::since(revision, diagnostics);
+        if (diagnostics.has_errors()) return;
+        size_t selected = 0;
+        for (TestFile& file : files) {
+            std::erase_if(file.cases, [&](const TestCase& test) {
+                return !has_selected_name(filters, test.full_name());
+            });
+            selected += file.cases.size() + file.problems.has_errors();
+        }
+        if (selected == 0 && !filters.empty())
+            diagnostics.error(RuleId::option,
+                              "--filter " + joined(filters, ", ") + ": no case has such a name",
+                              "a part of a name such as graphs/rings, or a pattern such as '*/r*'");
+        std::erase_if(files, [&](const TestFile& file) { return !is_in_shard(file.path); });
+        if (!changed) return;
+        for_each_item(files.size(), thread_count(jobs, files.size()), [&](size_t i) {
+            std::erase_if(files[i].cases, [&](const TestCase& test) {
+                return !has_changed(test, *changed, registry, common);
+            });
+        });
+    }
+
+    bool is_in_shard(const fs::path& file) const {
+        const Shard part = *parse_shard();
+        return part.count == 1 ||
+               shard_of(near_path(file).generic_string(), part.count) == part.index;
     }
 
     int finish(Results& results, std::string& environment, const Registry& registry,
@@ -242,7 +257,7 @@ struct TestCommand {
 
     std::string hint_of(const Results& results) const {
         if (std::ranges::none_of(results.checks, is_pending)) return "";
-        return "report: " + (folder() / "index.html").string() + "; " + results.approval +
+        return "report: " + (folder() / page_file).string() + "; " + results.approval +
                " --review shows each difference, --accept ID writes it";
     }
 
@@ -311,6 +326,9 @@ struct TestCommand {
         std::string command = "wrinkle test";
         for (const std::string& path : paths)
             command += " " + shell_quoted(path);
+        for (const std::string& filter : filters)
+            command += " --filter " + shell_quoted(filter);
+        if (!revision.empty()) command += " --changed-since " + shell_quoted(revision);
         for (const std::string& path : common.plugin_paths)
             command += " --plugin-path " + shell_quoted(path);
         if (!common.root.empty()) command += " --root " + shell_quoted(common.root);
@@ -327,6 +345,15 @@ void declare_test(CLI::App& app, Run& run) {
     sub.add_option("PATH", c.paths, "NAME.test.json, or folders that are searched for such files");
     sub.add_flag("--schema", c.schema, "Prints the JSON Schema of such files, and runs none");
     sub.add_option("-j", c.jobs, "Threads; 0 is one for each core")->capture_default_str();
+    sub.add_option(
+           "--filter", c.filters,
+           "Runs the cases with this text in their name, or that match a pattern of *, ? and []")
+        ->type_name("TEXT|GLOB")
+        ->allow_extra_args(false)  // one value each: the next word may be a PATH
+        ->take_all();
+    sub.add_option("--changed-since", c.revision,
+                   "Runs the cases with files that changed since a Git revision")
+        ->type_name("REV");
     sub.add_option("--shard", c.shard, "Runs part I of N of the test files")->type_name("I/N");
     sub.add_flag("--update", c.update,
                  "Writes the golden files and the 'expect' values that differ or are new");

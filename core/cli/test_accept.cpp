@@ -9,6 +9,7 @@
 #include "cli/identity.h"
 #include "cli/meshes.h"
 #include "cli/test_baselines.h"
+#include "cli/test_selection.h"
 #include "json/write.h"
 
 namespace wrinkle::cli {
@@ -61,7 +62,7 @@ void Accepting::accept(std::vector<Check*>& checks) {
 }
 
 void Accepting::accept_deleted(Check& check) {
-    const auto unread = unread_baselines({fs::path(check.baseline).parent_path().parent_path()});
+    const auto unread = unread_baselines(fs::path(check.baseline).parent_path().parent_path());
     const auto is_it = [&](const fs::path& each) { return near_path(each) == check.baseline; };
     if (std::ranges::none_of(unread, is_it))
         return refuse(check, "there is no such file, or a case reads it; run the tests again");
@@ -185,19 +186,11 @@ Acceptance accept(report::Results& results, const fs::path& folder,
 
 std::string hash_of_inputs(const TestCase& test, const Registry& registry,
                            const CommonOptions& common) {
-    Diagnostics ignored;
-    const Project project = open_project(test.graph.string(), common, ignored);
-    std::vector<std::string> paths = input_paths(project, registry);
-    if (test.preset.ends_with(".json"))
-        paths.push_back((test.file.parent_path() / test.preset).string());
-    if (test.render && is_mesh_path(test.render->options.mesh))
-        if (const auto mesh = resolve_file(project, 0, test.render->options.mesh))
-            paths.push_back(mesh->string());
     std::string hashes = program_identity() + "\n" + test.preset + "\n" + joined(test.set, "\n");
     for (const json::Member& member : test.object.children())
         if (member.key != "expect" && member.key != "cases")
             hashes += "\n" + std::string(member.key) + " " + json::one_line(member.value);
-    for (const std::string& path : paths) {
+    for (const std::string& path : case_inputs(test, registry, common)) {
         std::string why;
         hashes += "\n" + path + " " + sha256(read_file(path, why).value_or(""));
     }

@@ -1,10 +1,8 @@
 #include "cli/test_baselines.h"
 
 #include <algorithm>
-#include <set>
 
 #include "cli/session.h"
-#include "cli/test_case.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
@@ -12,28 +10,20 @@ namespace {
 
 constexpr std::array golden_extensions = {".glsl", ".png"};
 
-// Adds the golden files of all cases of a folder; returns false if a test file has errors.
-bool add_read(const fs::path& folder, std::set<fs::path>& read) {
-    std::error_code problem;
-    for (fs::directory_iterator at(folder, problem), end; !problem && at != end;
-         at.increment(problem)) {
-        if (!at->path().filename().string().ends_with(test_suffix)) continue;
-        Diagnostics diagnostics;
-        for (const TestCase& test : read_test_cases(at->path(), diagnostics))
-            for (const fs::path& golden : test.golden_files())
-                read.insert(golden);
-        if (diagnostics.has_errors()) return false;
-    }
-    return !problem;
-}
-
 }  // namespace
 
-std::vector<fs::path> unread_baselines(const std::vector<fs::path>& folders) {
+std::vector<fs::path> unread_baselines(const std::set<fs::path>& folders,
+                                       const std::vector<TestFile>& files) {
+    std::set<fs::path> read, broken;
+    for (const TestFile& file : files) {
+        if (file.problems.has_errors()) broken.insert(file.path.parent_path());
+        for (const TestCase& test : file.cases)
+            for (const fs::path& golden : test.golden_files())
+                read.insert(golden);
+    }
     std::vector<fs::path> unread;
     for (const fs::path& folder : folders) {
-        std::set<fs::path> read;
-        if (!add_read(folder, read)) continue;
+        if (broken.contains(folder)) continue;
         std::error_code problem;
         for (fs::directory_iterator at(folder / "golden", problem), end; !problem && at != end;
              at.increment(problem))
@@ -43,6 +33,16 @@ std::vector<fs::path> unread_baselines(const std::vector<fs::path>& folders) {
     }
     std::ranges::sort(unread);
     return unread;
+}
+
+std::vector<fs::path> unread_baselines(const fs::path& folder) {
+    std::vector<TestFile> files;
+    std::error_code problem;
+    for (fs::directory_iterator at(folder, problem), end; !problem && at != end;
+         at.increment(problem))
+        if (at->path().filename().string().ends_with(test_suffix))
+            files.push_back(read_test_file(at->path()));
+    return problem ? std::vector<fs::path>() : unread_baselines({folder}, files);
 }
 
 std::vector<report::Check> deleted_checks(const std::vector<fs::path>& files) {

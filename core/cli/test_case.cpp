@@ -89,11 +89,9 @@ fs::path root_of(const TestCase& test, const CommonOptions& common) {
 }
 
 fs::path near_path(const fs::path& path) {
-    const fs::path normal = path.lexically_normal();
-    if (!path.is_absolute()) return normal;
+    if (!path.is_absolute()) return path.lexically_normal();
     std::error_code ignored;
-    const fs::path relative = normal.lexically_relative(fs::current_path(ignored));
-    return relative.empty() || *relative.begin() == ".." ? normal : relative;
+    return path_from(fs::current_path(ignored), path);
 }
 
 std::vector<TestCase> read_test_cases(const fs::path& file, Diagnostics& diagnostics) {
@@ -112,6 +110,13 @@ std::vector<TestCase> read_test_cases(const fs::path& file, Diagnostics& diagnos
     diagnostics.append(own);
     if (own.has_errors()) return {};
     return cases;
+}
+
+TestFile read_test_file(const fs::path& path) {
+    TestFile file;
+    file.path = path;
+    file.cases = read_test_cases(path, file.problems);
+    return file;
 }
 
 std::string container_text(const json::Value& container) {

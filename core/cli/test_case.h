@@ -75,6 +75,13 @@ std::vector<TestCase> read_case_keys(const json::Value& root, TestCase file_case
 // Returns no cases and reports a problem on failure.
 std::vector<TestCase> read_test_cases(const std::filesystem::path& file, Diagnostics& diagnostics);
 
+struct TestFile {
+    std::filesystem::path path;
+    std::vector<TestCase> cases;
+    Diagnostics problems;  // from reading; `cases` is empty if it has errors
+};
+TestFile read_test_file(const std::filesystem::path& path);
+
 // Returns the text of a parsed array or object as in its file.
 std::string container_text(const json::Value& container);
 

@@ -11,8 +11,6 @@
 #include "image/texels.h"
 #include "json/write.h"
 #include "report/colormap.h"
-#include "report/flip.h"
-#include "report/measures.h"
 #include "report/pooling.h"
 
 namespace wrinkle::cli {
@@ -41,12 +39,6 @@ double max_distance(const Lanes& a, const Lanes& b) {
         if (!(distance <= largest)) largest = distance;
     }
     return largest;
-}
-
-std::string short_number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
 }
 
 std::string lanes_text(const Lanes& lanes) {
@@ -81,12 +73,22 @@ std::string source_of(const Document& document, const std::string& output) {
     return found ? found->from.link.text() : "";
 }
 
+// For an expected output that the graph lacks.
+std::string outputs_advice(const report::Measured& missing,
+                           const std::vector<OutputColumn>& columns) {
+    std::vector<std::string> names;
+    for (const OutputColumn& column : columns)
+        names.push_back(column.name);
+    return did_you_mean(missing.name, names, "its outputs are " + joined(names, ", "));
+}
+
 // Compares one output; returns one sentence, or "" if it is within the limit.
 std::string compare_output(const TestCase& test, const json::Member& expected,
                            const std::vector<OutputColumn>& columns, size_t point,
                            report::Measured& result) {
     const auto column = std::ranges::find(columns, result.name, &OutputColumn::name);
-    if (column == columns.end()) return "the graph has no such output";
+    if (column == columns.end())
+        return "the graph has no such output; " + outputs_advice(result, columns);
     const auto wanted = lanes_of(expected.value, column->lanes);
     if (!wanted)
         return "expected " + json::one_line(expected.value) + ", which is not " +
@@ -105,22 +107,11 @@ struct Measure {
 };
 
 Measure measure(const std::string& metric, Image expected, Image got) {
-    if (metric == "flip")
-        for (Image* image : {&expected, &got})
-            decode_srgb(*image);
     Measure result;
-    result.map = metric == "rms"    ? report::steps_apart(expected, got)
-                 : metric == "flip" ? report::flip(expected, got, report::default_pixels_per_degree)
-                                    : report::degrees_apart(expected, got);
+    result.map = map_of(metric, std::move(expected), std::move(got));
     const report::Pooling pooled(result.map);
     result.mean = mean_of(metric, pooled);
     return result;
-}
-
-// The measure of the map: shows normals in degrees and all else as it is seen.
-std::string map_measure(const RenderCase& render) {
-    if (render.metric != "rms") return render.metric;
-    return render.options.view == gpu::View::normal ? "degrees" : "flip";
 }
 
 const char* unit_of(const std::string& metric) {
@@ -152,6 +143,12 @@ std::string place_of(const report::Pooling& pooled) {
 
 }  // namespace
 
+std::string short_number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
 CaseComparison compare_point(const TestCase& test, const Document& document,
                              const json::Value& expected, const std::vector<OutputColumn>& columns,
                              size_t point) {
@@ -170,6 +167,11 @@ CaseComparison compare_point(const TestCase& test, const Document& document,
     return result;
 }
 
+std::string map_metric(const RenderCase& render) {
+    if (render.metric != "rms") return render.metric;
+    return render.options.view == gpu::View::normal ? "degrees" : "flip";
+}
+
 ImageComparison compare_images(const RenderCase& render, const Image& expected, const Image& got) {
     ImageComparison result;
     if (expected.width != got.width || expected.height != got.height) {
@@ -183,13 +185,14 @@ ImageComparison compare_images(const RenderCase& render, const Image& expected, 
             result.difference += (result.difference.empty() ? "the image differs by " : "; ") +
                                  each.actual + " " + each.unit + ", " + each.expected + " allowed";
     if (result.difference.empty()) return result;
-    result.map_measure = map_measure(render);
+    result.map_measure = map_metric(render);
     const Measure shown = measure(result.map_measure, expected, got);
     const report::Pooling pooled(shown.map);
     if (pooled.max() > 0 && result.map_measure == "degrees") result.map_scale = pooled.max();
     result.map = report::colored(shown.map, report::magma, result.map_scale);
-    result.difference += std::string("; ") + unit_of(result.map_measure) + " " +
-                         short_number(shown.mean) + " on average, " + place_of(pooled);
+    result.largest = std::string(unit_of(result.map_measure)) + " " + short_number(shown.mean) +
+                     " on average, " + place_of(pooled);
+    result.difference += "; " + result.largest;
     return result;
 }
 

@@ -28,8 +28,16 @@ struct ImageComparison : CaseComparison {
     Image map;  // the difference in color; empty for equal images and other sizes
     std::string map_measure;
     double map_scale = 1;
+    std::string largest;  // mean and largest value of the map, with its pixel; "" without a map
 };
+
+// The metric of the map: shows normals in degrees and all else as it is seen.
+std::string map_metric(const RenderCase& render);
+
 ImageComparison compare_images(const RenderCase& render, const Image& expected, const Image& got);
+
+// "0.4164": four digits, for messages.
+std::string short_number(double value);
 
 // Returns one RGB image of images of one size, from left to right.
 Image side_by_side(const std::vector<const Image*>& images);

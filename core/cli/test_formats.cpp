@@ -5,6 +5,7 @@
 
 #include "cli/output.h"
 #include "report/ci_formats.h"
+#include "report/repository.h"
 
 namespace wrinkle::cli {
 namespace fs = std::filesystem;
@@ -35,15 +36,17 @@ void declare_formats(CLI::App& command, CiFormats& formats) {
 bool write_formats(const CiFormats& formats, const report::Results& results, const fs::path& folder,
                    std::string& why) {
     report::CiOptions options;
-    options.new_fails = results.added_fails;
     if (formats.attachments != "none")
         options.attachment = [&](const std::string& image) {
             return attachment_path(folder / image, formats);
         };
     std::vector<Result> files;
     if (!formats.junit.empty()) files.push_back({formats.junit, report::junit(results, options)});
-    if (!formats.tap.empty()) files.push_back({formats.tap, report::tap(results, options)});
-    if (formats.github) files.push_back({"-", report::github_annotations(results, options)});
+    if (!formats.tap.empty()) files.push_back({formats.tap, report::tap(results)});
+    std::error_code ignored;
+    if (formats.github)
+        files.push_back({"-", report::github_annotations(
+                                  results, report::repository_root(fs::current_path(ignored)))});
     return files.empty() || write_results(files, why);
 }
 

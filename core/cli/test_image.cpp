@@ -64,13 +64,14 @@ std::optional<Image> image_of(const std::string& entry) {
     return image;
 }
 
-DrawnCase draw(const CaseToDraw& it, Diagnostics& diagnostics) {
+DrawnCase draw(const TestCase& test, const CaseMaterial& material, Diagnostics& diagnostics) {
     DrawnCase drawn;
-    const RenderOptions& options = it.test.render->options;
-    const auto still = mesh_of(*it.test.render, it.screen.project, it.common, diagnostics);
+    const RenderOptions& options = test.render->options;
+    const auto still =
+        mesh_of(*test.render, material.screen->project, material.common, diagnostics);
     std::optional<Mesh> moved;
     if (still && options.displace)
-        moved = displaced_mesh(*still, *it.given, it.textures, diagnostics);
+        moved = displaced_mesh(*still, *material.given, material.textures, diagnostics);
     if (diagnostics.has_errors()) return drawn;
     Diagnostics environment;
     auto renderer = OffscreenRenderer::make(options, *still, environment);
@@ -80,20 +81,20 @@ DrawnCase draw(const CaseToDraw& it, Diagnostics& diagnostics) {
     }
     drawn.driver = gpu::Context::renderer_name();
     if (moved) renderer->show(*moved);
-    auto rendered = renderer->draw(it.shader, it.textures, diagnostics);
+    auto rendered = renderer->draw(material.shader, material.textures, diagnostics);
     if (rendered) drawn.image = std::move(rendered->image);
     return drawn;
 }
 
 }  // namespace
 
-DrawnCase draw_case(const CaseToDraw& it, Cache* cache, const std::string& inputs,
-                    Diagnostics& diagnostics) {
-    if (!cache || driver_name().empty()) return draw(it, diagnostics);
+DrawnCase draw_case(const TestCase& test, const CaseMaterial& material, Cache* cache,
+                    const std::string& inputs, Diagnostics& diagnostics) {
+    if (!cache || driver_name().empty()) return draw(test, material, diagnostics);
     const std::string key = sha256(join_fields({"image", inputs, driver_name()}));
     if (const auto entry = cache->find(key))
         if (auto image = image_of(*entry)) return {std::move(image), driver_name(), ""};
-    DrawnCase drawn = draw(it, diagnostics);
+    DrawnCase drawn = draw(test, material, diagnostics);
     std::string ignored;  // a cache that cannot be written only costs time
     if (drawn.image) cache->store(key, entry_of(*drawn.image), ignored);
     return drawn;

@@ -5,19 +5,9 @@
 #include <string>
 
 #include "cli/cache.h"
-#include "cli/material_run.h"
-#include "cli/test_case.h"
+#include "cli/test_material.h"
 
 namespace wrinkle::cli {
-
-struct CaseToDraw {
-    const TestCase& test;  // with a render case
-    const MaterialRun& screen;
-    const MaterialRun* given;  // with given differentials; needed if the mesh is displaced
-    const Shader& shader;
-    const TextureStore& textures;
-    const CommonOptions& common;
-};
 
 struct DrawnCase {
     std::optional<Image> image;  // empty on failure
@@ -27,7 +17,8 @@ struct DrawnCase {
 
 // Returns no image and reports an error of the graph or the mesh on failure. `cache` may be null;
 // `inputs` is the hash of all files that the case reads. An entry belongs to these and the driver.
-DrawnCase draw_case(const CaseToDraw& it, Cache* cache, const std::string& inputs,
-                    Diagnostics& diagnostics);
+// Precondition: the case has an image, and compile_case() reported no error.
+DrawnCase draw_case(const TestCase& test, const CaseMaterial& material, Cache* cache,
+                    const std::string& inputs, Diagnostics& diagnostics);
 
 }  // namespace wrinkle::cli

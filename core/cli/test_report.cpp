@@ -1,10 +1,13 @@
 #include "cli/test_report.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <ctime>
 #include <set>
 
 #include "base/file.h"
 #include "base/printable.h"
+#include "cli/arguments.h"
 #include "report/page.h"
 #include "report/results_json.h"
 
@@ -15,7 +18,6 @@ namespace {
 using report::Check;
 using report::Status;
 
-constexpr const char* page_file = "index.html";
 constexpr std::array image_folders = {"expected", "actual", "map", "joined"};
 
 std::array<std::string Check::*, 4> image_members() {
@@ -66,7 +68,27 @@ const char* verdict_of(Status status) {
     }
 }
 
+const char* fixed_time() {
+    return std::getenv("SOURCE_DATE_EPOCH");
+}
+
 }  // namespace
+
+std::string time_of_report() {
+    std::time_t now = std::time(nullptr);
+    if (fixed_time()) parse_number(std::string_view(fixed_time()), now);
+    std::tm utc{};
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", gmtime_r(&now, &utc));
+    return text;
+}
+
+void remove_fixed_durations(report::Results& results) {
+    if (!fixed_time()) return;
+    results.seconds = 0;
+    for (Check& check : results.checks)
+        check.seconds = 0;
+}
 
 bool is_in_report(const fs::path& folder, const fs::path& file) {
     return inside(folder, link_target(file)) &&

@@ -11,7 +11,13 @@
 namespace wrinkle::cli {
 
 inline constexpr const char* default_report = ".wrinkle/test";
+inline constexpr const char* page_file = "index.html";
 inline constexpr const char* results_file = "results.json";
+
+// Returns the time now, ISO 8601 in UTC; that of SOURCE_DATE_EPOCH (reproducible-builds.org) if the
+// variable is set. Reports are then the same in every run: they have no durations.
+std::string time_of_report();
+void remove_fixed_durations(report::Results& results);
 
 // Returns false if links lead a write to `file` out of the folder, or the default folder out of the
 // working folder: a checkout may contain such links.

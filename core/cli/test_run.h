@@ -15,13 +15,6 @@
 
 namespace wrinkle::cli {
 
-struct TestFile {
-    std::filesystem::path path;
-    std::vector<TestCase> cases;
-    Diagnostics problems;  // from reading; `cases` is empty if it has errors
-};
-TestFile read_test_file(const std::filesystem::path& path);
-
 struct TestSettings {
     const Registry& registry;
     const CommonOptions& common;

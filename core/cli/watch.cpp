@@ -9,7 +9,7 @@ namespace wrinkle::cli {
 namespace {
 
 constexpr std::array watched_commands = {"check",   "compile", "eval",    "render", "bake",
-                                         "convert", "lint",    "compare", "test"};
+                                         "convert", "lint",    "compare", "export", "test"};
 
 struct WatchCommand {
     WatchOptions options;

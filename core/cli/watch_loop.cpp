@@ -11,6 +11,7 @@
 #include "base/folder_watch.h"
 #include "base/printable.h"
 #include "cli/output.h"
+#include "cli/test_report.h"
 #include "cli/watch_build.h"
 #include "cli/watch_inputs.h"
 #include "cli/watch_page.h"
@@ -200,9 +201,14 @@ private:
 
     void report(const BuildOutcome& outcome) {
         const std::string line = report_.add(outcome);
-        if (outcome.code == 0) outputs_ = outcome.files.made();
-        if (page_)
-            page_->send({outcome.code == 0, options_.words[0], line, outcome.text, outputs_});
+        std::vector<std::filesystem::path> made = outcome.files.made();
+        // A test run that fails has a report too; its page contains its images.
+        const bool is_test = options_.words[0] == "test";
+        if (is_test)
+            std::erase_if(made, [](const auto& file) { return file.filename() != page_file; });
+        const bool ok = outcome.code == 0, shows_made = ok || (is_test && !made.empty());
+        if (shows_made) outputs_ = std::move(made);
+        if (page_) page_->send({ok, options_.words[0], line, outcome.text, outputs_, shows_made});
     }
 
     void check_held() {
@@ -235,7 +241,7 @@ private:
     WatchedInputs inputs_;
     BuildReport report_;
     std::optional<WatchPage> page_;
-    std::vector<std::filesystem::path> outputs_;  // from the last good build
+    std::vector<std::filesystem::path> outputs_;  // that the page shows
     std::optional<Build> build_;
     std::optional<Held> held_;
     std::optional<Time> first_event_;

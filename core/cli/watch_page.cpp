@@ -98,6 +98,7 @@ void WatchPage::send(const News& news) {
     }
     const std::string message =
         "{\"build\": " + std::to_string(++builds_) + ", \"ok\": " + (news.ok ? "true" : "false") +
+        ", \"made_outputs\": " + (news.made_outputs ? "true" : "false") +
         ", \"command\": " + json_quoted(news.command) + ", \"line\": " + json_quoted(news.line) +
         ", \"text\": " + json_quoted(news.text.substr(0, max_text)) + ", \"outputs\": [" + list +
         "]}" + '\0' + paths;

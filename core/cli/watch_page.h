@@ -26,7 +26,8 @@ public:
         bool ok = false;
         std::string command;  // "compile"
         std::string line, text;
-        std::vector<std::filesystem::path> outputs;  // from the last good build
+        std::vector<std::filesystem::path> outputs;
+        bool made_outputs = false;  // this build made them; otherwise an earlier one
     };
     void send(const News& news);
 

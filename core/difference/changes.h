@@ -32,11 +32,18 @@ struct Changes {
 // Precondition: entries_fault() of both is "".
 Changes changes_between(const Document& before, const Document& after);
 
-// One line per change and one for the layout, the last a verdict.
+// One line per change of the material and one for the layout.
+std::vector<std::string> change_lines(const Changes& changes);
+// "same", "other text, same material", "other layout, same material" or "different".
+std::string verdict(const Changes& changes);
+// All lines, the last the verdict.
 std::string changes_text(const Changes& changes);
 // {"version": 1, "same": true, "same_bytes", "changes": [{"section", "id", "change", ...}],
-//  "layout": [...], "reordered"}
-std::string changes_json(const Changes& changes);
+//  "layout": [...], "reordered"}, and `members`: name and JSON of each.
+struct JsonMember {
+    std::string name, value;
+};
+std::string changes_json(const Changes& changes, const std::vector<JsonMember>& members = {});
 
 // Lists a graph as one line per key of an entry, sorted by id, without the layout.
 std::string listing(const Document& document);

@@ -68,14 +68,7 @@ std::string layout_line(const Changes& changes) {
                     counted(ids.size(), entry_names[size_t(section)], verbs[size_t(kind)]));
         }
     if (changes.reordered) parts.emplace_back("another order in the file");
-    return parts.empty() ? "" : "layout: " + joined(parts, ", ") + "\n";
-}
-
-std::string verdict(const Changes& changes) {
-    if (changes.same_bytes) return "same";
-    if (!changes.same_material()) return "different";
-    return changes.layout.empty() && !changes.reordered ? "other text, same material"
-                                                        : "other layout, same material";
+    return parts.empty() ? "" : "layout: " + joined(parts, ", ");
 }
 
 std::string change_json(const Change& change) {
@@ -112,19 +105,38 @@ std::string key_text(Section section, std::string_view id, const Key& key) {
     return std::string(entry_names[size_t(section)]) + " " + std::string(id) + key_suffix(key);
 }
 
-std::string changes_text(const Changes& changes) {
-    std::string text;
+std::vector<std::string> change_lines(const Changes& changes) {
+    std::vector<std::string> lines;
     for (const Change& change : changes.material)
-        text += printable(change_line(change)) + "\n";
-    return text + layout_line(changes) + verdict(changes) + "\n";
+        lines.push_back(printable(change_line(change)));
+    if (std::string layout = layout_line(changes); !layout.empty())
+        lines.push_back(std::move(layout));
+    return lines;
 }
 
-std::string changes_json(const Changes& changes) {
+std::string verdict(const Changes& changes) {
+    if (changes.same_bytes) return "same";
+    if (!changes.same_material()) return "different";
+    return changes.layout.empty() && !changes.reordered ? "other text, same material"
+                                                        : "other layout, same material";
+}
+
+std::string changes_text(const Changes& changes) {
+    return joined(change_lines(changes), "", [](const std::string& line) { return line + "\n"; }) +
+           verdict(changes) + "\n";
+}
+
+std::string changes_json(const Changes& changes, const std::vector<JsonMember>& members) {
     return "{\n  \"version\": 1,\n  \"same\": " + json_word(changes.same_material()) +
            ",\n  \"same_bytes\": " + json_word(changes.same_bytes) +
            ",\n  \"changes\": " + list_json(changes.material) +
            ",\n  \"layout\": " + list_json(changes.layout) +
-           ",\n  \"reordered\": " + json_word(changes.reordered) + "\n}\n";
+           ",\n  \"reordered\": " + json_word(changes.reordered) +
+           joined(members, "",
+                  [](const JsonMember& member) {
+                      return ",\n  " + json_quoted(member.name) + ": " + member.value;
+                  }) +
+           "\n}\n";
 }
 
 std::string listing(const Document& document) {

@@ -6,6 +6,8 @@
 #include <glm/vec3.hpp>
 #include <numbers>
 
+#include "base/fuzz.h"
+
 namespace wrinkle::gpu {
 namespace {
 
@@ -66,25 +68,11 @@ glm::dvec3 ggx_albedo(double cosine, double roughness) {
     return sum / static_cast<double>(samples);
 }
 
-double sheen_albedo(double cosine, double roughness) {
-    const double alpha = std::max(roughness * roughness, 0.01);
-    const glm::dvec3 v = direction(cosine, 0);
-    double sum = 0;
-    for (int i = 0; i < samples; ++i) {
-        const Point xi = point(i);
-        const glm::dvec3 l = direction(xi.x, turn * xi.y), h = glm::normalize(v + l);
-        const double sine = std::sqrt(std::max(0.0, 1 - h.z * h.z));
-        const double density = (2 + 1 / alpha) * std::pow(sine, 1 / alpha) / turn;
-        sum += density / (4 * (l.z + cosine - l.z * cosine)) * l.z;
-    }
-    return std::min(1.0, sum * turn / samples);
-}
-
 }  // namespace
 
 glm::vec4 albedo(double cosine, double roughness) {
     const double clamped = std::clamp(cosine, least_cosine, 1.0);
-    return {glm::vec3(ggx_albedo(clamped, roughness)), sheen_albedo(clamped, roughness)};
+    return {glm::vec3(ggx_albedo(clamped, roughness)), fuzz_albedo(clamped, roughness)};
 }
 
 std::vector<glm::vec4> albedo_table() {

@@ -14,7 +14,7 @@ namespace wrinkle::gpu {
 //   x  1 - (1 - m)^5      so that x F0 + y F90 is the albedo under Schlick's Fresnel term
 //   y  (1 - m)^5
 //   z  m (1 - m)^6        the F82 term of metals (Hoffman 2023)
-// and w, the albedo of the sheen lobe (Estevez and Kulla 2017) with alpha = roughness^2.
+// and w, the albedo of fuzz (base/fuzz.h).
 glm::vec4 albedo(double cosine, double roughness);
 
 constexpr int albedo_side = 32;

@@ -4,7 +4,7 @@
 //
 // ggx is OpenPBR Surface 1.1 as a mixture of lobes with albedo scaling (its section "Reduction").
 // Diffuse: EON (Portsmouth, Kutz and Hill 2025);
-// metal: F82 (Hoffman 2023); fuzz: the sheen of Estevez and Kulla (2017), not OpenPBR's LTC;
+// metal: F82 (Hoffman 2023); fuzz: a diffuse lobe with the albedo of OpenPBR's (base/fuzz.h);
 // subsurface: a diffuse lobe with a normal that is flatter per channel (Ma et al. 2007), without
 // subsurface_radius. Not shown: transmission, thin film, thin walls, anisotropy of the coat.
 #pragma once

@@ -55,6 +55,9 @@ constexpr std::array writables = {
     Writable{".hdr", "hdr", "float", "3", "", "", false, false, false},
 };
 
+// Git LFS checks out a text with these first words if it did not fetch a file.
+constexpr std::string_view lfs_pointer = "version https://git-lfs";
+
 bool has_word(std::string_view words, std::string_view word) {
     const std::string padded = " " + std::string(words) + " ";
     return padded.find(" " + std::string(word) + " ") != padded.npos;
@@ -84,7 +87,8 @@ ImageFormat sniff_format(const fs::path& path, std::string& why) {
     for (const Signature& signature : signatures)
         if (head.starts_with(signature.bytes)) return {signature.name, signature.plugin};
     if (is_pnm(head)) return {"pnm", "pnm"};
-    why = "is not an image of a known format";
+    why = head.starts_with(lfs_pointer) ? "is a pointer of Git LFS; `git lfs pull` gets the image"
+                                        : "is not an image of a known format";
     return {};
 }
 

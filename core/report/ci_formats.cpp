@@ -7,6 +7,7 @@
 #include "base/printable.h"
 #include "base/text.h"
 #include "report/annotations.h"
+#include "report/repository.h"
 #include "report/text_diff.h"
 #include "report/xml.h"
 
@@ -27,25 +28,17 @@ std::string seconds_text(double seconds) {
 
 // How a CI system counts a check.
 enum class Verdict : uint8_t { passed, failed, error, skipped };
-Verdict verdict_of(const Check& check, const CiOptions& options) {
-    switch (check.status) {
-        case Status::passed:
-            return Verdict::passed;
-        case Status::error:
-            return Verdict::error;
-        case Status::added:
-            return options.new_fails ? Verdict::failed : Verdict::skipped;
-        default:
-            return Verdict::failed;
-    }
+Verdict verdict_of(const Check& check, const Results& results) {
+    if (check.status == Status::passed) return Verdict::passed;
+    if (check.status == Status::error) return Verdict::error;
+    return results.fails(check) ? Verdict::failed : Verdict::skipped;
 }
 
 struct Tally {
     size_t tests = 0, failures = 0, errors = 0, skipped = 0;
     double seconds = 0;
 
-    void add(const Check& check, const CiOptions& options) {
-        const Verdict verdict = verdict_of(check, options);
+    void add(const Check& check, Verdict verdict) {
         ++tests;
         failures += verdict == Verdict::failed;
         errors += verdict == Verdict::error;
@@ -74,14 +67,13 @@ std::string difference_text(const Check& check) {
     return text;
 }
 
-std::string testcase(const Check& check, const CiOptions& options) {
+std::string testcase(const Check& check, Verdict verdict, const CiOptions& options) {
     std::string name = check.test;
     std::ranges::replace(name, '/', '.');
     std::string text = "    <testcase" + attribute("name", check.name) +
                        attribute("classname", name) + attribute("file", check.file);
     if (check.line) text += attribute("line", std::to_string(check.line));
     text += attribute("time", seconds_text(check.seconds));
-    const Verdict verdict = verdict_of(check, options);
     if (verdict == Verdict::passed) return text + "/>\n";
     text += ">\n";
     const std::string message = attribute("message", check.message);
@@ -117,9 +109,10 @@ std::string junit(const Results& results, const CiOptions& options) {
     for (const Check& check : results.checks) {
         if (!suites.contains(check.test)) names.push_back(check.test);
         auto& [tally, cases] = suites[check.test];
-        tally.add(check, options);
-        all.add(check, options);
-        cases += testcase(check, options);
+        const Verdict verdict = verdict_of(check, results);
+        tally.add(check, verdict);
+        all.add(check, verdict);
+        cases += testcase(check, verdict, options);
     }
     std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" +
                        attribute("name", "wrinkle test") + all.attributes() + ">\n";
@@ -132,11 +125,11 @@ std::string junit(const Results& results, const CiOptions& options) {
     return text + "</testsuites>\n";
 }
 
-std::string tap(const Results& results, const CiOptions& options) {
+std::string tap(const Results& results) {
     std::string text = "TAP version 14\n1.." + std::to_string(results.checks.size()) + "\n";
     size_t number = 0;
     for (const Check& check : results.checks) {
-        const Verdict verdict = verdict_of(check, options);
+        const Verdict verdict = verdict_of(check, results);
         const bool passes = verdict == Verdict::passed || verdict == Verdict::skipped;
         text += (passes ? "ok " : "not ok ") + std::to_string(++number) + " - " +
                 tap_description(check.id());
@@ -150,13 +143,14 @@ std::string tap(const Results& results, const CiOptions& options) {
     return text;
 }
 
-std::string github_annotations(const Results& results, const CiOptions& options) {
+std::string github_annotations(const Results& results, const std::filesystem::path& root) {
     std::vector<Annotation> annotations;
     for (const size_t i : results.by_severity()) {
         const Check& check = results.checks[i];
-        const bool fails = verdict_of(check, options) != Verdict::skipped;
+        const bool fails = results.fails(check);
         annotations.push_back({fails ? Annotation::Level::error : Annotation::Level::notice,
-                               check.file, check.line, check.column, check.id(), check.message});
+                               path_in_repository(check.file, root), check.line, check.column,
+                               check.id(), check.message});
     }
     return github_commands(std::move(annotations), "checks; the report has them all");
 }

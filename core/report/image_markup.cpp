@@ -59,10 +59,10 @@ std::string images_markup(const Check& check, const InlinedImages& images) {
                             number(check.map_scale) + (is_angle ? " degrees" : "");
     return "<div class=\"images\" data-measure=\"" + html(check.map_measure) + "\" data-scale=\"" +
            number(check.map_scale) + "\">\n" +
-           figure("expected", "Expected", check.expected_image, images.expected,
-                  "Expected image of " + check.test) +
-           figure("actual", "Actual", check.actual_image, images.actual,
-                  "Actual image of " + check.test) +
+           figure("expected", expected_name(check), check.expected_image, images.expected,
+                  std::string(expected_name(check)) + ", image of " + check.test) +
+           figure("actual", actual_name(check), check.actual_image, images.actual,
+                  std::string(actual_name(check)) + ", image of " + check.test) +
            figure("map", map, check.map_image, images.map,
                   "Map of the difference: " + check.message) +
            "</div>\n";

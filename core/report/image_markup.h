@@ -22,6 +22,14 @@ struct InlinedImages {
 // Reads the images of a check. An image that is not a PNG file in `folder` has no uri.
 InlinedImages inlined_images(const Check& check, const std::filesystem::path& folder);
 
+// Names of the two sides of a check: "Expected" and "Actual", or "Before" and "After".
+inline const char* expected_name(const Check& check) {
+    return check.status == Status::changed ? "Before" : "Expected";
+}
+inline const char* actual_name(const Check& check) {
+    return check.status == Status::changed ? "After" : "Actual";
+}
+
 // Figures of the images; an image without uri is named.
 std::string images_markup(const Check& check, const InlinedImages& images);
 

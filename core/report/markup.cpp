@@ -14,7 +14,9 @@ std::string cell(const std::string& text, const char* kind = "") {
     return "<td" + std::string(kind) + ">" + html(text) + "</td>";
 }
 
+// "" if it was not measured.
 std::string milliseconds(double seconds) {
+    if (seconds == 0) return "";
     char text[32];
     std::snprintf(text, sizeof text, seconds < 0.01 ? "%.1f ms" : "%.0f ms", seconds * 1000);
     return text;
@@ -22,7 +24,9 @@ std::string milliseconds(double seconds) {
 
 std::string numbers_markup(const Check& check) {
     if (check.measured.empty()) return "";
+    const bool is_change = check.status == Status::changed;
     const bool of_outputs = check.kind == CheckKind::point;
+    const bool has_sides = of_outputs || (is_change && check.kind == CheckKind::cost);
     const bool has_nodes = std::ranges::any_of(
         check.measured, [](const Measured& each) { return !each.node.empty(); });
     std::string rows;
@@ -31,23 +35,38 @@ std::string numbers_markup(const Check& check) {
         rows += each.within() && !is_missing ? "<tr>" : "<tr class=\"over\">";
         rows += "<th scope=\"row\">" + html(each.name) + "</th>";
         if (has_nodes) rows += cell(each.node);
-        if (of_outputs) rows += cell(each.expected) + cell(each.actual);
+        if (has_sides) rows += cell(each.expected) + cell(each.actual);
         rows += cell(is_missing ? "missing" : number(each.value) + " " + each.unit,
-                     " class=\"number\"") +
-                cell(number(each.limit), " class=\"number\"") + "</tr>\n";
+                     " class=\"number\"");
+        if (!is_change) rows += cell(number(each.limit), " class=\"number\"");
+        rows += "</tr>\n";
     }
     std::vector<std::string> heads = {of_outputs ? "Output" : "Measure"};
     if (has_nodes) heads.emplace_back("Node");
-    if (of_outputs) heads.insert(heads.end(), {"Expected", "Actual"});
-    heads.insert(heads.end(), {check.kind == CheckKind::cost ? "Cost" : "Difference", "Limit"});
+    if (has_sides) heads.insert(heads.end(), {expected_name(check), actual_name(check)});
+    const bool is_cost = check.kind == CheckKind::cost && !is_change;
+    heads.emplace_back(is_cost ? "Cost" : "Difference");
+    if (!is_change) heads.emplace_back("Limit");
     return "<table><thead><tr><th scope=\"col\">" + joined(heads, "</th><th scope=\"col\">") +
            "</th></tr></thead><tbody>\n" + rows + "</tbody></table>\n";
 }
 
+// The largest difference of two graphs, as text. Costs are in the heading of their case.
+std::string largest_markup(const Check& check) {
+    const auto largest = std::ranges::max_element(check.measured, {}, &Measured::value);
+    if (largest == check.measured.end() || check.kind == CheckKind::cost) return "";
+    return "<span class=\"worst\">" +
+           html(largest->name + " " + number(largest->value) + " " + largest->unit) + "</span>";
+}
+
 // The number that exceeds its limit most, as text and as a bar.
 std::string worst_markup(const Check& check) {
+    if (check.status == Status::changed) return largest_markup(check);
     const auto worst = std::ranges::max_element(check.measured, {},
                                                 [](const Measured& each) { return each.excess(); });
+    const auto missing = std::ranges::find(check.measured, "", &Measured::actual);
+    if (check.kind == CheckKind::point && missing != check.measured.end())
+        return "<span class=\"worst\">" + html(missing->name) + " missing</span>";
     if (worst == check.measured.end() || worst->within()) return "";
     // Logarithmic: the limit is at a quarter, 1000 times the limit at the end.
     const double part = std::clamp(0.25 + std::log10(worst->excess()) / 4, 0.0, 1.0) * 64;
@@ -75,9 +94,10 @@ std::string body_markup(const Check& check, const CheckParts& parts) {
            images_markup(check, parts.images) + numbers_markup(check) + lines_markup(check, parts);
 }
 
-// Errors could not run, and a budget is a limit: --accept writes neither.
+// Errors could not run, a budget is a limit, and a change has no baseline: --accept writes none.
 bool is_acceptable(const Check& check) {
-    return check.status != Status::error && check.kind != CheckKind::cost;
+    return check.status != Status::error && check.status != Status::changed &&
+           check.kind != CheckKind::cost;
 }
 
 // Names of nodes, for the search of the page.

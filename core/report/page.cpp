@@ -6,7 +6,7 @@
 
 #include "base/base64.h"
 #include "base/checksum.h"
-#include "base/text.h"
+#include "report/case_markup.h"
 #include "report/colormap.h"
 #include "report/markup.h"
 #include "report/page_contents.h"
@@ -43,13 +43,16 @@ std::string policy() {
 }
 
 std::string chips(const Results& results) {
+    std::vector<Status> shown = {Status::failed, Status::error, Status::added, Status::deleted,
+                                 Status::passed};
+    if (results.compares_graphs()) shown = {Status::changed, Status::error, Status::passed};
     std::string text;
-    for (const Status status :
-         {Status::failed, Status::error, Status::added, Status::deleted, Status::passed}) {
+    for (const Status status : shown) {
         const std::string name(name_of(status));
         text += "<button type=\"button\" class=\"chip " + name + "\" data-status=\"" + name +
                 "\" aria-pressed=\"" + (status == Status::passed ? "false" : "true") + "\">" +
-                std::to_string(results.count(status)) + " " + name + "</button>\n";
+                std::to_string(results.count(status)) + " " +
+                (status == Status::passed ? passed_name(results) : name) + "</button>\n";
     }
     return text;
 }
@@ -82,19 +85,44 @@ std::string summary(const Results& results) {
     }
     std::string text =
         std::to_string(differing.size()) + " of " + std::to_string(all.size()) + " cases differ";
-    if (changed > 0) text += "; " + std::to_string(changed) + " images changed within their limits";
+    if (changed > 0)
+        text += "; " + std::to_string(changed) + (changed == 1 ? " image" : " images") +
+                " changed within the limits";
     return "<p class=\"summary\">" + text + "</p>\n";
 }
 
-std::string header(const Results& results, const Contents& contents) {
-    const size_t added = results.count(Status::added);
+std::string verdict(const Results& results) {
     const bool passes = !results.fails();
-    const std::string verdict = !passes     ? "Failed"
-                                : added > 0 ? "Passed, with new checks"
-                                            : "Passed";
-    std::string text = "<header>\n<h1 class=\"" + std::string(passes ? "passes" : "fails") + "\">" +
-                       verdict + "</h1>\n" + summary(results) + "<p class=\"facts\">" +
-                       facts(results) + "</p>\n";
+    if (results.compares_graphs())
+        return passes && results.changes.empty() ? "<h1>Same</h1>\n" : "<h1>Different</h1>\n";
+    return std::string("<h1 class=\"") + (passes ? "passes" : "fails") + "\">" +
+           (!passes                            ? "Failed"
+            : results.count(Status::added) > 0 ? "Passed, with new checks"
+                                               : "Passed") +
+           "</h1>\n";
+}
+
+// The two graphs, and their changes as a list.
+std::string graphs_markup(const Results& results) {
+    if (!results.compares_graphs()) return "";
+    std::string text =
+        "<p class=\"source\">" + html(results.before) + " → " + html(results.after) + "</p>\n";
+    if (results.changes.empty()) return text;
+    text += "<p>Changes of the graph</p>\n<ul class=\"changes\">\n";
+    for (const std::string& change : results.changes) {
+        const char* kind = change.starts_with('+')   ? " class=\"added\""
+                           : change.starts_with('-') ? " class=\"removed\""
+                                                     : "";
+        const size_t indent = change.find_first_not_of(' ');
+        text += "<li" + std::string(kind) + "><code>" + html(change.substr(std::min(indent, 2UL))) +
+                "</code></li>\n";
+    }
+    return text + "</ul>\n";
+}
+
+std::string header(const Results& results, const Contents& contents) {
+    std::string text = "<header>\n" + verdict(results) + summary(results) + "<p class=\"facts\">" +
+                       facts(results) + "</p>\n" + graphs_markup(results);
     for (const std::string& problem : results.problems)
         text += "<p class=\"problem\">" + html(problem) + "</p>\n";
     if (contents.images_left_out + contents.lines_left_out > 0)
@@ -108,7 +136,9 @@ std::string header(const Results& results, const Contents& contents) {
         text += "</ul>\n";
     }
     if (!results.command.empty()) text += command("Repeat", "repeat", results.command);
-    return text + command("Accept", "accept", results.approval + " --review") + "</header>\n";
+    if (!results.approval.empty())
+        text += command("Accept", "accept", results.approval + " --review");
+    return text + "</header>\n";
 }
 
 std::string filters(const Results& results) {
@@ -125,7 +155,7 @@ std::string passed_list(const Results& results) {
         if (check.status == Status::passed) items += "<li>" + html(check.id()) + "</li>\n";
     if (items.empty()) return "";
     return "<details id=\"passed\"><summary>" + std::to_string(results.count(Status::passed)) +
-           " passed</summary>\n<ul>\n" + items + "</ul>\n</details>\n";
+           " " + passed_name(results) + "</summary>\n<ul>\n" + items + "</ul>\n</details>\n";
 }
 
 std::string cases_markup(const Results& results, const std::vector<Case>& cases,
@@ -133,11 +163,8 @@ std::string cases_markup(const Results& results, const std::vector<Case>& cases,
     std::string text;
     bool is_first = true;
     for (const Case& each : cases) {
-        text += "<section class=\"case\" data-name=\"" + html(each.name) + "\">\n<h3>" +
-                html(each.name);
-        if (!each.passed.empty())
-            text += "<span>passed: " + html(joined(each.passed, ", ")) + "</span>";
-        text += "</h3>\n";
+        text += "<section class=\"case\" data-name=\"" + html(each.name) + "\">\n" +
+                heading_markup(results, each) + points_markup(results, each, is_first);
         for (const size_t i : each.differing) {
             text += check_markup(results.checks[i], parts[i], is_first);
             is_first = false;
@@ -154,13 +181,17 @@ std::string page(const Results& results, const fs::path& folder, uint64_t max_by
     const std::string passed = passed_list(results);
     const uint64_t fixed = passed.size() + style().size() + script().size() + 8192;
     const Contents contents = contents_within(results, cases, folder, max_bytes, fixed);
-    const size_t failures = results.count(Status::failed) + results.count(Status::error);
+    const std::string title =
+        results.compares_graphs()
+            ? "Wrinkle diff: " + std::to_string(results.count(Status::changed)) + " changed"
+            : "Wrinkle test: " +
+                  std::to_string(results.count(Status::failed) + results.count(Status::error)) +
+                  " failed";
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
            "http-equiv=\"Content-Security-Policy\" content=\"" +
-           policy() +
-           "\">\n<meta name=\"viewport\" content=\"width=device-width\">\n<title>Wrinkle test: " +
-           std::to_string(failures) + " failed</title>\n<style>" + style() +
-           "</style>\n</head>\n<body>\n" + header(results, contents) + filters(results) +
+           policy() + "\">\n<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
+           title + "</title>\n<style>" + style() + "</style>\n</head>\n<body>\n" +
+           header(results, contents) + filters(results) +
            "<main>\n<h2 class=\"hidden\">Checks</h2>\n<p id=\"none\" hidden>No check is shown: "
            "change "
            "the filters.</p>\n<div id=\"checks\">\n" +

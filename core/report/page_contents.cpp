@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "report/case_markup.h"
 #include "report/diff_markup.h"
 
 namespace wrinkle::report {
@@ -21,10 +22,8 @@ std::vector<Case> cases_by_severity(const Results& results) {
         const Check& check = results.checks[i];
         const auto place = places.find(check.test);
         if (place == places.end()) continue;
-        if (check.status == Status::passed)
-            cases[place->second].passed.push_back(check.name);
-        else
-            cases[place->second].differing.push_back(i);
+        cases[place->second].checks.push_back(i);
+        if (check.status != Status::passed) cases[place->second].differing.push_back(i);
     }
     return cases;
 }
@@ -35,7 +34,8 @@ Contents contents_within(const Results& results, const std::vector<Case>& cases,
     contents.parts.resize(results.checks.size());
     uint64_t used = fixed;
     for (const Case& each : cases) {
-        used += 2 * each.name.size() + joined(each.passed, ", ").size() + 100;
+        used += html(each.name).size() + heading_markup(results, each).size() +
+                points_markup(results, each, false).size() + 60;
         for (const size_t i : each.differing)
             used += check_markup(results.checks[i], {}, false).size();
     }

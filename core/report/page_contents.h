@@ -14,8 +14,8 @@ namespace wrinkle::report {
 // A case with checks that are not passed.
 struct Case {
     std::string name;
-    std::vector<size_t> differing;    // indices of checks that are not passed, as in the results
-    std::vector<std::string> passed;  // names of its other checks
+    std::vector<size_t> checks;     // indices in the results, in their order
+    std::vector<size_t> differing;  // those that are not passed
 };
 
 // Returns cases with errors first, then the others by how far their checks exceed their limits.

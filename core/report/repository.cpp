@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "base/file.h"
+
 namespace wrinkle::report {
 namespace fs = std::filesystem;
 
@@ -15,10 +17,7 @@ fs::path repository_root(const fs::path& folder) {
 
 std::string path_in_repository(const std::string& file, const fs::path& root) {
     std::error_code ignored;
-    const fs::path whole = fs::absolute(file, ignored).lexically_normal();
-    const fs::path relative = whole.lexically_relative(root.lexically_normal());
-    const bool outside = relative.empty() || *relative.begin() == "..";
-    return (outside ? whole : relative).generic_string();
+    return path_from(root, fs::absolute(file, ignored)).generic_string();
 }
 
 std::string uri_of(const std::string& path) {

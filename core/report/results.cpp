@@ -21,17 +21,19 @@ size_t Results::count(Status status) const {
     return static_cast<size_t>(std::ranges::count(checks, status, &Check::status));
 }
 
+bool Results::fails(const Check& check) const {
+    return check.status != Status::passed && (check.status != Status::added || added_fails);
+}
+
 bool Results::fails() const {
-    return std::ranges::any_of(checks, [&](const Check& check) {
-        return check.status != Status::passed && (check.status != Status::added || added_fails);
-    });
+    return std::ranges::any_of(checks, [&](const Check& check) { return fails(check); });
 }
 
 std::vector<size_t> Results::by_severity() const {
     std::vector<size_t> order;
     for (size_t i = 0; i < checks.size(); ++i)
         if (checks[i].status != Status::passed) order.push_back(i);
-    constexpr std::array<int, status_names.size()> ranks = {4, 1, 0, 3, 2};  // by Status
+    constexpr std::array<int, status_names.size()> ranks = {4, 1, 0, 3, 2, 1};  // by Status
     std::ranges::stable_sort(order, {}, [&](size_t i) {
         return std::pair(ranks[static_cast<size_t>(checks[i].status)], -checks[i].excess());
     });

@@ -1,4 +1,5 @@
 // Results of `wrinkle test`: the verdict of each check of each regression case, and its evidence.
+// Results of `wrinkle diff`: the same, held to the first graph instead of baselines.
 // The writers in this folder turn them into a page (page.h), JSON (results_json.h), and formats
 // for CI systems (ci_formats.h).
 //
@@ -21,8 +22,10 @@ enum class Status : uint8_t {
     error,    // could not run
     added,    // has no baseline yet
     deleted,  // a baseline that no check reads
+    changed,  // differs between two graphs, by any amount
 };
-inline constexpr std::array status_names = {"passed", "failed", "error", "new", "deleted"};
+inline constexpr std::array status_names = {"passed", "failed",  "error",
+                                            "new",    "deleted", "changed"};
 inline std::string_view name_of(Status status) {
     return status_names[static_cast<size_t>(status)];
 }
@@ -39,8 +42,9 @@ struct Measured {
     std::string node;      // where it comes from: "weave.normal"; "" if not known
     std::string expected;  // as printed: "[0, 0, 1]"; may be empty
     std::string actual;
-    double value = 0, limit = 0;  // the difference and its limit; of a cost, the cost
-    std::string unit;             // "degrees", "of 255"; "" for plain numbers
+    // The difference and its limit; of a cost, the cost, and between two graphs its increase.
+    double value = 0, limit = 0;
+    std::string unit;  // "degrees", "of 255"; "" for plain numbers
     bool within() const { return value <= limit; }
     // value / limit, at most max_excess, also for a limit of 0 and a value that is not a number.
     double excess() const;
@@ -88,12 +92,17 @@ struct Results {
     std::string started;                // ISO 8601, UTC
     double seconds = 0;                 // time of the run
     bool added_fails = false;           // checks with Status::added are failures
+    std::string before, after;          // files of the two graphs; "" of a test run
+    std::vector<std::string> changes;   // a line per change of the graph
     std::vector<std::string> problems;  // for the entire run: no OpenGL
     std::vector<std::string> causes;    // likely causes of failures (suspects.h), a clause each
     std::vector<Check> checks;          // in the order of their files
 
     size_t count(Status status) const;
-    bool fails() const;  // a check failed, could not run, or is deleted; or is new and added_fails
+    bool compares_graphs() const { return !after.empty(); }
+    // Returns true if a check failed, could not run or is deleted, or is new and added_fails.
+    bool fails(const Check& check) const;
+    bool fails() const;  // a check fails
     // Indices of the checks that are not passed: errors, failures by their excess, deleted, new.
     std::vector<size_t> by_severity() const;
 };

@@ -66,6 +66,9 @@ void visit_members(Results& results, Visit&& visit) {
     visit("started", results.started);
     visit("seconds", results.seconds);
     visit("added_fails", results.added_fails);
+    visit("before", results.before);
+    visit("after", results.after);
+    visit("changes", results.changes);
     visit("problems", results.problems);
     visit("causes", results.causes);
     visit("checks", results.checks);

@@ -14,6 +14,7 @@ constexpr size_t shown = 3;
 
 std::vector<Suspect> suspects(const std::vector<CaseUses>& cases, double least) {
     const auto all_failed = static_cast<double>(std::ranges::count(cases, true, &CaseUses::failed));
+    if (all_failed == static_cast<double>(cases.size())) return {};  // no case to compare with
     std::map<std::string, Suspect> by_name;
     for (const CaseUses& each : cases)
         for (const std::string& name : std::set(each.uses.begin(), each.uses.end())) {

@@ -24,7 +24,7 @@ struct Suspect {
 };
 
 // Returns the three with the highest scores, those below `least` and those of a single failed case
-// left out; empty if fewer than two cases failed.
+// left out; empty if fewer than two cases failed, or if no case passed.
 std::vector<Suspect> suspects(const std::vector<CaseUses>& cases, double least = 0.5);
 
 // "node resolve: in 7 of 8 failed and 2 of 105 passed cases".

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     report::CiOptions options;
     options.attachment = [](const std::string& image) { return "report/" + image; };
     std::ofstream(folder / "junit.xml") << report::junit(results, options);
-    std::ofstream(folder / "results.tap") << report::tap(results, options);
+    std::ofstream(folder / "results.tap") << report::tap(results);
     std::ofstream(folder / "results.json") << report::to_json(results);
     return 0;
 }

@@ -253,6 +253,12 @@ TEST_F(ApprovalTest, CiSystemsGetTheirFormats) {
     EXPECT_TRUE(says(get("r.tap"), "not ok 5 - t/b/glsl"));
 }
 
+TEST_F(ApprovalTest, AnnotationsNameFilesFromTheRootOfTheRepository) {
+    fs::create_directories(folder / ".git");
+    folder /= "t";
+    EXPECT_TRUE(says(test({".", "--github"}).out, "::error file=t/a.test.json,line=2"));
+}
+
 TEST_F(ApprovalTest, CachedImagesAreThoseThatWouldBeDrawn) {
     const std::vector<std::string> words = {"t/a.test.json", "--cache", "cache"};
     const Ran first = test(words), second = test(words);

@@ -229,7 +229,7 @@ TEST_F(TestTest, AnOutputThatTheGraphLacksFails) {
     put("a.test.json", R"({"points": [{"normal": [0, 0, 1]}], "expect": [{"norml": [0, 0, 1]}]})");
     const Ran ran = run({"test", "a.test.json"});
     EXPECT_EQ(ran.code, 1);
-    EXPECT_TRUE(says(ran.out, "no such output"));
+    EXPECT_TRUE(says(ran.out, "the graph has no such output; did you mean 'normal'?"));
 }
 
 }  // namespace

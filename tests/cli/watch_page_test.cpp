@@ -23,8 +23,9 @@ protected:
         const fs::path printed = folder.parent_path() / "printed";
         const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
         const int text = open(printed.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
-        child_ = start({"watch", "--serve", "--port", "0", "compile", "g.json", "-o", "out.glsl"},
-                       nothing, nothing, text, {});
+        std::vector<std::string> words = {"watch", "--serve", "--port", "0"};
+        words.insert(words.end(), command_.begin(), command_.end());
+        child_ = start(words, nothing, nothing, text, {});
         close(nothing);
         close(text);
         std::string said;
@@ -78,12 +79,16 @@ protected:
         return get_page(path, host, more).substr(9, 3);
     }
 
+    std::vector<std::string> command_ = {"compile", "g.json", "-o", "out.glsl"};
     std::string port_;
     pid_t child_ = -1;
 };
 
 TEST_F(WatchPageTest, ShowsOutputsAndErrors) {
     EXPECT_TRUE(says(get_page("/", own()), "default-src 'none'"));
+    EXPECT_TRUE(becomes([&] {  // the server receives the outcome of the build
+        return get_page("/state", own()).find("\"name\": \"out.glsl\"") != std::string::npos;
+    }));
     EXPECT_TRUE(get_page("/output/0", own()).ends_with(get("out.glsl")));
     EXPECT_TRUE(says(get_page("/output/0", own()), "X-Content-Type-Options: nosniff"));
     put("g.json", "[]");
@@ -91,6 +96,28 @@ TEST_F(WatchPageTest, ShowsOutputsAndErrors) {
         return get_page("/state", own()).find("g.json:1:1: error: ") != std::string::npos;
     }));
     EXPECT_TRUE(says(get_page("/state", own()), "\"name\": \"out.glsl\""));
+    EXPECT_TRUE(says(get_page("/state", own()), "\"made_outputs\": false"));
+}
+
+class TestPageTest : public WatchPageTest {
+protected:
+    TestPageTest() { command_ = {"test", "g.test.json", "--report", "out"}; }
+    void SetUp() override {
+        put("g.test.json", R"({"points": [{"normal": [0, 0, 1]}], "expect": [{"heigth": 3}]})");
+        WatchPageTest::SetUp();
+    }
+};
+
+TEST_F(TestPageTest, ShowsTheReportOfAFailedRun) {
+    std::string state;  // the server receives the outcome of the build
+    EXPECT_TRUE(becomes([&] {
+        state = get_page("/state", own());
+        return state.find("\"ok\": false") != std::string::npos;
+    })) << state;
+    EXPECT_TRUE(says(state, "\"made_outputs\": true")) << state;
+    EXPECT_TRUE(says(state, "\"outputs\": [{\"name\": \"out/index.html\", \"kind\": \"page\"}]"))
+        << state;
+    EXPECT_TRUE(says(get_page("/output/0", own()), "Failed</h1>"));
 }
 
 TEST_F(WatchPageTest, AnswersItsOwnPagesOnly) {

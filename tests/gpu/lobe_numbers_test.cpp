@@ -54,11 +54,13 @@ TEST(Albedo, SplitsAsPublished) {
     }
 }
 
-// Sheen by Estevez and Kulla with the visibility of glTF.
-TEST(Albedo, OfSheenIsThePublishedFigure) {
+// Figures of MaterialX 1.39 for the sheen of Zeltner et al.
+TEST(Albedo, OfFuzzIsThePublishedFigure) {
     constexpr double cosines[] = {0.1, 0.3, 0.6, 1};
     const std::pair<double, std::array<double, 4>> rows[] = {
-        {0.5, {0.6393, 0.3811, 0.1740, 0.0313}}, {1, {0.4940, 0.3687, 0.2537, 0.1414}}};
+        {0.35, {0.4823, 0.1724, 0.0211, 0.0042}},
+        {0.5, {0.5577, 0.3152, 0.0989, 0.0249}},
+        {1, {0.6952, 0.5914, 0.4546, 0.3446}}};
     for (const auto& [roughness, expected] : rows)
         for (size_t i = 0; i < expected.size(); ++i)
             EXPECT_NEAR(albedo(cosines[i], roughness).w, expected[i], 2e-3)

@@ -74,6 +74,12 @@ TEST_F(BadImage, ForeignContentNamesTheFormats) {
     }
 }
 
+TEST_F(BadImage, APointerOfGitLfsIsNamed) {
+    const Diagnostic error =
+        refusal(put("a.png", "version https://git-lfs.github.com/spec/v1\noid sha256:1\nsize 9\n"));
+    EXPECT_NE(error.message.find("is a pointer of Git LFS"), std::string::npos);
+}
+
 TEST_F(BadImage, NoPixels) {
     refusal(put("zero.png", png_file(0, 4, 8, 0, "")));
     refusal(put("zero.pfm", "Pf\n0 4\n-1.0\n"));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace wrinkle::report {
 namespace {
@@ -60,7 +61,7 @@ TEST_F(CiFormatsTest, JunitHasASuiteForEachCase) {
   </testsuite>
 </testsuites>
 )");
-    options.new_fails = true;
+    results.added_fails = true;
     EXPECT_NE(junit(results, options).find("failures=\"3\" errors=\"1\" skipped=\"0\""),
               std::string::npos);
 }
@@ -91,7 +92,7 @@ TEST_F(CiFormatsTest, TapNumbersTheChecks) {
     add("a", "glsl", Status::passed);
     add("b # SKIP", "glsl", Status::failed).message = "two\nlines: \"x\"";
     add("c", "glsl", Status::added);
-    EXPECT_EQ(tap(results, options), R"(TAP version 14
+    EXPECT_EQ(tap(results), R"(TAP version 14
 1..3
 ok 1 - a/glsl
 not ok 2 - b \# SKIP/glsl
@@ -106,9 +107,21 @@ ok 3 - c/glsl # SKIP differs
 
 TEST_F(CiFormatsTest, AnnotationsAreEscaped) {
     add("a:b,c%", "glsl", Status::failed).message = "50 %: a, b\r\nnext";
-    EXPECT_EQ(github_annotations(results, options),
+    EXPECT_EQ(github_annotations(results, std::filesystem::current_path()),
               "::error file=a%3Ab%2Cc%25.test.json,line=3,col=5,title=a%3Ab%2Cc%25/glsl::50 %25: "
               "a, b%0D%0Anext\n");
+}
+
+TEST_F(CiFormatsTest, AnnotationsNameFilesFromTheRootOfTheRepository) {
+    add("a", "glsl", Status::failed);
+    const std::filesystem::path here = std::filesystem::current_path();
+    const std::string folder = here.filename().string();
+    EXPECT_TRUE(github_annotations(results, here.parent_path())
+                    .starts_with("::error file=" + folder + "/a.test.json,"));
+    results.checks[0].file = here / "x/../b.test.json";
+    EXPECT_TRUE(github_annotations(results, here).starts_with("::error file=b.test.json,"));
+    EXPECT_TRUE(github_annotations(results, here / "x")
+                    .starts_with("::error file=" + (here / "b.test.json").string() + ","));
 }
 
 TEST_F(CiFormatsTest, AnnotationsAreAtMostTen) {
@@ -117,7 +130,7 @@ TEST_F(CiFormatsTest, AnnotationsAreAtMostTen) {
             {"mean", "", "", "", static_cast<double>(i + 1), 1, ""}};
     add("broken", "case", Status::error);
     add("new", "glsl", Status::added);
-    const std::string text = github_annotations(results, options);
+    const std::string text = github_annotations(results, std::filesystem::current_path());
     EXPECT_EQ(std::ranges::count(text, '\n'), 10);
     EXPECT_TRUE(text.starts_with("::error file=broken.test.json"));
     EXPECT_EQ(text.find("::error file=a29"), text.find('\n') + 1);

@@ -202,6 +202,7 @@ TEST_F(PageTest, OutputsThatAreMissingAreNamed) {
     const std::string text = made();
     EXPECT_NE(text.find("<tr class=\"over\"><th scope=\"row\">height</th>"), text.npos);
     EXPECT_NE(text.find(">missing</td>"), text.npos);
+    EXPECT_NE(text.find(">height missing</span>"), text.npos);
     EXPECT_EQ(count(text, "<tr class=\"over\">"), 1U);
 }
 
@@ -246,13 +247,57 @@ TEST_F(PageTest, ChecksOfACaseAreTogetherWithThosePassed) {
     results.checks[3].status = Status::error;
     const std::string text = made();
     const auto at = [&](const char* part) { return text.find(part); };
-    EXPECT_LT(at("<h3>b<span>passed: points/3</span></h3>"), at("id=\"b/points/1\""));
+    EXPECT_LT(at("<h3>b<span class=\"others\">passed: points/3</span></h3>"),
+              at("id=\"b/points/1\""));
     EXPECT_LT(at("id=\"b/points/1\""), at("id=\"b/points/4\""));
     EXPECT_LT(at("id=\"b/points/4\""), at("<h3>a</h3>"));
     EXPECT_NE(at("2 of 2 cases differ</p>"), text.npos);
     EXPECT_NE(at("id=\"b/points/4\" data-status=\"error\" data-seconds=\"0\" "
                  "data-nodes=\"\">"),
               text.npos);
+}
+
+TEST_F(PageTest, PointsOfACaseAreRowsOfATable) {
+    for (int i = 0; i < 3; ++i) {
+        Check& point = results.checks.emplace_back(failed("a", CheckKind::point));
+        point.name = "points/" + std::to_string(i);
+    }
+    results.checks[0].measured = {{"normal", "n.normal", "1", "2", 7, 0.05, "degrees"},
+                                  {"height", "h.height", "3", "3", 0, 0.5, ""}};
+    results.checks[1].measured = {{"lit", "", "4", "", 0, 0.5, ""}};
+    results.checks[2].status = Status::passed;
+    const std::string text = made();
+    const size_t begin = text.find("<table class=\"points\">");
+    ASSERT_NE(begin, text.npos);
+    const std::string table = text.substr(begin, text.find("</table>", begin) - begin);
+    EXPECT_NE(text.find("2 of 3 points differ</summary>"), text.npos);
+    for (const char* part :
+         {"<th scope=\"col\">normal<br><code>n.normal</code><br>limit 0.05 degrees</th>"
+          "<th scope=\"col\">height<br><code>h.height</code><br>limit 0.5</th>"
+          "<th scope=\"col\">lit</th></tr>",
+          "<a href=\"#a/points/0\">points/0</a></th><td class=\"over\"><strong>7 degrees</strong>"
+          "<br>1 \u2192 2</td><td>0</td><td></td></tr>",
+          "points/1</a></th><td></td><td></td><td class=\"over\"><strong>missing</strong>"
+          "<br>4 \u2192 none</td></tr>",
+          "points/2</th><td colspan=\"3\">passed</td></tr>"})
+        EXPECT_NE(table.find(part), table.npos) << part << "\n" << table;
+    results.checks.resize(1);
+    EXPECT_EQ(made().find("<table class=\"points\">"), std::string::npos);
+}
+
+TEST_F(PageTest, TheHeadingOfACaseHasItsCosts) {
+    results.checks = {failed("a", CheckKind::text), failed("a", CheckKind::cost)};
+    results.checks[1].status = Status::passed;
+    results.checks[1].name = "budget";
+    results.checks[1].measured = {{"alu", "", "200", "212", 212, 200, ""},
+                                  {"branches", "", "9", "2", 2, 9, ""}};
+    EXPECT_NE(made().find("<h3>a<span class=\"cost over\">alu 212 / 200, +12</span><span "
+                          "class=\"cost\">branches 2 / 9, \u22127</span>"),
+              std::string::npos);
+    results.after = "b.json";
+    results.checks[1].measured = {{"alu", "", "200", "188", -12, 0, ""}};
+    EXPECT_NE(made().find("<h3>a<span class=\"cost\">alu 200 \u2192 188, \u221212</span>"),
+              std::string::npos);
 }
 
 TEST_F(PageTest, ImagesHaveTheirSizeAndADescription) {
@@ -271,7 +316,7 @@ TEST_F(PageTest, ImagesWithinTheirLimitsAreCounted) {
     add_images("b", 30, 0);
     for (Check& check : results.checks)
         check.status = Status::passed;
-    EXPECT_NE(made().find("0 of 2 cases differ; 1 images changed within"), std::string::npos);
+    EXPECT_NE(made().find("0 of 2 cases differ; 1 image changed within the"), std::string::npos);
 }
 
 TEST_F(PageTest, PassedChecksAreNames) {

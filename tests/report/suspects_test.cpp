@@ -29,7 +29,13 @@ TEST(Suspects, OneFailedCaseHasNone) {
 }
 
 TEST(Suspects, ThereAreAtMostThree) {
-    EXPECT_EQ(suspects({{true, {"a", "b", "c", "d"}}, {true, {"a", "b", "c", "d"}}}).size(), 3U);
+    EXPECT_EQ(
+        suspects({{true, {"a", "b", "c", "d"}}, {true, {"a", "b", "c", "d"}}, {false, {}}}).size(),
+        3U);
+}
+
+TEST(Suspects, ThereAreNoneWithoutAPassedCase) {
+    EXPECT_TRUE(suspects({{true, {"a"}}, {true, {"a"}}}).empty());
 }
 
 }  // namespace

@@ -32,6 +32,9 @@ class Viewer {
         this.figures = ["expected", "actual", "map"].map((name) => find("." + name, box));
         this.images = this.figures.map((figure) => figure && find("img", figure));
         this.frames = this.images.map((image) => image?.closest(".frame"));
+        // "Expected" and "Actual", or "Before" and "After"
+        this.names = this.figures.slice(0, 2).map((figure) =>
+            figure ? find("figcaption", figure).textContent : "");
         this.has_pair = Boolean(this.images[0] && this.images[1]);
         const present = this.images.filter(Boolean);
         this.width = Math.max(...present.map((image) => +image.getAttribute("width")));
@@ -65,7 +68,7 @@ class Viewer {
         group.setAttribute("aria-label", "Views of the images");
         group.addEventListener("keydown", (event) => this.step_tab(event));
         this.slider = labelled(element("input", { type: "range", min: 0, max: 100, value: 50 }),
-            "Part of the actual image", "input", () => this.update());
+            "Part of the second image", "input", () => this.update());
         const factors = [1, 4, 16].map((n) => element("option", { value: n, textContent: "× " + n }));
         this.factor = labelled(element("select", {}, ...factors),
             "Factor of the difference", "change", () => this.update());
@@ -151,7 +154,7 @@ class Viewer {
             announce("Stopped");
         } else if (this.view === blink) {
             this.blink();
-            announce(this.actual_shown ? "Actual" : "Expected");
+            announce(this.names[this.actual_shown ? 1 : 0]);
         } else {
             this.slider.value = this.slider.value < 50 ? 100 : 0;
             this.update();
@@ -187,10 +190,11 @@ class Viewer {
         actual.clipPath = this.view === swipe ? `inset(0 0 0 ${100 - part}%)` : "";
         actual.opacity = this.view === onion ? part / 100 : 1;
         actual.visibility = first ? "hidden" : "";
+        const [one, other] = [this.names[0], this.names[1].toLowerCase()];
         find("figcaption", this.stacked).textContent = {
-            [swipe]: "Expected left, actual right",
-            [onion]: "Expected below, actual above",
-            [blink]: first ? "Expected" : "Actual",
+            [swipe]: `${one} left, ${other} right`,
+            [onion]: `${one} below, ${other} above`,
+            [blink]: this.names[first ? 0 : 1],
             [difference]: "Difference of the colors",
         }[this.view] ?? "";
     }
@@ -258,8 +262,9 @@ class Viewer {
         this.pixels ??= this.images.map((image) => image && pixels_of(image));
         const [expected, actual, error] = this.pixels.map((data) => data && texel(data, x, y));
         let text = `${x}, ${y}`;
-        if (expected) text += `   expected ${expected.join(" ")}`;
-        if (actual) text += `   actual ${actual.join(" ")}`;
+        const [one, other] = this.names.map((name) => name.toLowerCase());
+        if (expected) text += `   ${one} ${expected.join(" ")}`;
+        if (actual) text += `   ${other} ${actual.join(" ")}`;
         if (expected && actual && this.unit)
             text += `   about ${degrees_between(expected, actual).toFixed(1)} degrees`;
         if (error) {

@@ -160,12 +160,12 @@ const is_plain = (word) => /^[\w./+,:@%-]+$/.test(word);
 const quoted = (word) => is_plain(word) ? word : "'" + word.replaceAll("'", "'\\''") + "'";
 
 const accept = find("#accept");
-const review = accept.textContent;
+const review = accept?.textContent ?? "";  // two graphs: nothing is accepted
 const test_command = review.replace(/ --review$/, "");
 
 function choose(check) {
     if (!("acceptable" in check.dataset)) {
-        announce("Not acceptable: budgets are limits, and errors have no result");
+        announce("Not acceptable: budgets are limits, and errors and changes have no baseline");
         return;
     }
     if (!chosen.delete(check.id)) chosen.add(check.id);

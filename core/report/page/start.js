@@ -1,5 +1,7 @@
 // Bodies of checks, and small images in the lines of those in view.
 
+const thumbnail_size = 96;
+
 function open_body(check) {
     fill(check);
     const box = find(".images", check);
@@ -18,9 +20,12 @@ async function add_thumbnails(check) {
         } catch {
             continue;
         }
-        const height = 40;
-        const width = Math.round(height * image.naturalWidth / image.naturalHeight);
-        const canvas = element("canvas", { width: 2 * width, height: 2 * height });
+        const scale = thumbnail_size / Math.max(image.naturalWidth, image.naturalHeight);
+        const [width, height] = [image.naturalWidth, image.naturalHeight].map(
+            (size) => Math.max(Math.round(size * scale), 1));
+        const canvas = element("canvas",
+            { width: width * devicePixelRatio, height: height * devicePixelRatio });
+        canvas.style.width = width + "px";
         canvas.setAttribute("aria-hidden", "true");
         canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
         time.before(canvas);
@@ -40,12 +45,20 @@ function start() {
     // Events of <details> do not bubble, but they are captured.
     list.addEventListener("toggle", (event) => {
         if (event.target.open && event.target.matches("details.check")) open_body(event.target);
+        if (event.target.matches("details.numbers")) fill(event.target);
     }, true);
     list.addEventListener("click", (event) => {
+        const link = event.target.closest(".points a");
+        const linked = link && document.getElementById(link.getAttribute("href").slice(1));
+        if (linked) {
+            event.preventDefault();
+            select(linked);
+        }
         const summary = event.target.closest("details.check > summary");
         if (summary) make_current(summary.parentNode);
     });
     for (const check of checks) if (check.open) open_body(check);
+    for (const numbers of find_all("details.numbers[open]")) fill(numbers);
     read_hash();
     apply_state();
 }

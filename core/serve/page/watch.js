@@ -38,9 +38,9 @@ async function refresh() {
   const text = element("text");
   text.textContent = state.text;
   text.hidden = state.text === "";
-  show_line(state.line, state.ok ? "good" : "bad");
+  show_line(state.line, (state.ok ? "good" : "bad") + (state.made_outputs ? "" : " former"));
   document.title = (state.ok ? "" : "\u2717 ") + state.command + " \u2013 wrinkle watch";
-  if (!state.ok && element("outputs").childElementCount > 0) return;
+  if (!state.made_outputs && element("outputs").childElementCount > 0) return;
   const parts = await Promise.all(state.outputs.map((o, i) => part(o, i, state.build)));
   if (mine === newest) element("outputs").replaceChildren(...parts);
 }
@@ -58,7 +58,8 @@ function connect() {
 }
 
 function lost() {
-  show_line("no connection; is wrinkle watch running?", "bad");
+  show_line("no connection; is wrinkle watch running?", "bad former");
+  document.title = "\u2717 no connection \u2013 wrinkle watch";
 }
 
 document.addEventListener("visibilitychange", connect);
