@@ -71,6 +71,7 @@ struct Workers {
     CostCounter counter{count, wake_window};
     CodeMaker code{make_code, wake_window};
     NodePreviewMaker pictures{NodePainter(), wake_window};
+    FlatMaker flat{FlatPainter(), wake_window};
     std::atomic<bool> closing = false;
     ImageExaminer examiner{[this](std::filesystem::path&& file) {
                                const auto stopped = [this] { return closing.load(); };
@@ -85,6 +86,7 @@ struct Workers {
         state.follow.counter = &counter;
         state.code.maker = &code;
         state.node_feed.maker = &pictures;
+        state.flat.maker = &flat;
         state.used.looker = &looker;
         state.images.examiner = &examiner;
         state.tasks.wake = wake_window;
@@ -119,6 +121,7 @@ int run(const Arguments& arguments) {
     state.fonts.load();
     state.thumbnails.use_gl();
     state.node_feed.atlas.use_gl();
+    state.flat.gl = true;
     begin(state, arguments);
     if (!settings_error.empty()) state.status = settings_error;
     if (!arguments.timings.empty()) state.timings = &timings;

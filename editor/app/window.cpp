@@ -211,6 +211,8 @@ bool Window::recreate_context(State& state, std::string& why) {
     state.thumbnails.forget();
     state.node_feed.atlas.forget();
     state.node_feed.forget();
+    state.flat.texture = 0;
+    state.flat.forget();
     ImGui_ImplOpenGL3_Shutdown();
     GLFWwindow* window = make_window(options);
     if (!window) {

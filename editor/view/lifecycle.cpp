@@ -28,6 +28,7 @@ void show_graph(State& state, GraphSwitch how) {
     state.dropped.waiting.clear();
     if (state.preview) state.preview->forget_material();
     state.node_feed.forget();
+    state.flat.forget();
     state.preview_problems = Diagnostics();
 }
 

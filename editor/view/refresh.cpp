@@ -79,7 +79,7 @@ void follow_document(State& state) {
             const bool sent = send_values(state);
             // While a value is dragged only the uniform changes; the build follows at the end of
             // the drag.
-            if (!sent || state.gesture.kind != Gesture::Kind::value) request_build(state);
+            if (!sent || !is_holding_value(state)) request_build(state);
             break;
         }
         case Change::Kind::structure:
@@ -87,6 +87,17 @@ void follow_document(State& state) {
             if (state.timings) state.timings->structure(follow.requested_version);
             break;
     }
+}
+
+// Another preset changes uniforms only, unless it sets an option or an image.
+bool shows_other_preset(State& state) {
+    CompileState& follow = state.follow;
+    const PreviewRequest wanted = wanted_request(state);
+    if (state.building() || follow.drawn.displacement ||
+        !differ_in_preset_only(follow.requested, wanted) || !send_values(state))
+        return false;
+    follow.requested = wanted;
+    return true;
 }
 
 // Deselects nodes, boxes and wires that no longer exist after undo, a reload or a cancelled
@@ -114,7 +125,7 @@ void refresh(State& state) {
         begin(state);
     else if (!same_document(follow.requested_snapshot, state.document()))
         follow_document(state);
-    if (follow.requested != wanted_request(state)) {
+    if (follow.requested != wanted_request(state) && !shows_other_preset(state)) {
         request_build(state);
         if (state.timings) state.timings->structure(follow.requested_version);
     }
@@ -124,12 +135,17 @@ void refresh(State& state) {
     poll_preview_diagnostics(state);
     update_layout(state);
     feed_node_previews(state);
+    take_flat(state.flat);
+}
+
+bool is_holding_value(const State& state) {
+    return state.gesture.kind == Gesture::Kind::value || state.value_held;
 }
 
 bool is_settled(const State& state) {
-    const bool held = state.gesture.kind == Gesture::Kind::value;
+    const bool held = is_holding_value(state);
     return state.is_synced && state.dropped.waiting.empty() && !state.building() &&
-           (!state.preview || state.preview->idle()) &&
+           (!state.preview || state.preview->idle()) && state.flat.idle() &&
            (held || same_document(state.follow.requested_snapshot, state.document()));
 }
 

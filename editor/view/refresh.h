@@ -14,6 +14,10 @@ namespace wrinkle::editor {
 // build and preview follow when the worker threads are done.
 void refresh(State& state);
 
+// Returns true while a control of a value is dragged: only its uniform changes, and the build
+// follows at the end.
+bool is_holding_value(const State& state);
+
 // Returns true if build and preview are those of the current snapshot and no job is pending.
 bool is_settled(const State& state);
 

@@ -37,9 +37,11 @@ struct CanvasState {
 struct Dialogs {
     Palette palette;
     Popup popup;
+    ContextMenu context_menu;
     Recent recent;
     Browser browser;
     BakeDialog bake_dialog;
+    HostDialog host_dialog;
     Start start;
     Help help;
     InputsPanel inputs_panel;
@@ -47,7 +49,9 @@ struct Dialogs {
     DropState dropped;
     Offer offer;
     BoxText box_text;
-    int field_wait = 0;  // frames left in which typing waits for a field (panels/panels.h)
+    int field_wait = 0;        // frames left in which typing waits for a field (panels/panels.h)
+    bool value_held = false;   // a control of a value was held down in the last frame
+    bool holds_value = false;  // the same of the frame being drawn
 };
 
 // Used by every panel to draw.
@@ -64,6 +68,7 @@ struct PreviewState {
     Diagnostics preview_problems;  // reported by the newest rendering
     bool preview_stale = false;    // the rendering shows an older graph
     NodeFeed node_feed;
+    FlatFeed flat;
     Timings* timings = nullptr;  // nullptr: not measured
 };
 

@@ -10,6 +10,7 @@
 
 #include "editor/model/document/boxes.h"
 #include "editor/model/document/request.h"
+#include "editor/view/preview/flat.h"
 #include "editor/view/preview/preview.h"
 #include "graph/document.h"
 
@@ -43,6 +44,7 @@ struct View : Borders {
     bool tracing = false;            // dims cards not up- or downstream of the selection
     bool heat = false;               // tints cards by cost
     PreviewView preview_view;
+    FlatView flat;
     CompareView compare;
     // `against` is ignored while `compare` is off.
     PreviewRequest preview_request{"", Against::blend, "udn", false};

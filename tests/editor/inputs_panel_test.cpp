@@ -41,12 +41,23 @@ protected:
             value_of_input(state.document(), preset, *state.document().inputs.find(name)));
     }
     const std::string& chosen() const { return state.view.preview_request.preset; }
-    // Values of the uniforms that the preview draws, by name.
+    // First numbers of the inputs that the preview draws, by name: those of the running program,
+    // which has a uniform for each, as later values replaced them.
     std::map<std::string, double> uniforms() const {
         std::map<std::string, double> values;
-        for (const UniformInfo& each : state.built.running()->reflection.uniforms)
-            if (each.graph_input) values[each.port] = each.value[0];
+        const Document drawn = with_preset_as_defaults(state.model, state.follow.sent_snapshot,
+                                                       state.follow.sent_preset);
+        for (const UniformInfo& each : state.follow.drawn.running()->reflection.uniforms)
+            if (each.graph_input)
+                values[each.port] = numbers_of_input(drawn, "", *drawn.inputs.find(each.port),
+                                                     *port_of_input(state.model, each.port))[0];
         return values;
+    }
+    std::string names() const {  // in their order
+        std::string all;
+        for (const GraphInput& input : state.document().inputs)
+            all += input.name + " ";
+        return all;
     }
     std::string step_name() const { return state.history.undo_name(); }
 };
@@ -69,6 +80,42 @@ TEST_F(InputsPanelTest, ADragAlongTheRangeIsOneStep) {
     EXPECT_NEAR(uniforms()["wear"], std::stod(default_of("wear")), 1e-6);
     play("key Ctrl+Z\nassert clean");
     EXPECT_EQ(write_document(state.document()), before);
+}
+
+// Number of compilations, and of values sent to the running program.
+struct Work {
+    uint64_t builds, sent;
+};
+
+TEST_F(InputsPanelTest, ADragSendsItsValuesAndCompilesAtItsEnd) {
+    const Work before{state.counters.builds, state.counters.uniforms};
+    const auto slider = *state.targets.find("input:wear");
+    queue.motion((slider.x0 + slider.x1) / 2, slider.middle_y());
+    queue.button(0, true);
+    for (int i = 1; i <= 10; ++i) {
+        queue.motion(slider.x0 + 10.0F * static_cast<float>(i), slider.middle_y());
+        frame();
+        frame();
+    }
+    EXPECT_GE(state.counters.uniforms, before.sent + 10);
+    EXPECT_EQ(state.counters.builds, before.builds) << "while the button is down";
+    EXPECT_NEAR(uniforms()["wear"], std::stod(default_of("wear")), 1e-6);
+    queue.button(0, false);
+    for (int i = 0; i < 4; ++i)
+        frame();
+    EXPECT_EQ(state.counters.builds, before.builds + 1);
+}
+
+TEST_F(InputsPanelTest, APresetOfNumbersCompilesNothingButAnOptionDoes) {
+    const Work before{state.counters.builds, state.counters.uniforms};
+    play("click preset\nclick preset:New");
+    EXPECT_EQ(state.counters.builds, before.builds);
+    EXPECT_EQ(state.counters.uniforms, before.sent + 1) << "wear only";
+    EXPECT_EQ(uniforms()["wear"], 0);
+    play("click preset\nclick preset:Old");
+    EXPECT_EQ(state.counters.builds, before.builds + 1) << "mode";
+    play("click preset\nclick preset:defaults");
+    EXPECT_NEAR(uniforms()["wear"], 0.25, 1e-6);
 }
 
 TEST_F(InputsPanelTest, OptionsAreTickedAndChosen) {
@@ -175,6 +222,74 @@ TEST_F(InputsPanelTest, UndoOfAPresetThatIsShownShowsTheDefaults) {
 
 TEST_F(InputsPanelTest, ARowIsHiddenWhileItsConditionFails) {
     play("assert target input:edge\nclick preset\nclick preset:New\nassert no-target input:edge");
+}
+
+TEST_F(InputsPanelTest, ADragOfTheLabelMovesARowAndItsGroup) {
+    play("drag input:flat:label input:tint:label");
+    EXPECT_EQ(names(), "wear edge flat tint mode octaves ");
+    EXPECT_EQ(state.document().inputs.find("flat")->group, "Paint");
+    EXPECT_EQ(step_name(), "Move input flat");
+    play("key Ctrl+Z\nassert clean\ndrag input:wear:label input:octaves:label");
+    EXPECT_EQ(names(), "edge tint mode octaves wear flat ");
+    play("assert errors 0\nkey Ctrl+Z\nassert clean");
+}
+
+TEST_F(InputsPanelTest, EscapeEndsTheDragOfALabel) {
+    const auto from = *state.targets.find("input:flat:label");
+    const auto to = *state.targets.find("input:wear:label");
+    queue.motion(from.middle_x(), from.middle_y());
+    queue.button(0, true);
+    queue.motion(to.middle_x(), to.middle_y());
+    for (int i = 0; i < 4; ++i)
+        frame();
+    EXPECT_EQ(state.inputs_panel.carried, "flat");
+    queue.key(key_named("Escape"), true);
+    queue.key(key_named("Escape"), false);
+    queue.motion(to.middle_x(), to.middle_y() + 3);
+    for (int i = 0; i < 4; ++i)
+        frame();
+    queue.button(0, false);
+    for (int i = 0; i < 4; ++i)
+        frame();
+    play("assert clean");
+    EXPECT_EQ(names(), "wear edge tint mode octaves flat ");
+}
+
+TEST_F(InputsPanelTest, ButtonsMoveARowByOne) {
+    play("click input:wear:more\nclick input:wear:down");
+    EXPECT_EQ(names(), "edge wear tint mode octaves flat ");
+    play("click input:wear:up\nclick input:wear:up\nkey Escape");
+    EXPECT_EQ(names(), "wear edge tint mode octaves flat ") << "the first stays";
+}
+
+TEST_F(InputsPanelTest, LabelGroupRangeStepAndUnitAreTyped) {
+    const auto set = [&](const std::string& input, const std::string& key,
+                         const std::string& text) {
+        play("click input:" + input + ":more\nclick input:" + input + ":" + key + "\ntype " + text +
+             "\nkey Enter");
+    };
+    set("wear", "in-label", "How worn");
+    set("wear", "range", "0, 2");
+    set("wear", "step", "0.5");
+    set("wear", "unit", "mm");
+    set("wear", "group", "Paint");
+    const GraphInput& wear = *state.document().inputs.find("wear");
+    EXPECT_EQ(wear.label, "How worn");
+    EXPECT_EQ(json::one_line(wear.slider), "[0, 2]");
+    EXPECT_EQ(json::one_line(wear.step), "0.5");
+    EXPECT_EQ(wear.unit, "mm");
+    EXPECT_EQ(names(), "edge tint mode wear octaves flat ") << "at the end of its group";
+    play("assert errors 0");
+    set("wear", "range", "2, 0");
+    EXPECT_EQ(state.status, "A range is two numbers, the lesser first: 0, 1");
+    play("key Escape\nclick input:wear:more\nclick input:wear:step\ntype -1\nkey Enter");
+    EXPECT_EQ(state.status, "A step is a number greater than 0.");
+    play(
+        "key Escape\nclick input:flat:more\nassert no-target input:flat:range\n"
+        "assert target input:flat:group\nkey Escape");
+    for (int i = 0; i < 5; ++i)
+        play("key Ctrl+Z");
+    play("assert clean");
 }
 
 TEST_F(InputsPanelTest, AnInputIsRemovedWithItsValueLeftAtTheNode) {

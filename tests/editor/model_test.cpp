@@ -40,6 +40,30 @@ TEST(Change, TellsLayoutValuesAndStructureApart) {
     EXPECT_EQ(change(a, remove_output(a, "normal")).kind, Change::Kind::structure);
 }
 
+TEST(Change, ValuesOfInputsAndPresetsAreValues) {
+    const Document a = parsed(R"({"wrinkle": 1,
+        "inputs": {"wear": {"type": "float", "default": 0.5, "slider": [0, 1]}},
+        "presets": {"Old": {"wear": 1}},
+        "nodes": {"n": {"type": "add", "in": {"a": {"from": "input.wear"}}}},
+        "outputs": {"height": {"from": "n.result"}}})");
+    const auto with = [&](auto edit) {
+        GraphInput input = *a.inputs.find("wear");
+        edit(input);
+        return set_graph_input(a, input);
+    };
+    const Document other = with([](GraphInput& i) { i.default_value = json::Value::number(0.25); });
+    EXPECT_EQ(change(a, other).kind, Change::Kind::values);
+    EXPECT_TRUE(change(a, other).inputs);
+    EXPECT_TRUE(change(a, remove_preset(a, "Old")).inputs);
+    EXPECT_EQ(change(a, remove_preset(a, "Old")).kind, Change::Kind::values);
+    for (const Document& same_kind : {with([](GraphInput& i) { i.default_value = {}; }),
+                                      with([](GraphInput& i) { i.slider = {}; }),
+                                      with([](GraphInput& i) { i.type = "height"; }),
+                                      with([](GraphInput& i) { i.label = "Wear"; }),
+                                      remove_graph_input(a, "wear")})
+        EXPECT_EQ(change(a, same_kind).kind, Change::Kind::structure);
+}
+
 const Port& port_of(const char* type, const char* port) {
     const NodeType& found = *built_in_registry().find(type);
     return found.ports[found.find_input(port)];

@@ -5,15 +5,26 @@
 namespace wrinkle::editor {
 namespace {
 
+// Returns true if two inputs of a graph differ at most in their defaults.
+bool same_declaration(const GraphInput& a, const GraphInput& b) {
+    if (a.name != b.name || a.default_value.kind() != b.default_value.kind()) return false;
+    const std::vector<Extra> x = present_keys(a), y = present_keys(b);
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), [](const Extra& p, const Extra& q) {
+        return p.key == q.key && (p.key == "default" || p.value == q.value);
+    });
+}
+
 class Comparison {
 public:
     Comparison(const Document& before, const Document& after) : a_(before), b_(after) {}
 
     Change run() {
-        if (!a_.inputs.same(b_.inputs) || !a_.presets.same(b_.presets) || a_.name != b_.name ||
-            a_.back_faces != b_.back_faces || !same_nodes() || !same_outputs())
+        if (a_.name != b_.name || a_.back_faces != b_.back_faces || !same_declarations() ||
+            !same_nodes() || !same_outputs())
             return {Change::Kind::structure, false, {}};
-        if (!values_.empty()) return {Change::Kind::values, renamed_, std::move(values_)};
+        const bool inputs = !a_.inputs.same(b_.inputs) || !a_.presets.same(b_.presets);
+        if (!values_.empty() || inputs)
+            return {Change::Kind::values, renamed_, std::move(values_), inputs};
         if (renamed_) return {Change::Kind::names, true, {}};
         const bool layout =
             a_.positions.same(b_.positions) && a_.frames.same(b_.frames) && a_.notes.same(b_.notes);
@@ -51,6 +62,12 @@ private:
             values_.push_back({b.id, input.port, index});
         }
         return true;
+    }
+
+    bool same_declarations() const {
+        return a_.inputs.same(b_.inputs) ||
+               std::equal(a_.inputs.begin(), a_.inputs.end(), b_.inputs.begin(), b_.inputs.end(),
+                          same_declaration);
     }
 
     bool same_nodes() {

@@ -17,7 +17,8 @@ struct Change {
         none,
         cosmetic,   // only the layout: generated sources do not change
         names,      // node ids and references to them: sources differ only in names
-        values,     // literals at ports, possibly also names: updating a uniform may suffice
+        values,     // literals at ports, defaults of the graph's inputs and presets, possibly also
+                    // names: updating uniforms may suffice
         structure,  // everything else
     };
     struct Place {
@@ -27,6 +28,9 @@ struct Change {
     Kind kind = Kind::none;
     bool renamed = false;       // set for names and values
     std::vector<Place> values;  // for Kind::values: ports with different literals
+    // For Kind::values: defaults of the graph's inputs or presets may differ; changed_inputs()
+    // (inputs.h) returns those with another value.
+    bool inputs = false;
 };
 
 Change change(const Document& before, const Document& after);

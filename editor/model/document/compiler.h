@@ -23,7 +23,8 @@ struct CompileState {
     // The newest build with a shader, which the preview runs. Its nodes may have been renamed
     // since; that does not change the program.
     Build drawn;
-    Document sent_snapshot;  // snapshot with the uniform values that the preview has
+    Document sent_snapshot;   // snapshot with the uniform values that the preview has
+    std::string sent_preset;  // the preset that it is shown with
 
     // Costs of the newest source that was counted. nullptr: costs are only estimated.
     CostCounter* counter = nullptr;

@@ -38,7 +38,36 @@ bool holds(double left, std::string_view op, double right) {
     return op == ">" ? left > right : left >= right;
 }
 
+// Moves the input at index `from` to index `to`, and puts it into the group.
+Document with_position(const Document& document, size_t from, size_t to, const std::string& group) {
+    std::vector<GraphInput> inputs(document.inputs.begin(), document.inputs.end());
+    inputs[from].group = group;
+    const auto first = inputs.begin() + static_cast<std::ptrdiff_t>(std::min(from, to));
+    const auto last = inputs.begin() + static_cast<std::ptrdiff_t>(std::max(from, to)) + 1;
+    std::rotate(first, from < to ? first + 1 : last - 1, last);
+    Document changed = document;
+    changed.inputs = Table<GraphInput>(std::move(inputs));
+    return changed;
+}
+
 }  // namespace
+
+Document with_input_at(const Document& document, std::string_view input, std::string_view target) {
+    const size_t from = document.inputs.index_of(input), to = document.inputs.index_of(target);
+    if (from == Table<GraphInput>::npos || to == Table<GraphInput>::npos || from == to)
+        return document;
+    return with_position(document, from, to, document.inputs[to].group);
+}
+
+Document with_input_in_group(const Document& document, std::string_view input,
+                             const std::string& group) {
+    const size_t from = document.inputs.index_of(input);
+    if (from == Table<GraphInput>::npos) return document;
+    size_t to = from;
+    for (size_t i = 0; i < document.inputs.size(); ++i)
+        if (i != from && document.inputs[i].group == group) to = i < from ? i + 1 : i;
+    return with_position(document, from, to, group);
+}
 
 bool is_in_preset(const Document& document, const std::string& preset, std::string_view input) {
     return entry_of(document, preset, input) != nullptr;
@@ -152,6 +181,17 @@ Document with_preset_as_defaults(const Model& model, const Document& document,
     if (preset.empty() || !document.presets.find(preset)) return document;
     Diagnostics reported_by_check;
     return with_preset(project_with(model, document), preset, reported_by_check).top();
+}
+
+std::vector<std::string> changed_inputs(const Model& model, const PresetOf& before,
+                                        const PresetOf& after) {
+    const Table<GraphInput> a =
+        with_preset_as_defaults(model, before.document, before.preset).inputs;
+    const Table<GraphInput> b = with_preset_as_defaults(model, after.document, after.preset).inputs;
+    std::vector<std::string> changed;
+    for (size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        if (a[i].default_value != b[i].default_value) changed.push_back(b[i].name);
+    return changed;
 }
 
 }  // namespace wrinkle::editor

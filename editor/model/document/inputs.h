@@ -25,6 +25,12 @@ Document with_input_value(const Document& document, const std::string& preset,
 Document without_input_value(const Document& document, const std::string& preset,
                              std::string_view input);
 
+// Moves the input to the position of another one, and into its group.
+Document with_input_at(const Document& document, std::string_view input, std::string_view target);
+// Puts the input into the group, after the last input in it; in a new group it stays where it is.
+Document with_input_in_group(const Document& document, std::string_view input,
+                             const std::string& group);
+
 // Adds a preset with the values of another one. `name` must be valid and free.
 Document with_copied_preset(const Document& document, const std::string& name,
                             const std::string& from);
@@ -51,5 +57,15 @@ const Port* port_of_input(const Model& model, std::string_view input);
 // Returns the document with the preset's values as defaults.
 Document with_preset_as_defaults(const Model& model, const Document& document,
                                  const std::string& preset);
+
+// A document with the preset that is drawn.
+struct PresetOf {
+    const Document& document;
+    const std::string& preset;
+};
+// Returns the names of the inputs with another value, in the order of `after`. Both documents have
+// the same inputs, except for their defaults and presets (change.h).
+std::vector<std::string> changed_inputs(const Model& model, const PresetOf& before,
+                                        const PresetOf& after);
 
 }  // namespace wrinkle::editor

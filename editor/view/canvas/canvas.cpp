@@ -10,6 +10,7 @@
 #include "editor/view/canvas/new_cards.h"
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
+#include "editor/view/panels/panels.h"
 #include "editor/view/refresh.h"
 
 namespace wrinkle::editor {
@@ -202,6 +203,8 @@ void press_right(State& state, const Hit& hit) {
         state.gesture.card = hit.card;
     } else if (hit.kind == Hit::Kind::nothing && !io.KeyAlt) {
         open_palette(state, io.MousePos, {});
+    } else if (!io.KeyAlt) {
+        open_context_menu(state, hit, io.MousePos);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "editor/view/commands/groups.h"
 #include "editor/view/panels/bake_dialog.h"
 #include "editor/view/panels/browser.h"
+#include "editor/view/panels/host_dialog.h"
 #include "editor/view/preview/feed.h"
 
 namespace wrinkle::editor {
@@ -48,6 +49,8 @@ constexpr Command file_table[] = {
     {"recover", "Recover unsaved graph...", "", no_recoverable, ask_recover},
     {"export-glsl", "Export GLSL...", "Ctrl+E", always,
      [](State& s) { browse(s, Browser::Purpose::export_text, usual_export(s)); }},
+    {"export-host", "Export to a host...", "Ctrl+Shift+E",
+     [](const State& s) { return no_maps(s); }, open_host_dialog},
     {"bake", "Bake maps...", "Ctrl+B", [](const State& s) { return no_maps(s); }, open_bake_dialog},
     {"reload", "Read files again", "F5", always, reload},
     {"reload-plugins", "Reload plugins", "", no_plugins,

@@ -102,6 +102,8 @@ constexpr Command node_table[] = {
     {"edit-values", "Edit values, or open the sub-graph", "Enter", no_values,
      [](State& s) { selected_group(s) ? open_selected_group(s) : edit_values(s); }},
     {"expose", "Expose as an input of the graph", "E", no_exposable, expose_pointed},
+    {"context-menu", "Menu of the selected node", "Shift+F10", wants_selection,
+     open_selection_menu},
     {"mute", "Mute", "M", wants_selection, mute_selected},
     {"picture", "Picture of what it makes", "V", wants_selection, turn_pictures},
     {"ports", "All ports of a long card", "U", no_folded, turn_ports},

@@ -9,10 +9,11 @@ namespace {
 template <gpu::View Which>
 void show(State& state) {
     state.view.preview_view.view = Which;
+    state.view.flat.on = false;
 }
 template <gpu::View Which>
 bool shown(const State& state) {
-    return state.view.preview_view.view == Which;
+    return !state.view.flat.on && state.view.preview_view.view == Which;
 }
 
 std::string_view one_node(const State& state) {
@@ -39,7 +40,17 @@ void preview_node(State& state) {
     state.status = "Previewing " + selected;
 }
 
+void show_flat(State& state) {
+    state.view.flat.on = !state.view.flat.on;
+}
+
 void frame(State& state) {
+    if (state.view.flat.on) {
+        const FlatView usual;
+        FlatView& flat = state.view.flat;
+        flat.u = usual.u, flat.v = usual.v, flat.span = usual.span;
+        return;
+    }
     PreviewView& view = state.view.preview_view;
     const PreviewView usual;
     view.yaw = usual.yaw, view.pitch = usual.pitch, view.distance = usual.distance;
@@ -89,6 +100,8 @@ constexpr Command preview_table[] = {
     {"uv", "UV", "5", always, show<gpu::View::uv>, shown<gpu::View::uv>},
     {"wireframe", "Wireframe", "6", always, show<gpu::View::wireframe>,
      shown<gpu::View::wireframe>},
+    {"flat", "2D: values of a node", "7", always, show_flat,
+     [](const State& s) { return s.view.flat.on; }},
     {"bump-angle", "Angle of the bump", "", always, show<gpu::View::difference>,
      shown<gpu::View::difference>},
     {"save-picture", "Save picture...", "", why_no_image, save_picture<false>},

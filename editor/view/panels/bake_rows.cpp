@@ -11,6 +11,7 @@
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
 #include "editor/view/panels/browser.h"
+#include "editor/view/panels/dialog_rows.h"
 #include "editor/view/panels/panels.h"
 #include "editor/view/panels/preview_parts.h"
 #include "mesh/shapes.h"
@@ -19,63 +20,12 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr float label_wide = 96, bake_row_tall = 36;
 constexpr float control_wide = bake_wide - 2 * bake_padding - label_wide - preview_side - 16;
 constexpr float half_wide = (bake_wide - 2 * bake_padding - 16) / 2 - label_wide;
 constexpr float right_half = bake_padding + label_wide + half_wide + 16;
 constexpr float map_tall = 28, max_map_rows = 4;
 constexpr const char* packs_tip =
     "Maps of others' channels, with a ; between two: orm: r=occlusion g=roughness b=metalness";
-
-// Begins a row, or at `x` the right one of two controls, with a label that has a tooltip; the
-// control is next.
-void begin_control(const Fonts& fonts, const char* label, const char* tip = nullptr, float x = 0) {
-    if (x > 0) ImGui::SameLine(x);
-    const ImVec2 size(label_wide, bake_row_tall - ImGui::GetStyle().ItemSpacing.y);
-    ImGui::Dummy(size);
-    const About area = last_item();
-    draw_text(*ImGui::GetWindowDrawList(), fonts.regular(16), 16, area.low + ImVec2(0, 4),
-              theme::text_dim, label);
-    if (tip && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem))
-        show_tooltip(area, tip);
-    ImGui::SameLine(0, 0);
-}
-
-void draw_mesh_row(State& state) {
-    begin_control(state.fonts, "Mesh");
-    std::string& mesh = state.bake_dialog.choices.mesh;
-    std::vector<Item> items = mesh_items();
-    for (Item& item : items)
-        item.target.insert(0, "bake:");
-    const std::string& shown = state.view.preview_view.mesh;
-    const size_t shapes_end = items.size();
-    // A mesh file follows the shapes: the preview's, or the chosen one.
-    for (const std::string& each : {shown, mesh})
-        if (!make_shape(each) && items.size() == shapes_end)
-            items.push_back({mesh_label(each), "bake:mesh:file"});
-    items.push_back({"Choose a file...", "bake:mesh:browse"});
-    const int picked = choose(state, "bake:mesh", mesh_label(mesh), items, control_wide);
-    if (picked < 0) return;
-    const auto index = static_cast<size_t>(picked);
-    if (index < shapes_end)
-        mesh = shapes()[index].name;
-    else if (index + 1 < items.size())
-        mesh = make_shape(shown) ? mesh : shown;
-    else
-        browse(state, Browser::Purpose::bake_mesh,
-               make_shape(mesh) ? state.folder() / "x" : fs::path(mesh));
-}
-
-// Draws a control with a visible border, named `target` for scripts; returns the result of `draw`.
-template <class Draw>
-bool draw_control(Interface& interface, const std::string& target, float wide, Draw draw) {
-    ImGui::SetNextItemWidth(wide);
-    ImGui::PushStyleColor(ImGuiCol_Border, theme::control);
-    const bool result = draw();
-    ImGui::PopStyleColor();
-    name_item(interface, target);
-    return result;
-}
 
 bool draw_box(Interface& interface, const std::string& label, const std::string& target, bool* on) {
     return draw_control(interface, target, 0, [&] { return ImGui::Checkbox(label.c_str(), on); });
@@ -110,17 +60,6 @@ void draw_maps_row(State& state) {
         if (draw_box(state, label, "bake:map:" + all[i], &on)) tick(choices, all, all[i]);
     }
     ImGui::EndChild();
-}
-
-// Combo box of numbers; `word` returns the label of each.
-template <class Numbers, class Word>
-void draw_numbers(Interface& interface, const std::string& target, const Numbers& numbers,
-                  uint32_t& chosen, float wide, Word word) {
-    std::vector<Item> items;
-    for (const uint32_t each : numbers)
-        items.push_back({word(each), target + ":" + std::to_string(each)});
-    const int picked = choose(interface, target, word(chosen), items, wide);
-    if (picked >= 0) chosen = numbers[static_cast<size_t>(picked)];
 }
 
 // The map is square unless a height is chosen.
@@ -255,7 +194,8 @@ void draw_rule() {
 }  // namespace
 
 void draw_map_rows(State& state) {
-    draw_mesh_row(state);
+    draw_dialog_mesh(state, "bake", state.bake_dialog.choices.mesh, control_wide,
+                     Browser::Purpose::bake_mesh);
     draw_maps_row(state);
     draw_size_row(state);
     draw_scale_row(state);

@@ -71,6 +71,14 @@ const PurposeInfo& info(Purpose purpose) {
          {".png", ".tif", ".exr"},
          "",
          true},
+        {"Choose a mesh",
+         [](State& s, const fs::path& file) { s.host_dialog.choices.mesh = file.string(); },
+         {".obj", ".gltf", ".glb"}},
+        {"Export into a folder",
+         [](State& s, const fs::path& file) { s.host_dialog.choices.into = file; },
+         {},
+         "",
+         true},
     };
     return infos[static_cast<size_t>(purpose)];
 }

@@ -10,6 +10,7 @@
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
 #include "editor/view/panels/panels.h"
+#include "editor/view/refresh.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -53,7 +54,7 @@ void follow(State& state) {
         if (auto text = code.maker->take()) take(code, std::move(*text));
     const bool other_file = code.requested_file != state.follow.first;
     if (!state.is_synced || is_asked(state)) return;
-    if (!other_file && state.gesture.kind == Gesture::Kind::value) return;
+    if (!other_file && is_holding_value(state)) return;
     if (other_file) code.text = {};
     code.requested = true;
     code.requested_file = state.follow.first;

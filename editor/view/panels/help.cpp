@@ -34,6 +34,7 @@ constexpr GestureHelp table[] = {
     {"Middle drag, Alt + drag", "moves the view"},
     {"Wheel", "zooms at the pointer"},
     {"Right-click empty ground", "searches nodes"},
+    {"Right-click a card, a value, a wire, a frame", "opens its menu"},
     {"Drop a picture", "adds it as a source, on a wire as a layer"},
 };
 

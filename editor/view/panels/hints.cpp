@@ -82,7 +82,9 @@ std::string_view hint_of(const State& state, const Regions& regions) {
     if (state.question.open() || state.browser.purpose != Browser::Purpose::none) return {};
     switch (regions.at(ImGui::GetIO().MousePos)) {
         case Pane::preview:
-            return "Drag turns   Shift+drag moves   the right button turns the light";
+            return state.view.flat.on
+                       ? "Drag moves   the wheel zooms   7 returns to the object"
+                       : "Drag turns   Shift+drag moves   the right button turns the light";
         case Pane::code:
             return state.inputs_panel.shown ? "Drag to change   ... types a value"
                                             : "Click a line to select its node";

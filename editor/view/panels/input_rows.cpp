@@ -1,21 +1,16 @@
 // Rows of the panel of inputs: label, control, reset, menu.
-#include <imgui_stdlib.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "base/srgb.h"
-#include "editor/model/document/expose.h"
 #include "editor/model/document/field.h"
 #include "editor/model/document/inputs.h"
-#include "editor/model/document/renamed.h"
 #include "editor/view/drop/drop.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
+#include "editor/view/panels/input_row.h"
 #include "editor/view/panels/panels.h"
-#include "json/parse.h"
-#include "json/write.h"
 #include "lower/literal.h"
 
 namespace wrinkle::editor {
@@ -23,25 +18,9 @@ namespace {
 
 constexpr float input_row_tall = 30, row_icons = 56;
 
-// One input with its value in the chosen preset.
-struct InputRow {
-    const GraphInput& input;
-    const Port& port;
-    const std::string& preset;
-    std::array<double, 4> numbers;
-
-    std::string target() const { return "input:" + input.name; }
-};
-
 void begin_step(State& state, const InputRow& row) {
     state.inputs_panel.merge =
         "input " + row.input.name + " " + std::to_string(state.history.serial());
-}
-
-void set_input(State& state, const InputRow& row, json::Value value) {
-    state.commit("Set " + row.input.name,
-                 with_input_value(state.document(), row.preset, row.input.name, std::move(value)),
-                 state.inputs_panel.merge);
 }
 
 float to_step(const InputRow& row, float value) {
@@ -121,6 +100,7 @@ void draw_number(State& state, const InputRow& row, float width) {
                                    static_cast<int>(values.size()), speed, nullptr, nullptr,
                                    format.c_str(), ImGuiSliderFlags_NoInput);
     name_item(state, row.target());
+    note_held(state);
     if (ImGui::IsItemActivated()) begin_step(state, row);
     if (changed) set_input(state, row, number_literal(row, values));
 }
@@ -148,6 +128,7 @@ void draw_input_color(State& state, const InputRow& row, float width) {
                             shared | ImGuiColorEditFlags_NoSidePreview |
                                 ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHex);
     name_item(state, row.target() + ":picker");
+    note_held(state);
     for (float& each : color)
         each = static_cast<float>(linear_from_srgb(static_cast<double>(each)));
     if (changed) set_input(state, row, number_literal(row, color));
@@ -197,86 +178,47 @@ void draw_input_control(State& state, const InputRow& row, float width) {
     ImGui::TextDisabled("%s", std::string(name_of(port.type)).c_str());
 }
 
-// Sets the value to the typed JSON, or to a word.
-void type_value(State& state, const InputRow& row) {
-    const std::string& text = state.inputs_panel.text;
-    Diagnostics ignored;
-    const json::Parsed parsed = json::parse(text, "value", ignored);
-    const json::Value value =
-        parsed.complete && !ignored.has_errors() ? parsed.root : json::Value::string(text);
-    for (const LiteralProblem& problem : literal_problems(value, row.port)) {
-        state.status = row.input.name + " " + problem.message + ". " + sentence(problem.expected);
-        if (problem.severity == Severity::error) return;
-    }
-    state.inputs_panel.merge.clear();
-    set_input(state, row, value);
-    ImGui::CloseCurrentPopup();
+// Moves the row by a drag of its label: a line marks the row that it takes the position of, where
+// the button is released. Escape ends the drag.
+void carry_row(State& state, const InputRow& row, ImVec2 at, float wide) {
+    InputsPanel& panel = state.inputs_panel;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left) && !panel.carry_left)
+        panel.carried = row.input.name;
+    if (panel.carried.empty() || mouse.y < at.y || mouse.y >= at.y + input_row_tall) return;
+    panel.carried_to = row.input.name;
+    const bool down = state.document().inputs.index_of(panel.carried) <
+                      state.document().inputs.index_of(row.input.name);
+    const float y = down ? at.y + input_row_tall - 3 : at.y - 3;
+    if (panel.carried != row.input.name)
+        ImGui::GetWindowDrawList()->AddRectFilled({at.x, y}, {at.x + wide, y + 2}, theme::accent);
 }
 
-void type_name(State& state, const InputRow& row) {
-    const std::string name = state.inputs_panel.name;
-    if (name != row.input.name) {
-        state.status = input_name_problem(state.document(), row.input.name, name);
-        if (!state.status.empty()) return;
-        rename_input(state, row.input.name, name);
-    }
-    ImGui::CloseCurrentPopup();
-}
-
-// Returns true if the text was entered.
-bool draw_menu_field(State& state, const char* title, std::string& text,
-                     const std::string& target) {
-    constexpr float title_wide = 60, field_wide = 200;
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", title);
-    ImGui::SameLine(title_wide);
-    ImGui::SetNextItemWidth(field_wide);
-    ImGui::PushID(title);
-    const bool entered = ImGui::InputText(
-        "##text", &text, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    ImGui::PopID();
-    note_field(state);
-    name_item(state, target);
-    return entered;
-}
-
-void draw_row_menu(State& state, const InputRow& row) {
-    const std::string name = row.input.name;
-    if (icon_button(state, "more", row.target() + ":more",
-                    "Type the value, rename, copy the name, remove")) {
-        const json::Value value = value_of_input(state.document(), row.preset, row.input);
-        state.inputs_panel.text = value.is(json::Kind::null) ? "" : json::one_line(value);
-        state.inputs_panel.name = name;
-        ImGui::OpenPopup("##input-menu");
-    }
-    const PanelPopup popup("##input-menu");
-    if (!popup) return;
-    if (ImGui::IsWindowAppearing()) focus_field(state);
-    if (draw_menu_field(state, "Value", state.inputs_panel.text, row.target() + ":text"))
-        type_value(state, row);
-    if (draw_menu_field(state, "Name", state.inputs_panel.name, row.target() + ":name"))
-        type_name(state, row);
-    if (button(state, "Copy the name", row.target() + ":copy")) {
-        ImGui::SetClipboardText(("input." + name).c_str());
-        ImGui::CloseCurrentPopup();
-    }
-    ImGui::SameLine();
-    if (button(state, "Remove", row.target() + ":remove")) {
-        state.commit("Remove input " + name, without_input(state.model, state.document(), name));
-        ImGui::CloseCurrentPopup();
-    }
+void drop_row(State& state) {
+    InputsPanel& panel = state.inputs_panel;
+    const bool down = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (!down) panel.carry_left = false;
+    if (panel.carried.empty()) return;
+    panel.carry_left = is_pressed(ImGuiKey_Escape, false);
+    if (down && !panel.carry_left) return;
+    const std::string input = std::exchange(panel.carried, {});
+    const std::string to = std::exchange(panel.carried_to, {});
+    if (!panel.carry_left)
+        state.commit("Move input " + input, with_input_at(state.document(), input, to));
 }
 
 void draw_input_row(State& state, const InputRow& row) {
     const float wide = ImGui::GetContentRegionAvail().x, label_wide = std::floor(wide * 0.36F);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string& label = row.input.label.empty() ? row.input.name : row.input.label;
-    ImGui::Dummy({label_wide, ImGui::GetFrameHeight()});
+    ImGui::InvisibleButton("##label", {label_wide, ImGui::GetFrameHeight()});
+    name_item(state, row.target() + ":label");
     const bool hovered = ImGui::IsItemHovered();
+    carry_row(state, row, at, wide);
     ImFont* font = state.fonts.regular(16);
     draw_text(*ImGui::GetWindowDrawList(), font, 16, at + ImVec2(0, 4), theme::text,
               fitting(font, 16, label, label_wide - 8));
-    if (hovered)
+    if (hovered && state.inputs_panel.carried.empty())
         show_tooltip(last_item(), state.fonts.bold(16), "input." + row.input.name, row.port.doc);
     ImGui::SameLine(0, 0);
     const std::string name = row.input.name;
@@ -288,11 +230,17 @@ void draw_input_row(State& state, const InputRow& row) {
             state.commit("Reset " + name, without_input_value(state.document(), row.preset, name));
     }
     ImGui::SetCursorScreenPos(at + ImVec2(wide - row_icons / 2, 0));
-    draw_row_menu(state, row);
+    draw_input_menu(state, row);
     ImGui::SetCursorScreenPos(at + ImVec2(0, input_row_tall));
 }
 
 }  // namespace
+
+void set_input(State& state, const InputRow& row, json::Value value) {
+    state.commit("Set " + row.input.name,
+                 with_input_value(state.document(), row.preset, row.input.name, std::move(value)),
+                 state.inputs_panel.merge);
+}
 
 void draw_input_rows(State& state) {
     const Document document = state.document();  // a row may change it and its types
@@ -314,6 +262,7 @@ void draw_input_rows(State& state) {
                        {input, *port, preset, numbers_of_input(document, preset, input, *port)});
         ImGui::PopID();
     }
+    drop_row(state);
 }
 
 }  // namespace wrinkle::editor

@@ -12,6 +12,7 @@
 #include "editor/model/bake/choices.h"
 #include "editor/model/document/intent.h"
 #include "editor/model/document/wiring.h"
+#include "editor/model/hosts/host_export.h"
 #include "editor/view/canvas/gesture.h"
 #include "editor/view/panels/listing.h"
 #include "registry/registry.h"
@@ -42,7 +43,9 @@ struct Browser {
         export_image,
         image,
         bake_mesh,
-        bake_into  // a folder, or a file
+        bake_into,  // a folder, or a file
+        host_mesh,
+        host_into  // a folder
     };
     Purpose purpose = Purpose::none;
     std::filesystem::path folder;
@@ -62,6 +65,12 @@ struct BakeDialog {
     bool open = false, opening = false;
     BakeChoices choices;
     std::string replaces;  // one sentence on the files that would be overwritten
+};
+
+// State of the dialog of an export to a host.
+struct HostDialog {
+    bool open = false, opening = false;
+    HostChoices choices;
 };
 
 // Sample graph that is installed with the program.
@@ -87,12 +96,29 @@ struct Help {
     bool waiting = false;    // a tooltip is due when the pointer has rested long enough
 };
 
+// Menu of a part of the canvas, opened by the right button (panels/context_menu.cpp).
+struct ContextMenu {
+    enum class Part : uint8_t { card, wire, box };
+    bool open = false, opening = false;
+    ImVec2 at{0, 0};  // screen
+    Part part = Part::card;
+    // The node and its input under the pointer, or the input end of the wire; node "": an output of
+    // the graph; port "": none.
+    std::string node = {}, port = {};
+    BoxId box = {};
+    int chosen = 0;
+};
+
 // State of the panel of the graph's inputs; PreviewRequest has the chosen preset.
 struct InputsPanel {
-    bool shown = false;  // instead of the code
-    std::string merge;   // merge key of the undo steps of the control in use
-    std::string text;    // content of the open text field
-    std::string name;    // content of the field of the input's name
+    bool shown = false;                // instead of the code
+    std::string merge;                 // merge key of the undo steps of the control in use
+    std::string text;                  // content of the open text field
+    std::string name;                  // content of the field of the input's name
+    std::vector<std::string> details;  // contents of the other fields of the menu
+    // Input with a label that is dragged, "": none; and the input that it takes the position of.
+    std::string carried, carried_to;
+    bool carry_left = false;  // Escape ended the drag, and the button is still down
 };
 
 // State of the list of problems.

@@ -153,6 +153,14 @@ void note_field(Dialogs& dialogs);  // ends the wait if the last field drawn has
 bool typing_waits(const Dialogs& dialogs);
 void age_field_wait(Dialogs& dialogs);  // once a frame
 
+// Notes that the control of a value, the last item drawn, is held down (refresh.h).
+void note_held(Dialogs& dialogs);
+
+// Opens the menu of the card, port, wire or box at the pointer, and selects it; on the open ground
+// and on the cards of surface and inputs it does nothing.
+void open_context_menu(State& state, const Hit& hit, ImVec2 at);
+void open_selection_menu(State& state);  // the menu of the first selected node
+
 // Opens the popup that edits the field: text, list or color. Tab continues with the next field.
 void open_field(State& state, const Card& card, const Field& field);
 void choose_image(State& state);  // opens a list of images; the chosen one is added

@@ -181,6 +181,7 @@ bool draw_color(State& state) {
                                           ImGuiColorEditFlags_DisplayRGB;
     const bool changed = ImGui::ColorPicker3("##color", color, flags);
     name_item(state, "color");
+    note_held(state);
     if (changed) {
         Document document = state.document();
         for (int i = 0; i < 3; ++i)

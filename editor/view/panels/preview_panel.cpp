@@ -165,11 +165,16 @@ void draw_preview_strip(State& state) {
         const std::string key = std::to_string(all.size() + 1);
         all.push_back({label, "view:" + name, label + "  " + key});
     }
+    const auto flat = static_cast<int>(all.size());
+    all.push_back({"2D", "view:flat", "Values of a node in 2D  7"});
+    if (state.view.flat.on) chosen = flat;
     ImGui::SetCursorPos({12, preview_head + 2});
     const std::string shown = chosen < 0 ? "Difference" : all[static_cast<size_t>(chosen)].label;
-    const int picked = width >= 496 ? segments(state, all, chosen, width)
+    const int picked = width >= 540 ? segments(state, all, chosen, width)
                                     : choose(state, "preview:view", shown, all, width);
-    if (picked >= 0) view.view = views[picked];
+    if (picked < 0) return;
+    state.view.flat.on = picked == flat;
+    if (picked != flat) view.view = views[picked];
 }
 
 }  // namespace
@@ -198,7 +203,8 @@ void draw_preview(State& state) {
     const float compare = compare_height(whole.x);
     const ImVec2 at = corner + ImVec2(0, preview_head + strip_height);
     const ImVec2 size(whole.x, whole.y - preview_head - strip_height - compare);
-    if (size.x >= 1 && size.y >= 1) draw_preview_image(state, at, size);
+    if (size.x >= 1 && size.y >= 1)
+        state.view.flat.on ? draw_flat(state, at, size) : draw_preview_image(state, at, size);
     draw_compare(state, corner + ImVec2(0, whole.y - compare), whole.x);
 }
 

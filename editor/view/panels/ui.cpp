@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "editor/view/canvas/canvas.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/drop/drop.h"
@@ -25,7 +27,9 @@ void draw_palette(State& state);
 void draw_offer(State& state);
 void draw_box_text(State& state);
 void draw_popup(State& state);
+void draw_context_menu(State& state);
 void draw_bake_dialog(State& state);
+void draw_host_dialog(State& state);
 void draw_browser(State& state);
 void draw_help(State& state);
 void draw_hover_docs(State& state);
@@ -66,9 +70,9 @@ constexpr ImGuiWindowFlags docked_flags =
 
 // Open their own windows and popups above the others while they are shown, in this order.
 constexpr void (*floating_panels[])(State&) = {
-    draw_overlays, draw_splitters,  draw_palette,       draw_offer,
-    draw_box_text, draw_popup,      draw_bake_dialog,   draw_browser,
-    draw_help,     draw_hover_docs, draw_copy_question, draw_question,
+    draw_overlays, draw_splitters,    draw_palette,       draw_offer,       draw_box_text,
+    draw_popup,    draw_context_menu, draw_bake_dialog,   draw_host_dialog, draw_browser,
+    draw_help,     draw_hover_docs,   draw_copy_question, draw_question,
 };
 
 void draw_panels(State& state) {
@@ -83,6 +87,7 @@ void draw_panels(State& state) {
     }
     for (const auto draw : floating_panels)
         draw(state);
+    state.value_held = std::exchange(state.holds_value, false);
 }
 
 }  // namespace

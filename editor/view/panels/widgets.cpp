@@ -215,6 +215,10 @@ bool typing_waits(const Dialogs& dialogs) {
            dialogs.box_text.opening;
 }
 
+void note_held(Dialogs& dialogs) {
+    dialogs.holds_value |= ImGui::IsItemActive();
+}
+
 void age_field_wait(Dialogs& dialogs) {
     dialogs.field_wait = std::max(dialogs.field_wait - 1, 0);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "editor/model/document/field.h"
+#include "editor/model/document/inputs.h"
 #include "emit/log.h"
 
 namespace wrinkle::editor {
@@ -25,13 +26,53 @@ std::vector<const UniformInfo*> uniforms_at(const CompileState& follow,
     return found;
 }
 
-// The running program may have no uniform for a port because it does not read it; compilation
+// Returns the uniform of the running program for an input of the graph; nullptr if it has none.
+const UniformInfo* uniform_of_input(const CompileState& follow, const std::string& input) {
+    if (!follow.drawn.running()) return nullptr;
+    for (const UniformInfo& uniform : follow.drawn.running()->reflection.uniforms)
+        if (uniform.graph_input && uniform.port == input) return &uniform;
+    return nullptr;
+}
+
+// Values that differ between two documents.
+struct ChangedValues {
+    bool only = false;  // the rest is equal
+    std::vector<Change::Place> ports;
+    std::vector<std::string> inputs;  // inputs of the graph
+};
+
+ChangedValues changed_values(const Model& model, const PresetOf& before, const PresetOf& after) {
+    Change difference = change(before.document, after.document);
+    if (difference.kind == Change::Kind::structure) return {};
+    ChangedValues changed{true, std::move(difference.values), {}};
+    if (difference.inputs || before.preset != after.preset)
+        changed.inputs = changed_inputs(model, before, after);
+    return changed;
+}
+
+// The running program may have no uniform for a value because it does not read it; compilation
 // determines whether that is so.
-bool all_are_uniforms(const CompileState& follow, const Change& difference) {
-    if (difference.kind == Change::Kind::structure) return false;
-    return std::ranges::all_of(difference.values, [&](const Change::Place& place) {
-        return !uniforms_at(follow, place).empty();
-    });
+bool all_are_uniforms(const CompileState& follow, const ChangedValues& changed) {
+    return changed.only &&
+           std::ranges::all_of(
+               changed.ports,
+               [&](const Change::Place& place) { return !uniforms_at(follow, place).empty(); }) &&
+           std::ranges::all_of(changed.inputs, [&](const std::string& input) {
+               return uniform_of_input(follow, input) != nullptr;
+           });
+}
+
+// Sends the numbers to each of the uniforms, which have the same type.
+void send(State& state, const std::vector<const UniformInfo*>& uniforms,
+          const std::array<double, 4>& numbers, int lanes) {
+    float values[4];
+    for (size_t i = 0; i < 4; ++i)
+        values[i] = static_cast<float>(numbers[i]);
+    ++state.counters.uniforms;
+    if (!state.preview) return;
+    for (const UniformInfo* uniform : uniforms)
+        state.preview->set_uniform(uniform->name, {values, static_cast<size_t>(lanes)});
+    if (state.timings) state.timings->values(state.preview->asked() + 1);
 }
 
 void send(State& state, const Change::Place& place) {
@@ -39,19 +80,28 @@ void send(State& state, const Change::Place& place) {
     const NodeType* type = state.type_of(place.node);
     const Port* port = input_port(type, place.port);
     if (!node || !port) return;
-    const auto numbers = numbers_at(*node, *port);
-    const auto lanes = static_cast<size_t>(lanes_of(port->type));
-    float values[4];
-    for (size_t i = 0; i < lanes; ++i)
-        values[i] = static_cast<float>(numbers[i]);
-    ++state.counters.uniforms;
-    if (!state.preview) return;
-    for (const UniformInfo* uniform : uniforms_at(state.follow, place))
-        state.preview->set_uniform(uniform->name, {values, lanes});
-    if (state.timings) state.timings->values(state.preview->asked() + 1);
+    send(state, uniforms_at(state.follow, place), numbers_at(*node, *port), lanes_of(port->type));
+}
+
+// Precondition: the input has a uniform.
+void send_input(State& state, const Document& with_values, const std::string& name) {
+    const GraphInput* input = with_values.inputs.find(name);
+    const Port* port = port_of_input(state.model, name);
+    if (!input || !port) return;
+    send(state, {uniform_of_input(state.follow, name)},
+         numbers_of_input(with_values, "", *input, *port), lanes_of(port->type));
+}
+
+PresetOf preset_of(const Build& build) {
+    return {build.document, build.request.preset};
 }
 
 }  // namespace
+
+bool differ_in_preset_only(PreviewRequest a, const PreviewRequest& b) {
+    a.preset = b.preset;
+    return a == b;
+}
 
 PreviewRequest wanted_request(const State& state) {
     PreviewRequest request = state.view.preview_request;
@@ -68,16 +118,26 @@ PreviewRequest wanted_request(const State& state) {
 void forget_files(PreviewState& state, Use use) {
     if (state.preview && (use == Use::image || use == Use::mesh || use == Use::light))
         state.preview->forget(use);
-    if (use == Use::image) ++state.node_feed.images;
+    if (use != Use::image) return;
+    ++state.node_feed.images;
+    ++state.flat.images;
 }
 
 bool send_values(State& state) {
     CompileState& follow = state.follow;
-    const Change difference = change(follow.sent_snapshot, state.document());
-    if (!all_are_uniforms(follow, difference)) return false;
-    for (const Change::Place& place : difference.values)
+    const std::string& preset = state.view.preview_request.preset;
+    const ChangedValues changed = changed_values(
+        state.model, {follow.sent_snapshot, follow.sent_preset}, {state.document(), preset});
+    if (!all_are_uniforms(follow, changed)) return false;
+    for (const Change::Place& place : changed.ports)
         send(state, place);
+    if (!changed.inputs.empty()) {
+        const Document with_values = with_preset_as_defaults(state.model, state.document(), preset);
+        for (const std::string& input : changed.inputs)
+            send_input(state, with_values, input);
+    }
     follow.sent_snapshot = state.document();
+    follow.sent_preset = preset;
     return true;
 }
 
@@ -86,14 +146,17 @@ void apply_latest_build(State& state) {
     const Build& built = state.built;
     state.preview_stale = !built.running();
     if (!built.running()) return;
-    const bool same_kind = follow.drawn.running() && follow.drawn.request == built.request &&
-                           !follow.drawn.displacement && !built.displacement;
-    if (same_kind && all_are_uniforms(follow, change(follow.drawn.document, built.document))) {
+    const Build& drawn = follow.drawn;
+    const bool same_kind = drawn.running() && differ_in_preset_only(drawn.request, built.request) &&
+                           !drawn.displacement && !built.displacement;
+    if (same_kind &&
+        all_are_uniforms(follow, changed_values(state.model, preset_of(drawn), preset_of(built)))) {
         send_values(state);
         return;
     }
     follow.drawn = built;
     follow.sent_snapshot = built.document;
+    follow.sent_preset = built.request.preset;
     if (!state.preview) return;
     state.preview->set_material(std::make_shared<const Shader>(*built.running()),
                                 built.displacement);

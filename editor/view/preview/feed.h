@@ -9,12 +9,16 @@ namespace wrinkle::editor {
 // Returns the preview request for the current document.
 PreviewRequest wanted_request(const State& state);
 
+// Returns true if the requests are equal, or differ in their presets.
+bool differ_in_preset_only(PreviewRequest a, const PreviewRequest& b);
+
 // Files of that use are read again, for the preview and for node previews.
 void forget_files(PreviewState& state, Use use);
 
 // Called after a build: replaces the program only if more than names and values differ.
 void apply_latest_build(State& state);
-// Sends the values that differ from those in the preview; returns false if one is not a uniform.
+// Sends the values that differ from those in the preview, also those of another preset; returns
+// false if one is not a uniform.
 bool send_values(State& state);
 // Updates the node ids in the request after a renaming.
 void rename_in_request(State& state, const Document& before);

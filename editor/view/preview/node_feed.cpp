@@ -49,7 +49,7 @@ void feed_node_previews(State& state) {
         feed.atlas.fill(feed.previews.texels, NodePreviews::width, NodePreviews::height);
     }
     const bool busy = state.building() || (state.preview && !state.preview->idle()) ||
-                      state.gesture.kind != Gesture::Kind::none;
+                      state.gesture.kind != Gesture::Kind::none || state.value_held;
     if (busy || is_asked(state)) return;
     std::set<std::string> wanted = wanted_nodes(state);
     const Document& now = state.document();
