@@ -140,10 +140,14 @@ std::optional<std::vector<std::string>> command_words(int argc, const char* cons
     return std::move(expansion.words);
 }
 
+std::vector<std::string> inputs_of_run(std::vector<std::string> inputs) {
+    inputs.insert(inputs.end(), opened.begin(), opened.end());
+    return inputs;
+}
+
 std::string overwrite_fault_of_run(std::span<const std::string> outputs,
                                    std::vector<std::string> inputs) {
-    inputs.insert(inputs.end(), opened.begin(), opened.end());
-    return overwrite_fault(outputs, inputs);
+    return overwrite_fault(outputs, inputs_of_run(std::move(inputs)));
 }
 
 std::string shell_quoted(const std::string& word) {

@@ -27,7 +27,10 @@ namespace wrinkle::cli {
 std::optional<std::vector<std::string>> command_words(int argc, const char* const* argv,
                                                       std::string& why);
 
-// As overwrite_fault(), where the files that the last call of command_words() read are inputs too.
+// Returns `inputs` and the files that the last call of command_words() read.
+std::vector<std::string> inputs_of_run(std::vector<std::string> inputs);
+
+// As overwrite_fault(), of inputs_of_run().
 std::string overwrite_fault_of_run(std::span<const std::string> outputs,
                                    std::vector<std::string> inputs);
 

@@ -25,9 +25,9 @@ using Run = std::function<int()>;
 // In the order of --help.
 #define WRINKLE_COMMANDS(row)                                                                   \
     row(check) row(compile) row(eval) row(render) row(bake) row(convert) row(lint) row(compare) \
-        row(import) row(test) row(diff) row(merge) row(settle) row(textconv) row(git_setup)     \
-            row(format) row(upgrade) row(inputs) row(nodes) row(plugins) row(new_plugin)        \
-                row(explain_log) row(watch) row(completion) row(man)
+        row(import) row(export) row(test) row(diff) row(merge) row(settle) row(textconv)        \
+            row(git_setup) row(format) row(upgrade) row(inputs) row(nodes) row(plugins)         \
+                row(new_plugin) row(explain_log) row(watch) row(completion) row(man)
 
 #define WRINKLE_DECLARE(name) void declare_##name(CLI::App& app, Run& run);
 WRINKLE_COMMANDS(WRINKLE_DECLARE)

@@ -7,10 +7,11 @@ namespace {
 using ConventionsTest = CliTest;
 using Names = std::vector<std::string>;
 
-const Names commands = {
-    "check",   "compile", "eval",  "render",  "convert",    "lint",       "test",        "format",
-    "upgrade", "inputs",  "nodes", "plugins", "new-plugin", "completion", "explain-log", "bake",
-    "import",  "compare", "diff",  "merge",   "settle",     "textconv",   "git-setup",   "watch"};
+const Names commands = {"check",  "compile",  "eval",       "render",     "convert",
+                        "lint",   "test",     "format",     "upgrade",    "inputs",
+                        "nodes",  "plugins",  "new-plugin", "completion", "explain-log",
+                        "bake",   "import",   "compare",    "diff",       "merge",
+                        "settle", "textconv", "git-setup",  "watch",      "export"};
 
 TEST_F(ConventionsTest, HelpListsEveryCommand) {
     const Ran ran = run({"--help"});

@@ -58,6 +58,9 @@ TEST_F(OverwriteTest, NoCommandReplacesWhatItReads) {
     expect_refused({"render", "g.json", "-o", "map.png"});
     expect_refused({"compare", "map.png", "map.png", "-o", "map.png"});
     expect_refused({"compare", "map.png", "map.png", "-o", "a.exr", "--exposure-map", "a.exr"});
+    put("out/README.txt", "--name x");
+    expect_refused(
+        {"export", "g.json", "@out/README.txt", "--to", "gltf", "--size", "8", "-o", "out"});
     expect_refused({"merge", "g.json", "inner.json", "inner.json", "-o", "g.json"});
     expect_refused({"merge", "inner.json", "g.json", "hard.json"});
     const Names bake = {"bake", "g.json", "--mesh", "plane.obj", "--size", "8", "--map", "color"};

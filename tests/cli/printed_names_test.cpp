@@ -61,6 +61,8 @@ TEST_F(PrintedNamesTest, NamesOfFilesAreEscaped) {
              {"textconv", missing},
              {"import", missing, "-o", "out.json"},
              {"import", ".", "-o", evil + "/missing/x"},
+             {"export", missing, "--to", "gltf", "-o", "out"},
+             {"export", evil + ".json", "--to", "gltf", "-o", evil + "/missing/x", "--name", evil},
              {"inputs", evil + "unformatted.json"},
              {"inputs", "--json", evil + "unformatted.json"},
              {"check", "@" + missing},

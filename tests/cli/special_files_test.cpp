@@ -73,6 +73,8 @@ TEST_F(SpecialFilesTest, AreRefusedByEveryCommand) {
              {"merge", "g.json", "*.json", "g.json"},
              {"textconv", "*.json"},
              {"import", "*_color.png", "-o", "out.json", "--root", "/"},
+             {"export", "*.json", "--to", "gltf", "-o", "out.png"},
+             {"export", "g.json", "--mesh", "./*.obj", "--to", "gltf", "-o", "out.png"},
              {"test", "*.test.json"}})
         expect_refused(words);
     expect_refused({"diff", "*.json", "g.json"}, 2);

@@ -6,7 +6,9 @@ set -euo pipefail
 library=$(realpath "$2")/lib/libwrinkle.so
 # A library with sanitizers wants a program that has them.
 export CXXFLAGS=""
-! readelf -d "$library" | grep -q 'NEEDED.*libasan' || CXXFLAGS="-fsanitize=address,undefined"
+if nm -D "$library" | grep ' U __asan_' >/dev/null; then
+    export CXX=clang++ CXXFLAGS="-fsanitize=address,undefined"
+fi
 carry_out "$@"
 
 readelf -d "$library" | grep -qF "soname: [libwrinkle.so.0.1]" || fail "the soname is another"

@@ -242,6 +242,8 @@ TEST_F(HostileFiles, AsImagesAndMeshesKeepTheContract) {
         {"base.png", {"convert", "base.png", "-o", "out.exr", "--to", "derivative"}, {"out.exr"}},
         {"base.png", {"lint", "base.png", "--json"}},
         {"base.png", {"compare", "base.png", "base.png", "-o", "out.png"}, {"out.png"}},
+        {"base.png", {"export", "graph.json", "--to", "gltf", "--size", "8", "-o", "out"}, {"out"}},
+        {"mesh.glb", {"export", "plain.json", "--mesh", "mesh.glb", "--to", "gltf", "-o", "out"}},
         {"wall/a_normal.png", {"import", "wall", "-o", "out.json"}, {"out.json"}},
         {"wall/a_height.png",
          {"import", "wall/a_normal.png", "wall/a_height.png", "-o", "out.json"},

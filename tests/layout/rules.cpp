@@ -16,6 +16,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/allocator", {"mimalloc"}},
     {"core/base", {"nettle", "xxhash"}},
     {"core/json", {"base", "nlohmann"}},
+    {"core/materialx", {"base", "pugixml"}},
     {"core/sdk", {"sdk"}},
     {"core/ir", {"base", "contract"}},
     {"core/graph", {"base", "json"}},
@@ -28,7 +29,10 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/maps", {"base", "image", "tbb", "kissfft"}},
     {"core/report", {"base", "json", "image", "tbb"}},
     {"core/difference", {"base", "json", "graph"}},
-    {"core/import", {"base", "json", "graph", "image", "maps"}},
+    {"core/import", {"base", "json", "materialx", "graph", "image", "maps"}},
+    {"core/export",
+     {"ir", "contract", "base", "json", "graph", "registry", "lower", "emit", "compile", "cpu",
+      "image", "mesh", "bake", "glm", "materialx"}},
     {"core/mesh", {"base", "glm", "mesh files"}},
     {"core/gpu", {"base", "emit", "ir", "image", "mesh", "contract", "glm", "gl", "tbb"}},
     {"core/bake", {"base", "ir", "cpu", "image", "mesh", "glm", "tbb"}},
@@ -40,19 +44,19 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/api",
      {"base", "graph", "registry", "lower", "emit", "cpu", "compile", "library", "list of nodes"}},
     {"core/cli",
-     {"base",    "json", "ir",      "graph",   "registry", "lower",      "emit",
-      "spirv",   "cpu",  "image",   "mesh",    "maps",     "gpu",        "bake",
-      "certify", "cost", "compile", "import",  "report",   "difference", "list of nodes",
-      "cli11",   "glm",  "tbb",     "contract"}},
+     {"base",      "json",          "ir",      "graph",  "registry", "lower",      "emit",
+      "spirv",     "cpu",           "image",   "mesh",   "maps",     "gpu",        "bake",
+      "certify",   "cost",          "compile", "import", "report",   "difference", "export",
+      "materialx", "list of nodes", "cli11",   "glm",    "tbb",      "contract"}},
     {"core/serve", {"base", "httplib"}},
     {"nodes", {"sdk", "base"}},
     {"plugins", {"sdk"}},
-    {"editor/model",
-     {"base", "json", "ir", "graph", "registry", "lower", "emit", "spirv", "cpu", "image", "mesh",
-      "maps", "import", "bake", "cost", "compile", "glm", "contract", "list of nodes"}},
+    {"editor/model", {"base",  "json",   "ir",      "graph", "registry", "lower",        "emit",
+                      "spirv", "cpu",    "image",   "mesh",  "maps",     "import",       "bake",
+                      "cost",  "export", "compile", "glm",   "contract", "list of nodes"}},
     {"editor/view",
      {"base", "json", "ir", "graph", "registry", "lower", "emit", "cpu", "image", "mesh", "maps",
-      "gpu", "bake", "contract", "editor/model", "glm", "gl", "imgui"}},
+      "gpu", "export", "bake", "contract", "editor/model", "glm", "gl", "imgui"}},
     {"editor/app",
      {"base", "json", "graph", "registry", "image", "gpu", "editor/model", "editor/view", "gl",
       "imgui", "cli11"}},
@@ -81,10 +85,10 @@ const std::map<std::string, std::string, std::less<>> library_of_folder = {
     {"sys", ""},
     {"sanitizer", ""},
 };
-const Names system_headers = {"dlfcn.h",  "elf.h",     "errno.h",    "fcntl.h",   "link.h",
-                              "poll.h",   "pthread.h", "sched.h",    "signal.h",  "stdint.h",
-                              "stddef.h", "unistd.h",  "spawn.h",    "termios.h", "stdio.h",
-                              "stdlib.h", "string.h",  "immintrin.h"};
+const Names system_headers = {"dlfcn.h",  "elf.h",     "errno.h",     "fcntl.h",   "link.h",
+                              "poll.h",   "pthread.h", "sched.h",     "signal.h",  "stdint.h",
+                              "stddef.h", "unistd.h",  "spawn.h",     "termios.h", "stdio.h",
+                              "stdlib.h", "string.h",  "immintrin.h", "fnmatch.h"};
 
 constexpr std::string_view core_prefix = "core/", editor_prefix = "editor/";
 
@@ -134,6 +138,7 @@ std::string library_of_file(std::string_view path) {
     if (path == "httplib.h") return "httplib";
     if (path == "xxhash.h") return "xxhash";
     if (path == "mimalloc.h") return "mimalloc";
+    if (path == "pugixml.hpp") return "pugixml";
     if (path.starts_with("tiny_gltf") || path.starts_with("tiny_obj")) return "mesh files";
     if (path.find('.') == path.npos || system_headers.contains(path)) return {};
     return std::string(path);

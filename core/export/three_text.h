@@ -1,0 +1,39 @@
+// Parts of the modules of three.js that both renderers share.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compile/shader.h"
+#include "export/export.h"
+#include "export/textures.h"
+
+namespace wrinkle {
+
+// "chipped_paint" becomes "ChippedPaintMaterial".
+std::string three_class(const std::string& name);
+
+// The text inside a template literal.
+std::string in_backticks(std::string_view text);
+
+// JavaScript values: uniforms of the inputs by name, images, descriptions of the inputs, presets.
+std::string three_uniforms(const ExportRequest& request, const Reflection& reflection);
+std::string three_textures(const std::vector<ExportedTexture>& textures);
+std::string three_input_list(const MadeShader& made, const ExportRequest& request);
+std::string three_presets(const ExportRequest& request);
+// The import and the function that load the images; both without images too.
+std::string three_imports(const std::vector<ExportedTexture>& textures);
+std::string three_loader(const std::vector<ExportedTexture>& textures);
+// Functions of tangents and inputs.
+std::string three_common(const ExportRequest& request);
+// The function of `displacement` for the vertex stage; an empty source if the graph has none.
+Shader three_displacement(const ExportRequest& request, const Reflection& reflection,
+                          const Target& target, Diagnostics& diagnostics);
+// "true" if the graph reads tangents.
+std::string needs_tangents(const Reflection& reflection);
+
+// The module for WebGPURenderer, NAME.webgpu.js. Returns false and appends errors on failure.
+bool write_three_webgpu(const ExportRequest& request, const std::vector<ExportedTexture>& textures,
+                        const std::filesystem::path& folder, Diagnostics& diagnostics);
+
+}  // namespace wrinkle
