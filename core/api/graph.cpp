@@ -75,13 +75,6 @@ std::shared_ptr<const Prepared> prepare(const Graph::Parts& parts, bool vertex_t
     return prepared;
 }
 
-std::shared_ptr<const Prepared> prepared_once(const Graph::Parts& parts, bool vertex_tangents) {
-    const std::lock_guard lock(parts.mutex);
-    auto& prepared = parts.prepared[vertex_tangents ? 1 : 0];
-    if (!prepared) prepared = prepare(parts, vertex_tangents);
-    return prepared;
-}
-
 // Calls work(parts, result). For an empty or unreadable graph, and for an exception, the result
 // holds only the problems.
 template <class Result, class Work>
@@ -100,6 +93,13 @@ Result guarded(const std::shared_ptr<const Graph::Parts>& parts, Work work) noex
 }
 
 }  // namespace
+
+std::shared_ptr<const Prepared> prepared_once(const Graph::Parts& parts, bool vertex_tangents) {
+    const std::lock_guard lock(parts.mutex);
+    auto& prepared = parts.prepared[vertex_tangents ? 1 : 0];
+    if (!prepared) prepared = prepare(parts, vertex_tangents);
+    return prepared;
+}
 
 Graph::Graph() noexcept = default;
 Graph::Graph(const Graph&) noexcept = default;
@@ -192,19 +192,8 @@ Shader Graph::compile(const CompileOptions& wanted) const noexcept {
 Evaluated Graph::evaluate(const Points& points, const EvaluateOptions& options) const noexcept {
     return guarded<Evaluated>(parts_, [&](const Parts& parts, Evaluated& result) {
         const auto prepared = prepared_once(parts, options.vertex_tangents);
-        Diagnostics problems = prepared->problems;
-        const bool single = !options.double_precision;
-        if (!problems.has_errors()) {
-            const PointSet set = point_set(points, prepared->program, single, problems);
-            result.ok = !problems.has_errors();
-            if (result.ok)
-                for (OutputColumn& column :
-                     evaluate_columns(prepared->program, set, prepared->textures,
-                                      single ? Precision::single : Precision::full))
-                    result.outputs.push_back(
-                        {std::move(column.name), column.lanes, std::move(column.values)});
-        }
-        result.problems = problems_of(problems);
+        result = evaluated_at(points, prepared->program, prepared->textures,
+                              options.double_precision, prepared->problems);
     });
 }
 

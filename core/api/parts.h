@@ -1,8 +1,8 @@
-// Data behind the handles of wrinkle/wrinkle.h, and conversion of diagnostics and exceptions to
+// Data of the handles of wrinkle/wrinkle.hpp, and conversion of diagnostics and exceptions to
 // problems of the interface.
 #pragma once
 
-#include <wrinkle/wrinkle.h>
+#include <wrinkle/wrinkle.hpp>
 
 #include <array>
 #include <mutex>
@@ -51,6 +51,24 @@ WRINKLE_INSIDE Problems no_graph();
 // Returns the current exception as a problem; an empty list if there is no memory for one.
 // Precondition: called in a catch block.
 WRINKLE_INSIDE Problems caught() noexcept;
+
+// Returns the graph compiled for evaluation, which is done once for all copies.
+WRINKLE_INSIDE std::shared_ptr<const Prepared> prepared_once(const Graph::Parts& parts,
+                                                             bool vertex_tangents);
+
+// Evaluates a program without errors and appends the problems of the points.
+WRINKLE_INSIDE Evaluated evaluated_at(const Points& points, const Program& program,
+                                      const std::vector<Texture>& textures, bool double_precision,
+                                      Diagnostics problems);
+
+// Returns the graph compiled for evaluation, which is done once for all copies.
+WRINKLE_INSIDE std::shared_ptr<const Prepared> prepared_once(const Graph::Parts& parts,
+                                                             bool vertex_tangents);
+
+// Evaluates the program unless `problems` has errors; the result has those of the points too.
+WRINKLE_INSIDE Evaluated evaluated_at(const Points& points, const Program& program,
+                                      const std::vector<Texture>& textures, bool double_precision,
+                                      Diagnostics problems);
 
 // Returns the inputs that the program needs; a missing `facing` is 1. Reports unknown names, wrong
 // lengths, non-finite numbers, zero normals and missing inputs; with `single`, also values that

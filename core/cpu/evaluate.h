@@ -4,7 +4,8 @@
 // compile_program() takes a module after expand() and explicit_lod() (no opaque ops; sample_lod is
 // the only sampling op) and flattens it: vectors are split into their components (lanes), calls are
 // inlined, loops remain. Registers are reused after the last use of their value, so scratch memory
-// is bounded by the values live at once. Parameters have the values of the graph. Linear time, no
+// is bounded by the values live at once. Parameters have the values of the graph;
+// set_parameter() replaces those of the graph's inputs. Linear time, no
 // recursion over instructions.
 //
 // evaluate() is pure and thread-safe for disjoint ranges of points; results do not depend on how
@@ -95,13 +96,19 @@ struct Program {
         Type type;
         uint32_t reg;
     };
+    // A numeric input of the graph that the outputs depend on.
+    struct Parameter {
+        std::string name;
+        std::vector<uint32_t> constants;  // indices into `constants`, one per component
+    };
     std::vector<CpuInst> steps;
     std::vector<Input> inputs;
     std::vector<Constant> constants;
+    std::vector<Parameter> parameters;
     std::vector<Output> outputs;
     uint32_t float_registers = 0, uniform_floats = 0;  // uniform ones are among the registers
     uint32_t integer_registers = 0, uniform_integers = 0;
-    uint64_t serial = 0;  // unique id of this compilation within the process; 0: none
+    uint64_t serial = 0;  // unique id of these steps and constants within the process; 0: none
 };
 
 // Calls are inlined. Programs with more steps than this (about a second of compile time) or with
@@ -112,6 +119,10 @@ inline constexpr size_t max_call_depth = 200;
 // Returns an empty program and the reason in `why` if a limit is exceeded.
 Program compile_program(const Module& module, std::string& why,
                         size_t max_steps = max_program_steps);
+
+// Replaces the value of a parameter. Precondition: one value per component.
+void set_parameter(Program& program, const Program::Parameter& parameter,
+                   std::span<const double> value);
 
 // Returns the inputs that a program reads, each once, in the order of the enumerators.
 struct InputNeed {

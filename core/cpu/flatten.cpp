@@ -17,6 +17,11 @@ bool is_number(Op op) {
     return op == Op::literal_ || op == Op::parameter_;
 }
 
+uint64_t new_serial() {
+    static std::atomic<uint64_t> last = 0;
+    return ++last;
+}
+
 }  // namespace
 
 void Flattener::refuse(std::string why) {
@@ -74,9 +79,27 @@ uint32_t Flattener::constant(double value, Type type) {
     const auto [entry, added] =
         constants_.try_emplace({std::bit_cast<uint64_t>(value), is_whole_type(type)});
     if (!added) return entry->second;
-    entry->second = fresh(type);
-    constant_[entry->second] = true;
-    program_.constants.push_back({value, component_type(type), entry->second});
+    return entry->second = add_constant(value, type);
+}
+
+uint32_t Flattener::add_constant(double value, Type type) {
+    const uint32_t reg = fresh(type);
+    constant_[reg] = true;
+    program_.constants.push_back({value, component_type(type), reg});
+    return reg;
+}
+
+// Constants of graph inputs are not shared with equal ones, because set_parameter() changes them.
+Flattener::Lanes Flattener::graph_input(uint32_t index) {
+    const auto [entry, added] = parameters_.try_emplace(index);
+    if (!added) return entry->second;
+    const Parameter& parameter = module_->parameters[index];
+    Program::Parameter& made = program_.parameters.emplace_back();
+    made.name = parameter.port;
+    for (uint32_t k = 0; k < info(parameter.type).lanes; ++k) {
+        made.constants.push_back(static_cast<uint32_t>(program_.constants.size()));
+        entry->second.push_back(add_constant(parameter.value[k], parameter.type));
+    }
     return entry->second;
 }
 
@@ -233,13 +256,19 @@ Program Flattener::run(std::string& why) {
     allocate_registers(program_, integer_, uniform_registers(program_, integer_.size()));
     for (CpuInst& step : program_.steps)
         if (has_kernel(step)) step.kernel = static_cast<uint16_t>(kernel_index(step));
-    static std::atomic<uint64_t> compilations = 0;
-    program_.serial = ++compilations;
+    program_.serial = new_serial();
     return std::move(program_);
 }
 
 Program compile_program(const Module& module, std::string& why, size_t max_steps) {
     return Flattener(module, max_steps).run(why);
+}
+
+void set_parameter(Program& program, const Program::Parameter& parameter,
+                   std::span<const double> value) {
+    for (size_t k = 0; k < parameter.constants.size(); ++k)
+        program.constants[parameter.constants[k]].value = value[k];
+    program.serial = new_serial();
 }
 
 }  // namespace wrinkle

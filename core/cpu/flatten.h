@@ -50,6 +50,8 @@ private:
     uint32_t add_float(Op op, const Lanes& in) { return add(op, Type::float_, Type::float_, in); }
     void move(Type type, uint32_t from, uint32_t to, bool masked);
     uint32_t constant(double value, Type type);
+    uint32_t add_constant(double value, Type type);
+    Lanes graph_input(uint32_t index);
     Lanes materialised(Lanes lanes, Type type);
     uint32_t dot(const Lanes& a, const Lanes& b);
     Lanes add_vector(Op op, size_t outputs, const Lanes& in);
@@ -68,6 +70,7 @@ private:
     std::map<StepIdentity, Lanes> known_;
     std::vector<std::map<StepIdentity, Lanes>::iterator> known_order_;
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> inputs_;
+    std::map<uint32_t, Lanes> parameters_;  // those of the graph's inputs, by index in the module
     std::vector<Scope> context_;  // by region depth
     std::vector<bool> integer_;   // by register
     std::vector<bool> constant_;  // by register

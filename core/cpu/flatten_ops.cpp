@@ -76,6 +76,8 @@ Flattener::Lanes Flattener::leaf(const Inst& inst) {
     Lanes result;
     if (inst.op == Op::region_param_) return context_[inst.level].params[inst.extra];
     if (inst.op == Op::literal_) return {constant(inst.value, inst.type)};
+    if (inst.op == Op::parameter_ && module_->parameters[inst.extra].graph_input)
+        return graph_input(inst.extra);
     for (uint32_t k = 0; k < lane_count(inst.type); ++k) {
         if (inst.op == Op::parameter_) {
             result.push_back(constant(module_->parameters[inst.extra].value[k], inst.type));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <wrinkle/wrinkle.h>
+#include <wrinkle/wrinkle.hpp>
 
 #include <filesystem>
 #include <string>

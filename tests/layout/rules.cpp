@@ -42,7 +42,8 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/compile",
      {"base", "ir", "graph", "registry", "lower", "emit", "spirv", "cpu", "image", "cost"}},
     {"core/api",
-     {"base", "graph", "registry", "lower", "emit", "cpu", "compile", "library", "list of nodes"}},
+     {"base", "graph", "registry", "lower", "emit", "cpu", "compile", "export", "mesh", "library",
+      "list of nodes"}},
     {"core/cli",
      {"base",      "json",          "ir",      "graph",  "registry", "lower",      "emit",
       "spirv",     "cpu",           "image",   "mesh",   "maps",     "gpu",        "bake",
@@ -85,10 +86,10 @@ const std::map<std::string, std::string, std::less<>> library_of_folder = {
     {"sys", ""},
     {"sanitizer", ""},
 };
-const Names system_headers = {"dlfcn.h",  "elf.h",     "errno.h",     "fcntl.h",   "link.h",
-                              "poll.h",   "pthread.h", "sched.h",     "signal.h",  "stdint.h",
-                              "stddef.h", "unistd.h",  "spawn.h",     "termios.h", "stdio.h",
-                              "stdlib.h", "string.h",  "immintrin.h", "fnmatch.h"};
+const Names system_headers = {"dlfcn.h",   "elf.h",     "errno.h",  "fcntl.h",     "link.h",
+                              "poll.h",    "pthread.h", "sched.h",  "signal.h",    "stdint.h",
+                              "stdbool.h", "stddef.h",  "unistd.h", "spawn.h",     "termios.h",
+                              "stdio.h",   "stdlib.h",  "string.h", "immintrin.h", "fnmatch.h"};
 
 constexpr std::string_view core_prefix = "core/", editor_prefix = "editor/";
 
@@ -152,7 +153,7 @@ std::string wanted_by(const Include& include, std::string_view folder) {
     const std::string_view first = include.path.substr(0, slash);
     if (include.path == "wrinkle/plugin.h")
         return allowed.at(std::string(folder)).contains("sdk") ? "sdk" : "contract";
-    if (include.path == "wrinkle/wrinkle.h") return "library";
+    if (include.path.starts_with("wrinkle/wrinkle.h")) return "library";
     if (first == "wrinkle") return "sdk";
     const std::string named = folder_of(include.path);
     if (named == folder || (folder.starts_with(core_prefix) && first == folder.substr(5)))

@@ -1,210 +1,146 @@
-// Wrinkle as a library: loads, checks, compiles and evaluates graphs. Results and messages are
-// identical to those of the program `wrinkle`.
-//
-//     using namespace wrinkle::api;
-//     const Library library;
-//     const Graph graph = library.load("strap.json");
-//     const Shader shader = graph.compile({});
-//     if (!shader.ok) std::cerr << to_text(shader.problems);
-//
-// Handles   Library and Graph are cheap to copy; copies share their immutable data. A graph keeps
-//           its library alive. A moved-from handle may be assigned, destroyed and called: its
-//           functions return a problem.
-// Errors    No function throws. Each failure is a Problem with the user's file, line and node; an
-//           empty file means that the caller or the environment is at fault. If there is no memory
-//           for a problem, `ok` is false and `problems` is empty.
-// Threads   Const members are thread-safe, on one object and on copies. The files of a graph are
-//           read when it is loaded, its images by the first evaluate(); images stay in memory until
-//           the last copy is destroyed. Load the graph again to read changed files.
-// Plugins   Their code runs in child processes, which the library starts and waits for, when
-//           plugins are found and when a graph with their nodes is compiled. A program must not
-//           reap these processes with waitpid(-1).
-// Versions  The soname changes with every version outside 0.1.x, because structs grow. Source
-//           compatibility is kept. Requires C++17.
-#pragma once
+/* Wrinkle as a library for C, and for languages that call C: loads, checks, compiles, exports and
+ * evaluates graphs. wrinkle.hpp is the same library for C++; docs/c-library.md is a tour.
+ *
+ * Objects    Functions with _new, _load, _with, _compile, _evaluate, _check in their names return
+ *            an object that the caller frees with its _free function, and null only without memory.
+ *            A null object is an empty one: what it makes has a problem that names it, and what it
+ *            holds is 0, false or null. An object keeps those alive that it was made of.
+ * Strings    UTF-8, zero-terminated. A returned string or array lives as long as its object.
+ * Errors     A failure is a list of problems with the user's file, line and node.
+ * Threads    Library and graph may be used by several threads at once. An evaluator may not: each
+ *            thread takes a copy. Points and results must not change while another thread reads.
+ * Versions   The soname changes with every version outside 0.2.x. Requires C99.
+ */
+#ifndef WRINKLE_WRINKLE_H
+#define WRINKLE_WRINKLE_H
 
-#include <cstddef>
-#include <cstdint>
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 
-#define WRINKLE_API __attribute__((visibility("default")))
+#define WRINKLE_C_API __attribute__((visibility("default")))
 
-namespace wrinkle::api {
+#ifdef __cplusplus
+extern "C" {
+#endif
 
-// Version of the loaded library: "0.1.0".
-WRINKLE_API const char* version() noexcept;
+typedef struct wrinkle_library wrinkle_library;     /* node types, with those of plugins */
+typedef struct wrinkle_graph wrinkle_graph;         /* immutable */
+typedef struct wrinkle_problems wrinkle_problems;
+typedef struct wrinkle_shader wrinkle_shader;       /* generated source */
+typedef struct wrinkle_files wrinkle_files;         /* names of files */
+typedef struct wrinkle_evaluator wrinkle_evaluator; /* a graph compiled for evaluation */
+typedef struct wrinkle_points wrinkle_points;       /* surface points */
+typedef struct wrinkle_results wrinkle_results;     /* values of the outputs at points */
 
-struct Problem {
-    bool is_error = true;                // else a warning
-    std::string file;                    // as named by the caller; "": no file
-    std::uint32_t line = 0, column = 0;  // from 1; 0: the file in general
-    std::string pointer;                 // JSON pointer of the token
-    std::string node;                    // node id, in a sub-graph "outer/inner"; may be ""
-    std::string message;                 // one sentence
-    std::string expected;                // hint: the valid form; may be ""
-};
-// At most 1,000 problems, and one more with the number of those omitted.
-using Problems = std::vector<Problem>;
+WRINKLE_C_API const char* wrinkle_version(void); /* "0.2.0" */
 
-WRINKLE_API bool has_errors(const Problems& problems) noexcept;
-// Returns one line per problem, as `wrinkle check` prints it: "strap.json:12:7: error: node ..."
-WRINKLE_API std::string to_text(const Problem& problem) noexcept;
-WRINKLE_API std::string to_text(const Problems& problems) noexcept;
+/* Problems. */
+typedef struct wrinkle_problem {
+    bool is_error;         /* else a warning */
+    const char* file;      /* "": the caller or the environment is at fault */
+    uint32_t line, column; /* from 1; 0: the file in general */
+    const char* pointer;   /* JSON pointer of the token */
+    const char* node;
+    const char* message;
+    const char* expected; /* hint: the valid form; may be "" */
+    const char* text;     /* all of it in one line, as `wrinkle check` prints it */
+} wrinkle_problem;
 
-// Valid values of CompileOptions::target: "glsl330", "glsl450", "essl300", "spirv", ...
-WRINKLE_API std::vector<std::string> targets() noexcept;
+WRINKLE_C_API size_t wrinkle_problems_count(const wrinkle_problems*);
+WRINKLE_C_API const wrinkle_problem* wrinkle_problems_at(const wrinkle_problems*, size_t index);
+WRINKLE_C_API bool wrinkle_problems_have_errors(const wrinkle_problems*);
+WRINKLE_C_API const char* wrinkle_problems_text(const wrinkle_problems*); /* one line for each */
+WRINKLE_C_API void wrinkle_problems_free(wrinkle_problems*);
 
-struct CompileOptions {
-    enum class Form { of_target, function, shader };  // of_target: functions of GLSL, else a pair
-    enum class Parameters { baked, uniform };         // numbers as literals, or as uniforms
-    enum class Differentials { screen, given };       // from the screen, or passed by the caller
-    enum class Srgb { sampler, shader };              // decoder of images of encoding srgb
-    enum class NormalSpace { of_form, object, world, view, tangent };  // of_form: object, world
-    enum class UvOrigin { bottom, top };  // v = 0, and an image's first row
+/* Library. `plugins` are `count` plugins or folders of them; `default_plugins` also searches the
+ * folders of docs/plugins.md. */
+WRINKLE_C_API wrinkle_library* wrinkle_library_new(const char* const* plugins, size_t count,
+                                                   bool default_plugins);
+WRINKLE_C_API const wrinkle_problems* wrinkle_library_problems(const wrinkle_library*);
+WRINKLE_C_API void wrinkle_library_free(wrinkle_library*);
 
-    std::string target = "glsl330";
-    Form form = Form::of_target;
-    Parameters parameters = Parameters::baked;
-    Differentials differentials = Differentials::screen;
-    Srgb srgb = Srgb::sampler;
-    UvOrigin uv_origin = UvOrigin::bottom;
-    NormalSpace normal_space = NormalSpace::of_form;
-    std::string name;             // NAME in the text; "": the stem of the graph's file
-    bool vertex_tangents = true;  // false: frames of uv0 are derived
-    bool strict = false;          // exceeding a guaranteed limit is an error
-    int descriptor_set = 0;       // 0 to 31
-    int first_binding = 0;        // 0 to 4095
-};
+/* Graphs. The files that a graph names must be below `root`; null is the folder of the graph.
+ * load_text() takes the text of a graph whose file would be FOLDER/NAME. */
+WRINKLE_C_API wrinkle_graph* wrinkle_graph_load(const wrinkle_library*, const char* file,
+                                                const char* root);
+WRINKLE_C_API wrinkle_graph* wrinkle_graph_load_text(const wrinkle_library*, const char* text,
+                                                     const char* folder, const char* name,
+                                                     const char* root);
+/* Return the graph with other values: "NODE.PORT=VALUE" or "input.NAME=VALUE", as for --set; and
+ * with those of a preset, by its name or a file that ends in ".json". */
+WRINKLE_C_API wrinkle_graph* wrinkle_graph_with(const wrinkle_graph*, const char* const* values,
+                                                size_t count);
+WRINKLE_C_API wrinkle_graph* wrinkle_graph_with_preset(const wrinkle_graph*, const char* name);
+WRINKLE_C_API wrinkle_problems* wrinkle_graph_check(const wrinkle_graph*);
+WRINKLE_C_API size_t wrinkle_graph_preset_count(const wrinkle_graph*);
+WRINKLE_C_API const char* wrinkle_graph_preset(const wrinkle_graph*, size_t index);
+WRINKLE_C_API void wrinkle_graph_free(wrinkle_graph*);
 
-// Generated source, as documented in docs/targets.md.
-struct Shader {
-    bool ok = false;               // if true, `problems` may hold warnings
-    std::string source;            // function form
-    std::string vertex, fragment;  // shader form; for SPIR-V the bytes of the file
-    std::string reflection;        // JSON: uniforms, images, attributes, node of each line
-    Problems problems;
-};
+/* Files that the graph reads, graphs first; for build systems and file watchers. */
+WRINKLE_C_API wrinkle_files* wrinkle_graph_inputs(const wrinkle_graph*);
+WRINKLE_C_API size_t wrinkle_files_count(const wrinkle_files*);
+WRINKLE_C_API const char* wrinkle_files_at(const wrinkle_files*, size_t index);
+WRINKLE_C_API const wrinkle_problems* wrinkle_files_problems(const wrinkle_files*);
+WRINKLE_C_API void wrinkle_files_free(wrinkle_files*);
 
-// Surface points as arrays of numbers: the components of the first point, of the second, ...
-//
-//   position normal tangent(4) uv0 ... uv3 (2) color0 (4) view, facing (1; default +1)
-//   dx.NAME, dy.NAME    its differential to the next pixel (or texel)
-//
-// Units and spaces are those of docs/graph-format.md. A missing value that the graph needs is a
-// problem that names it; unneeded values are ignored.
-struct Points {
-    std::size_t count = 0;
-    std::map<std::string, std::vector<double>> values;
-};
+/* Compilation. An option is "NAME=VALUE" with the long options of `wrinkle compile`: target, form,
+ * params, differentials, srgb, normal-space, uv-origin, descriptor-set, first-binding, name; and
+ * no-tangents and strict, which are true or false. Texts are "" after an error. SPIR-V is binary;
+ * `size`, which may be null, receives its length. */
+WRINKLE_C_API wrinkle_shader* wrinkle_graph_compile(const wrinkle_graph*,
+                                                    const char* const* options, size_t count);
+WRINKLE_C_API const wrinkle_problems* wrinkle_shader_problems(const wrinkle_shader*);
+WRINKLE_C_API const char* wrinkle_shader_source(const wrinkle_shader*, size_t* size);
+WRINKLE_C_API const char* wrinkle_shader_vertex(const wrinkle_shader*, size_t* size);
+WRINKLE_C_API const char* wrinkle_shader_fragment(const wrinkle_shader*, size_t* size);
+WRINKLE_C_API const char* wrinkle_shader_reflection(const wrinkle_shader*, size_t* size);
+WRINKLE_C_API void wrinkle_shader_free(wrinkle_shader*);
 
-struct EvaluateOptions {
-    bool double_precision = false;  // false: single precision, as in shaders
-    bool vertex_tangents = true;
-};
+/* Export, as `wrinkle export`: writes the files of a host ("three", "gltf", ...) to `folder` and
+ * returns their names. `mesh` is a sphere, plane, ... or a file; null is "sphere". `size` is the
+ * side of baked maps in texels; 0 is 1024. `name` is an identifier; null is the graph's file. */
+WRINKLE_C_API wrinkle_files* wrinkle_graph_export(const wrinkle_graph*, const char* host,
+                                                  const char* folder, const char* mesh,
+                                                  uint32_t size, const char* name);
 
-struct Column {
-    std::string name;            // output name: "normal"
-    std::size_t components = 1;  // numbers per point
-    std::vector<double> values;
-};
+/* Evaluation. Numeric inputs of the graph have an index, and change without another compilation. */
+WRINKLE_C_API wrinkle_evaluator* wrinkle_evaluator_new(const wrinkle_graph*);
+WRINKLE_C_API wrinkle_evaluator* wrinkle_evaluator_copy(const wrinkle_evaluator*);
+WRINKLE_C_API const wrinkle_problems* wrinkle_evaluator_problems(const wrinkle_evaluator*);
+WRINKLE_C_API size_t wrinkle_evaluator_input_count(const wrinkle_evaluator*);
+WRINKLE_C_API const char* wrinkle_evaluator_input_name(const wrinkle_evaluator*, size_t input);
+WRINKLE_C_API size_t wrinkle_evaluator_input_components(const wrinkle_evaluator*, size_t input);
+WRINKLE_C_API const double* wrinkle_evaluator_input_value(const wrinkle_evaluator*, size_t input);
+/* Returns the index of an input, which may be called by a former name; -1 if there is none. */
+WRINKLE_C_API int wrinkle_evaluator_find(const wrinkle_evaluator*, const char* input);
+/* Replaces the value of an input, clamped to its limits. Returns false, and keeps the value, if the
+ * input or the number of components is another, or if a number is not finite. */
+WRINKLE_C_API bool wrinkle_evaluator_set(wrinkle_evaluator*, int input, const double* value,
+                                         size_t components);
+WRINKLE_C_API void wrinkle_evaluator_free(wrinkle_evaluator*);
 
-struct Evaluated {
-    bool ok = false;
-    std::vector<Column> outputs;  // in the graph's order
-    Problems problems;
-};
+/* Points. `name` is position, normal, tangent, uv0 ... uv3, color0, view, facing, or the difference
+ * to the next pixel, dx.NAME or dy.NAME; `values` are the numbers of the first point, of the second
+ * and so on. Without memory, set() returns false. */
+WRINKLE_C_API wrinkle_points* wrinkle_points_new(size_t count);
+WRINKLE_C_API bool wrinkle_points_set(wrinkle_points*, const char* name, const double* values,
+                                      size_t numbers);
+WRINKLE_C_API void wrinkle_points_free(wrinkle_points*);
 
-struct InputFile {
-    enum class Kind { graph, image, plugin, preset };
-    Kind kind = Kind::graph;
-    std::string path;  // relative if the path of the graph is
-};
+/* Results: the outputs in the graph's order; none after an error. */
+WRINKLE_C_API wrinkle_results* wrinkle_evaluator_evaluate(const wrinkle_evaluator*,
+                                                          const wrinkle_points*,
+                                                          bool double_precision);
+WRINKLE_C_API const wrinkle_problems* wrinkle_results_problems(const wrinkle_results*);
+WRINKLE_C_API size_t wrinkle_results_count(const wrinkle_results*);
+WRINKLE_C_API const char* wrinkle_results_name(const wrinkle_results*, size_t output);
+WRINKLE_C_API size_t wrinkle_results_components(const wrinkle_results*, size_t output);
+WRINKLE_C_API const double* wrinkle_results_values(const wrinkle_results*, size_t output);
+WRINKLE_C_API void wrinkle_results_free(wrinkle_results*);
 
-// Values of inputs of a graph under one name.
-struct Preset {
-    struct Value {
-        std::string input;
-        std::string json;  // "0.8", "[1, 0, 0]", "\"#a01818\""
-    };
-    std::string name;
-    std::vector<Value> values;  // inputs that differ from their defaults
-};
+#ifdef __cplusplus
+}
+#endif
 
-class WRINKLE_API Graph {
-public:
-    Graph() noexcept;  // empty handle
-    Graph(const Graph&) noexcept;
-    Graph(Graph&&) noexcept;
-    Graph& operator=(const Graph&) noexcept;
-    Graph& operator=(Graph&&) noexcept;
-    ~Graph();
-
-    // Returns all problems, including those of reading, as `wrinkle check`.
-    Problems check(bool vertex_tangents = true) const noexcept;
-
-    // Returns each file that the graph reads once, graphs first, including missing files; for build
-    // systems and file watchers.
-    std::vector<InputFile> inputs() const noexcept;
-
-    // Returns the graph with other values: each "NODE.PORT=VALUE" or "input.NAME=VALUE", as for
-    // --set; NAME may be a former name. An invalid value is a problem of the returned graph.
-    Graph with(const std::vector<std::string>& values) const noexcept;
-
-    // Returns the presets of the graph, in its order.
-    std::vector<Preset> presets() const noexcept;
-
-    // Returns the graph with the values of a preset as defaults of its inputs, as for --preset:
-    // `name` is a preset of the graph, or a file that ends in ".json". A missing preset, another
-    // graph's and a value that does not fit are problems of the returned graph.
-    Graph with_preset(const std::string& name) const noexcept;
-
-    Shader compile(const CompileOptions& options) const noexcept;
-    Evaluated evaluate(const Points& points, const EvaluateOptions& options = {}) const noexcept;
-
-    struct Parts;
-
-private:
-    friend class Library;
-    explicit Graph(std::shared_ptr<const Parts> parts) noexcept;
-    std::shared_ptr<const Parts> parts_;
-};
-
-struct LibraryOptions {
-    std::vector<std::string> plugin_paths;  // plugins, or folders of them
-    // Also searches WRINKLE_PLUGIN_PATH and the folders of the user and the installation, as the
-    // program does (docs/plugins.md).
-    bool default_plugins = true;
-};
-
-// Node types: built-in nodes and those of plugins.
-class WRINKLE_API Library {
-public:
-    explicit Library(const LibraryOptions& options = {}) noexcept;
-    Library(const Library&) noexcept;
-    Library(Library&&) noexcept;
-    Library& operator=(const Library&) noexcept;
-    Library& operator=(Library&&) noexcept;
-    ~Library();
-
-    // Problems of plugins; a refused plugin does not affect the others.
-    Problems problems() const noexcept;
-
-    // Loads a graph from a file. The files that it names must be below `root`; "" is the folder of
-    // `file`. On failure, the problems are those of the returned graph.
-    Graph load(const std::string& file, const std::string& root = {}) const noexcept;
-
-    // Loads a graph from text; the files that it names are relative to `folder`. Problems name it
-    // FOLDER/NAME.
-    Graph load_text(const std::string& text, const std::string& folder = ".",
-                    const std::string& name = "text", const std::string& root = {}) const noexcept;
-
-    struct Parts;
-
-private:
-    std::shared_ptr<const Parts> parts_;
-};
-
-}  // namespace wrinkle::api
+#endif
