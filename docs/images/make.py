@@ -8,6 +8,7 @@ Without names it renders all. It needs oiiotool, and xvfb-run for the image of t
 there is no display.
 """
 import argparse
+import json
 import os
 import pathlib
 import re
@@ -34,16 +35,19 @@ class Maker:
         self.wrinkle, self.editor = programs / "wrinkle", programs / "wrinkle-editor"
         self.folder = folder
 
-    def run(self, *command):
-        subprocess.run([str(each) for each in command], check=True, cwd=ROOT,
+    def run(self, *command, input=None):
+        subprocess.run([str(each) for each in command], check=True, input=input, text=True,
+                       cwd=ROOT / "graphs/compare" if input else ROOT,
                        stdout=subprocess.DEVNULL)
 
     def render(self, graph, name, size, *options):
-        """An image twice as large, reduced: edges of meshes are smooth then."""
+        """An image twice as large, reduced: edges of meshes are smooth then. `graph` is a file, or
+        the parsed text of one whose images are in graphs/compare."""
         large, small = self.folder / f"{name}.large.png", self.folder / f"{name}.png"
         width, height = size
-        self.run(self.wrinkle, "render", graph, "-o", large, "--size", f"{2 * width}x{2 * height}",
-                 *options)
+        text = json.dumps(graph) if isinstance(graph, dict) else None
+        self.run(self.wrinkle, "render", "-" if text else ROOT / graph, "-o", large, "--size",
+                 f"{2 * width}x{2 * height}", *options, input=text)
         self.run("oiiotool", "--nosoftwareattrib", large, "--ch", "R,G,B", "--resize:filter=box",
                  f"{width}x{height}", "-o", small)
         return small
@@ -64,8 +68,20 @@ class Maker:
     def single(self, name, graph, size, *options):
         shutil.copy(self.render(graph, name, size, *options), HERE / f"{name}.png")
 
-    def woven_strap(self):
-        self.single("woven_strap", "graphs/woven_strap.json", (480, 480))
+    def layers(self):
+        """The average of two normal maps, their sum, and the angle between both."""
+        graph = json.loads((ROOT / "graphs/compare/blends.json").read_text())
+        graph["outputs"] = {name: {"from": f"input.{name}"} for name in ("color", "roughness")}
+        graph["outputs"] |= {"normal": {"from": "resolved.normal"},
+                             "naive": {"from": "naive_resolved.normal"}}
+        graph["inputs"] = {"color": {"type": "color", "default": [0.62, 0.25, 0.08]},
+                           "roughness": {"type": "float", "default": 0.3}}
+        average = graph | {"outputs": graph["outputs"] | {"normal": graph["outputs"]["naive"]}}
+        difference = ["--view", "difference", "--against", "naive", "--background", "plain"]
+        images = [self.render(average, "average", (480, 400)),
+                  self.render(graph, "sum", (480, 400)),
+                  self.render(graph, "angle", (480, 400), *difference)]
+        self.sheet(images, 3, HERE / "layers.jpg", "--compression", "jpeg:90")
 
     def everything(self):
         self.single("everything", "graphs/everything.json", (480, 480))
@@ -110,10 +126,39 @@ class Maker:
             images.append(self.titled(image, name, 184))
         self.sheet(images, 4, HERE / "comparisons.png")
 
-    def editor_image(self):
-        shot = [self.editor, "graphs/woven_strap.json", "--size", 1600, 900, "--state",
-                self.folder / "state", "--shot", HERE / "editor.png"]
+    def tutorial(self):
+        """The graphs of docs/tutorial.md, the last one also with a preset."""
+        page = (ROOT / "docs/tutorial.md").read_text()
+        graphs = [json.loads(text)
+                  for text in re.findall(r"```json wall.json\n(.*?)```", page, re.DOTALL)]
+        yellow = ["--preset", "Yellow", "--set", "input.grain=2"]
+        images = [self.render(graph, f"wall{i}", (360, 300)) for i, graph in enumerate(graphs)]
+        images.append(self.render(graphs[-1], "yellow", (360, 300), *yellow))
+        self.sheet(images, 4, HERE / "tutorial.png")
+
+    def window(self, name, graph, *options):
+        """An image of the editor."""
+        shot = [self.editor, graph, "--size", 1600, 900, "--state", self.folder / "state",
+                *(options or ["--shot", HERE / f"{name}.png"])]
         self.run(*([] if os.environ.get("DISPLAY") else ["xvfb-run", "-a"]), *shot)
+
+    def editor_image(self):
+        self.window("editor", "graphs/woven_strap.json")
+
+    def tutorial_editor(self):
+        """The second part of docs/tutorial.md, by its keys."""
+        def add(title):
+            return f"key Space\ntype {title}\nkey Enter\n"
+
+        bump = add("bump from height")
+        script = self.folder / "tutorial.txt"
+        script.write_text(
+            "click canvas+-300,-280\n" + add("bricks in bonds") + bump +
+            "click canvas+-300,330\n" + add("gradient noise") + bump +
+            "key Home\nstroke Shift left node:gradient_from_height node:gradient_from_height+1,0\n" +
+            add("add bumps") + add("resolve") + "key Ctrl+L\nawait picture\n"
+            f"shot {HERE / 'tutorial_editor.png'}\n")
+        self.window("tutorial_editor", self.folder / "new.json", "--script", script)
 
 
 def main():
@@ -124,12 +169,13 @@ def main():
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         maker = Maker(options.programs.resolve(), pathlib.Path(folder))
-        images = {"woven_strap": maker.woven_strap, "everything": maker.everything,
+        images = {"layers": maker.layers, "everything": maker.everything,
                     "teapot": maker.teapot, "skinned_tube": maker.skinned_tube,
                     "baked_teapot": maker.baked_teapot, "gallery": maker.gallery,
                     "rebuilt": maker.rebuilt,
                     "procedural_heights": maker.procedural_heights,
-                    "comparisons": maker.comparisons, "editor": maker.editor_image}
+                    "comparisons": maker.comparisons, "editor": maker.editor_image, "tutorial": maker.tutorial,
+                    "tutorial_editor": maker.tutorial_editor}
         for name in options.names or images:
             print(name)
             images[name]()

@@ -148,6 +148,18 @@ TEST_F(Headless, ALazyDragConnectsWhatFitsBest) {
         assert clean)");
 }
 
+TEST_F(Headless, TheFirstNormalOrMaterialIsAnOutput) {
+    open("{ \"wrinkle\": 1, \"outputs\": {} }");
+    play("click canvas+-200,150\nkey Space\ntype smoothstep\nkey Enter\nassert wires 0");
+    play("key Space\ntype gradient_from_height\nkey Enter\nkey Space\ntype resolve\nkey Enter");
+    EXPECT_EQ(link_at(state.document(), "", "normal"), (Link{"resolve", "normal"}));
+    play("key Space\ntype face_viewer\nkey Enter");
+    EXPECT_EQ(link_at(state.document(), "", "normal"), (Link{"resolve", "normal"}));
+    open("{ \"wrinkle\": 1, \"outputs\": {} }");
+    play("key Space\ntype material\nkey Enter");
+    EXPECT_EQ(link_at(state.document(), "", "material"), (Link{"material", "material"}));
+}
+
 TEST_F(Headless, TheNewNodeTakesTheSelectionOrTheWire) {
     open(small_graph);
     play(R"(

@@ -59,6 +59,26 @@ TEST(Readme, FilesOfItsCommandsExistOrAreDeclared) {
     EXPECT_GT(files, 15U);
 }
 
+// Links of the pages lead to files of the repository.
+TEST(Documents, LinksLeadToFiles) {
+    std::vector<std::filesystem::path> pages = {repository / "README.md",
+                                                repository / "CONTRIBUTING.md"};
+    for (const auto& entry : std::filesystem::directory_iterator(repository / "docs"))
+        if (entry.path().extension() == ".md") pages.push_back(entry.path());
+    static const std::regex link(R"(\]\(([^) #]+)(#[^)]*)?\))");
+    size_t links = 0;
+    for (const std::filesystem::path& page : pages) {
+        const std::string text = bytes_of(page);
+        for (std::sregex_iterator at(text.begin(), text.end(), link), end; at != end; ++at) {
+            const std::string to = (*at)[1];
+            if (to.find_first_of("./") == to.npos || to.starts_with("http")) continue;
+            ++links;
+            EXPECT_TRUE(std::filesystem::exists(page.parent_path() / to)) << page << ": " << to;
+        }
+    }
+    EXPECT_GT(links, 150U);
+}
+
 // Base and detail in function form take at most 36 lines: 6 of them are the result's struct and its
 // assignment, without which a further output would change the signature, 3 are named constants.
 TEST(Readme, BaseAndDetailStayShort) {

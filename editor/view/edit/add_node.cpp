@@ -26,7 +26,16 @@ const Port* port_for(const NodeType& type, PortType other, bool input, const Nod
     return found;
 }
 
+// Connects the first normal or material of a graph without outputs to the output of that type.
+Document with_first_output(const NodeType& type, const std::string& id, Document document) {
+    const auto output = std::ranges::find(type.ports, Port::Kind::output, &Port::kind);
+    if (!document.outputs.empty() || output == type.ports.end()) return document;
+    if (output->type != PortType::normal_ && output->type != PortType::material_) return document;
+    return with_wire(document, {id, output->name}, "", std::string(name_of(output->type)));
+}
+
 void commit_new(State& state, const NodeType& type, const std::string& id, Document document) {
+    document = with_first_output(type, id, std::move(document));
     state.commit("Add " + type.title, settled(state, document));
     show_new(state, {id});
 }
