@@ -112,8 +112,9 @@ TEST(FlatAreas, HaveSquareTexelsAndALimit) {
 
 class FlatViews : public Headless {
 protected:
-    void SetUp() override {
-        open(halves);
+    void SetUp() override { open_in_2d(halves); }
+    void open_in_2d(const std::string& text) {
+        open(text);
         state.flat.maker = &maker_;
         play("key 7");
         settle();
@@ -146,11 +147,19 @@ TEST_F(FlatViews, ShowTheNodeOfTheOutputUntilOneIsSelected) {
     play("click preview:view\nclick view:flat\nassert target flat");
 }
 
-TEST_F(FlatViews, AMaterialAtTheOutputIsPassedOver) {
-    open(R"({"wrinkle": 1, "nodes": {"all": {"type": "material"}, "half": {"type": "add"}},
-        "outputs": {"material": {"from": "all.material"}, "height": {"from": "half.result"}}})");
-    play("assert errors 0");
-    EXPECT_EQ(flat_node(state), "half");
+TEST_F(FlatViews, ShowAChannelOfAMaterial) {
+    open_in_2d(R"({"wrinkle": 1, "nodes": {"all": {"type": "material",
+        "in": {"color": [0.5, 0.25, 1], "roughness": 0.75}}},
+        "outputs": {"material": {"from": "all.material"}}})");
+    EXPECT_EQ(flat_node(state), "all");
+    EXPECT_EQ(state.flat.shown.values.channels, (std::vector<std::string>{"color", "roughness"}));
+    EXPECT_EQ(state.flat.shown.values.channel, "color");
+    EXPECT_EQ(middle(), 0.5);
+    play("click flat:output\nclick flat:output:roughness");
+    settle();
+    EXPECT_EQ(state.flat.shown.values.channel, "roughness");
+    EXPECT_EQ(middle(), 0.75);
+    play("assert clean\nwheel flat 1");
 }
 
 TEST_F(FlatViews, TheWheelZoomsAtThePointerAndADragMoves) {

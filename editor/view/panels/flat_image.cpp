@@ -123,6 +123,18 @@ std::vector<Item> channel_items(const FlatValues& values) {
     return items;
 }
 
+// The channels of a material, under its name.
+void choose_output(State& state, const FlatPanel& panel) {
+    const FlatValues& values = state.flat.shown.values;
+    if (values.channels.empty()) return;
+    std::vector<Item> items;
+    for (const std::string& name : values.channels)
+        items.push_back({name, "flat:output:" + name});
+    ImGui::SetCursorScreenPos(panel.area.at + ImVec2(12, 44));
+    const int picked = choose(state, "flat:output", values.channel, items, 180);
+    if (picked >= 0) state.view.flat.output = items[static_cast<size_t>(picked)].label;
+}
+
 // Channels at the upper right corner, and the range of gray.
 void draw_flat_bar(State& state, const FlatPanel& panel) {
     FlatView& view = state.view.flat;
@@ -176,8 +188,10 @@ void draw_flat(State& state, ImVec2 at, ImVec2 size) {
     draw_histogram(state, panel, list);
     draw_flat_name(state, panel);
     draw_flat_bar(state, panel);
-    ImGui::SetCursorScreenPos(at + ImVec2(0, 12 + flat_bar));
-    ImGui::InvisibleButton("flat", size - ImVec2(0, 12 + flat_bar),
+    choose_output(state, panel);
+    const float bar = 12 + (state.flat.shown.values.channels.empty() ? flat_bar : 2 * flat_bar + 8);
+    ImGui::SetCursorScreenPos(at + ImVec2(0, bar));
+    ImGui::InvisibleButton("flat", size - ImVec2(0, bar),
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
     name_area(state, "flat", at, area.end());
     handle_flat(state, panel);

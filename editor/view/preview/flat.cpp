@@ -66,11 +66,10 @@ FlatImage FlatPainter::operator()(const FlatJob& job) {
     image.version = job.version;
     image.area = job.area;
     if (std::exchange(images_, job.images) != job.images) textures_.forget();
-    std::vector<FlatValues> drawn;
     const Document document = with_preset_as_defaults(job.model, job.document, job.preset);
-    evaluate_flat(job.model, document, {job.node}, job.area, textures_, drawn);
-    if (drawn.empty()) return image;
-    image.values = std::move(drawn.front());
+    auto drawn = evaluate_flat(job.model, document, job.node, job.output, job.area, textures_);
+    if (!drawn) return image;
+    image.values = std::move(*drawn);
     FlatJob shown = job;
     if (job.channel >= static_cast<int>(image.values.lanes)) shown.channel = -1;
     count_values(image, shown_values(image.values, shown.channel));
@@ -96,8 +95,7 @@ std::string flat_node(const State& state) {
     if (document.find(previewed)) return previewed;
     for (const Output& output : document.outputs) {
         const std::string& node = output.from.link.node;
-        const Port* port = document.find(node) ? shown_port(state.type_of(node)) : nullptr;
-        if (port && port->type != PortType::material_) return node;
+        if (document.find(node) && shown_port(state.type_of(node))) return node;
     }
     return {};
 }
@@ -124,15 +122,16 @@ void feed_flat(State& state, const FlatArea& area) {
     FlatJob& last = feed.requested;
     const Document& now = state.document();
     const bool same = last.node == node && last.area == area && last.channel == view.channel &&
-                      last.fits_range == view.fits_range && last.preset == preset &&
-                      last.images == feed.images && last.model.registry == state.model.registry &&
+                      last.fits_range == view.fits_range && last.output == view.output &&
+                      last.preset == preset && last.images == feed.images &&
+                      last.model.registry == state.model.registry &&
                       has_same_values(last.document, now);
     if (same) {
         last.document = now;
         return;
     }
-    last = {last.version + 1, state.model,     now,    node,       area,
-            view.channel,     view.fits_range, preset, feed.images};
+    last = {last.version + 1, state.model,     now,         node,   area,
+            view.channel,     view.fits_range, view.output, preset, feed.images};
     feed.maker->post(last);
 }
 

@@ -21,6 +21,7 @@ struct FlatView {
     double span = 1.1;        // uv units of the shorter side
     int channel = -1;         // -1: all; else one lane, as gray
     bool fits_range = true;   // gray over the visible range; else from 0 to 1
+    std::string output = {};  // shown channel of materials; "": the color
     bool operator==(const FlatView&) const = default;
 };
 
@@ -32,6 +33,7 @@ struct FlatJob {
     FlatArea area;
     int channel = -1;
     bool fits_range = true;
+    std::string output;   // as in FlatView
     std::string preset;   // preset of the inputs; "": the defaults
     uint64_t images = 0;  // when it changes, image files are read again
 };

@@ -101,19 +101,19 @@ glm::dvec3 linear_color(PortType type, const double* lane, const Range& range) {
     }
 }
 
-}  // namespace
+struct Evaluated {
+    std::string name;
+    FlatValues values;  // without a node
+};
 
-bool evaluate_flat(const Model& model, const Document& document,
-                   const std::vector<std::string>& nodes, const FlatArea& area,
-                   TextureStore& textures, std::vector<FlatValues>& result) {
-    Document with_outputs = document;
-    const std::vector<Shown> shown = show_nodes(with_outputs, model, nodes);
-    if (shown.empty()) return true;
+// Evaluates all outputs of a document. Returns false if it does not compile.
+bool evaluate_outputs(const Model& model, const Document& document, const FlatArea& area,
+                      TextureStore& textures, std::vector<Evaluated>& result) {
     MaterialOptions options;
     options.given_differentials = true;
     options.runs_calls = "the pictures";
     Diagnostics problems;
-    const Project project = project_to_compile(model, with_outputs, problems);
+    const Project project = project_to_compile(model, document, problems);
     const Compiled compiled = compile_material(project, *model.registry, options, problems);
     if (!compiled.ok) return false;
     std::string why;
@@ -127,14 +127,57 @@ bool evaluate_flat(const Model& model, const Document& document,
     evaluate<float>(program, points_of(program, area),
                     textures.textures_of(compiled.module.resources), 0, count, results);
     for (size_t i = 0; i < program.outputs.size(); ++i) {
-        const auto found = std::ranges::find(shown, program.outputs[i].name, &Shown::output);
-        if (found == shown.end()) continue;
         std::vector<double>& values = results.values[i];
         const size_t lanes = values.size() / std::max(count, size_t{1});
-        result.push_back({found->node, static_cast<PortType>(program.outputs[i].port_type), lanes,
-                          std::move(values)});
+        result.push_back(
+            {program.outputs[i].name,
+             {{}, static_cast<PortType>(program.outputs[i].port_type), lanes, std::move(values)}});
     }
     return true;
+}
+
+}  // namespace
+
+bool evaluate_flat(const Model& model, const Document& document,
+                   const std::vector<std::string>& nodes, const FlatArea& area,
+                   TextureStore& textures, std::vector<FlatValues>& result) {
+    Document with_outputs = document;
+    const std::vector<Shown> shown = show_nodes(with_outputs, model, nodes);
+    if (shown.empty()) return true;
+    std::vector<Evaluated> outputs;
+    if (!evaluate_outputs(model, with_outputs, area, textures, outputs)) return false;
+    for (Evaluated& output : outputs)
+        if (const auto found = std::ranges::find(shown, output.name, &Shown::output);
+            found != shown.end()) {
+            output.values.node = found->node;
+            result.push_back(std::move(output.values));
+        }
+    return true;
+}
+
+std::optional<FlatValues> evaluate_flat(const Model& model, const Document& document,
+                                        const std::string& node, const std::string& channel,
+                                        const FlatArea& area, TextureStore& textures) {
+    std::vector<FlatValues> one;
+    if (!evaluate_flat(model, document, {node}, area, textures, one)) return std::nullopt;
+    if (!one.empty()) return std::move(one.front());
+    const Port* port = shown_port(model.type_of(node));
+    if (!port || port->type != PortType::material_) return std::nullopt;
+    Document with_material = document;
+    with_material.outputs = Table<Output>();
+    with_material = set_output(with_material, "material", {node, port->name});
+    std::vector<Evaluated> outputs;
+    if (!evaluate_outputs(model, with_material, area, textures, outputs) || outputs.empty())
+        return std::nullopt;
+    auto shown = std::ranges::find(outputs, channel, &Evaluated::name);
+    if (shown == outputs.end()) shown = std::ranges::find(outputs, "color", &Evaluated::name);
+    if (shown == outputs.end()) shown = outputs.begin();
+    FlatValues values = std::move(shown->values);
+    values.node = node;
+    values.channel = shown->name;
+    for (const Evaluated& output : outputs)
+        values.channels.push_back(output.name);
+    return values;
 }
 
 Range range_of_values(const std::vector<double>& values) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct FlatValues {
     PortType type = PortType::float_;
     size_t lanes = 1;
     std::vector<double> values;  // lanes of a point, points of a row, bottom row first
+    std::string channel = {};    // shown channel; "": not a material
+    std::vector<std::string> channels = {};
 };
 
 // Evaluates the shown output (request.h) of each node. Materials, and nodes that make nothing that
@@ -33,6 +36,12 @@ struct FlatValues {
 bool evaluate_flat(const Model& model, const Document& document,
                    const std::vector<std::string>& nodes, const FlatArea& area,
                    TextureStore& textures, std::vector<FlatValues>& result);
+
+// Evaluates a node likewise; of a material the channel, or another one if it lacks that. Returns
+// std::nullopt if there is nothing to show.
+std::optional<FlatValues> evaluate_flat(const Model& model, const Document& document,
+                                        const std::string& node, const std::string& channel,
+                                        const FlatArea& area, TextureStore& textures);
 
 // Returns the least and the greatest value; a constant has the range from 0 to 1.
 Range range_of_values(const std::vector<double>& values);
