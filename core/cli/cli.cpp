@@ -27,9 +27,16 @@ std::string one_line_failure(const CLI::App* app, const CLI::Error& error) {
         app, CLI::Error(error.get_name(), sentence, error.get_exit_code()));
 }
 
+constexpr const char* version_text =
+    "wrinkle " WRINKLE_VERSION
+    "\n"
+    "Built by " WRINKLE_BUILD
+    "\n"
+    "MIT License. The licences of its libraries are in docs/licences.md.";
+
 int parse_and_run(std::vector<std::string> words) {
-    CLI::App app("Layered bump mapping: graphs to GLSL, pictures and numbers.", "wrinkle");
-    app.set_version_flag("--version", "wrinkle " WRINKLE_VERSION);
+    CLI::App app("Layered materials: graphs to shaders, engines, images and numbers.", "wrinkle");
+    app.set_version_flag("--version", version_text, "Version, build and licence");
     app.require_subcommand(1);
     app.get_formatter()->column_width(34);
     app.footer("Sizes have limits, which environment variables change: `wrinkle man` lists them.");

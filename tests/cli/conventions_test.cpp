@@ -1,4 +1,6 @@
 // Tests of the conventions that all commands share.
+#include <regex>
+
 #include "cli/support.h"
 
 namespace wrinkle::test {
@@ -26,10 +28,14 @@ TEST_F(ConventionsTest, HelpListsEveryCommand) {
     }
 }
 
-TEST_F(ConventionsTest, VersionIsOneLine) {
+TEST_F(ConventionsTest, VersionHasBuildAndLicence) {
     const Ran ran = run({"--version"});
     EXPECT_EQ(ran.code, 0);
-    EXPECT_TRUE(ran.out.starts_with("wrinkle "));
+    const std::regex lines(
+        "wrinkle [0-9]+\\.[0-9]+\\.[0-9]+\n"
+        "Built by [A-Za-z]+ [0-9.]+, [A-Za-z]+, [a-z0-9_]+\n"
+        "MIT License\\. .*licences\\.md\\.\n");
+    EXPECT_TRUE(std::regex_match(ran.out, lines)) << ran.out;
 }
 
 TEST_F(ConventionsTest, TargetsAreListedByEveryCommandThatReadsGraphs) {
