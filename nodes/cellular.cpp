@@ -170,12 +170,12 @@ static constinit Node cellular_list[] = {
                       "scale", 4, "Cells per uv unit")
             .in<Float>("density", 0.7, "Share of the cells that have a stroke", slider(0, 1),
                        limits(0, 1))
-            .in<Float>("length", 1.4, "Of the longest strokes, in cells", slider(0.1, 1.5),
+            .in<Float>("length", 1.4, "Length of the longest strokes, in cells", slider(0.1, 1.5),
                        limits(0.001, 1.5))
             .in<Float>("width", 0.06, "From the middle of a stroke to its rim, in cells",
                        slider(0.04, 0.25), limits(0.001, 0.25))
-            .in<Float>("direction", 0, "Of the strokes, anticlockwise from u", slider(-180, 180),
-                       unit("deg"))
+            .in<Float>("direction", 0, "Angle of the strokes, anticlockwise from u",
+                       slider(-180, 180), unit("deg"))
             .in<Float>("spread", 360, "How far they turn away from it in all", slider(0, 360),
                        unit("deg"))
             .count("layers", 2, 1, most_layers, "How many strokes may lie in a cell")

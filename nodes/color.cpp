@@ -1,4 +1,4 @@
-// Colours made and adjusted. All are linear Rec. 709; adjustments leave their range open.
+// Colors made and adjusted. All are linear Rec. 709; adjustments leave their range open.
 #include <span>
 
 #include "nodes/color_space.h"
@@ -11,11 +11,11 @@ static constexpr auto color_family(const char* id, const char* title, const char
 }
 static constexpr auto adjustment(const char* id, const char* title, const char* doc) {
     return color_family(id, title, doc)
-        .in<Color>("color", 0.5, "The colour to change, linear", slider(0, 1));
+        .in<Color>("color", 0.5, "The color to change, linear", slider(0, 1));
 }
 template <class Declaration>
 static constexpr auto adjusted(const Declaration& declaration) {
-    return declaration.template out<Color>("color", "The changed colour, linear");
+    return declaration.template out<Color>("color", "The changed color, linear");
 }
 
 // A hue is turned, saturation and value are multiplied. Components below 0 become 0.
@@ -25,7 +25,7 @@ static vec3 hsv_adjusted(vec3 color, Float hue, Float saturation, Float value) {
 }
 
 // The chromaticity of a black body in CIE 1960 (u, v), from 1000 K to 15,000 K to 1e-4: M. Krystek
-// 1985. As a colour of luminance 1; colours outside Rec. 709 are clamped.
+// 1985. As a color of luminance 1; colors outside Rec. 709 are clamped.
 static vec3 black_body(Float kelvin) {
     const auto color = function("blackbody(kelvin)", [](Float t) {
         const Float u = named("u", (0.860117757 + (1.54118254e-4 + 1.28641212e-7 * t) * t) /
@@ -49,9 +49,9 @@ struct Correction {
 };
 
 static constinit Node color_list[] = {
-    color_family("color", "Colour", "A colour.")
+    color_family("color", "Color", "A color.")
         .in<Color>("color", 0.5, "Red, green and blue, linear", slider(0, 1))
-        .out<Color>("color", "The same colour")
+        .out<Color>("color", "The same color")
         .body([](vec3 color) { return color; }),
 
     adjusted(adjustment("color_gamma", "Gamma", "Each component to a power; negatives count as 0.")
@@ -63,21 +63,21 @@ static constinit Node color_list[] = {
                  .in<Float>("stops", 0, "Each doubles the light", slider(-4, 4), limits(-64, 64)))
         .body([](vec3 color, Float stops) { return color * exp2(stops); }),
 
-    adjusted(adjustment("invert_color", "Invert colour", "1 less each component."))
+    adjusted(adjustment("invert_color", "Invert color", "1 less each component."))
         .body([](vec3 color) { return 1 - color; }),
 
-    color_family("blackbody", "Black body", "The colour of a glowing body, with luminance 1.")
+    color_family("blackbody", "Black body", "The color of a glowing body, with luminance 1.")
         .in<Float>("temperature", 6500, "Temperature of the body, 800 to 12000 kelvin",
                    slider(800, 12000), limits(800, 12000), unit("K"))
-        .out<Color>("color", "The colour, linear")
+        .out<Color>("color", "The color, linear")
         .body([](Float temperature) { return black_body(temperature); }),
 
-    color_family("luminance", "Luminance", "How bright a colour is to the eye.")
-        .in<Color>("color", 0.5, "The colour, linear", slider(0, 1))
+    color_family("luminance", "Luminance", "How bright a color is to the eye.")
+        .in<Color>("color", 0.5, "The color, linear", slider(0, 1))
         .out<Float>("value", "0.2126 red + 0.7152 green + 0.0722 blue")
         .body([](vec3 color) { return luminance(color); }),
 
-    adjusted(adjustment("saturation", "Saturation", "Moves a colour from or to its grey.")
+    adjusted(adjustment("saturation", "Saturation", "Moves a color from or to its grey.")
                  .in<Float>("amount", 1, "0 is grey of the same luminance, 1 leaves it unchanged",
                             slider(0, 2)))
         .body([](vec3 color, Float amount) { return mix(vec3(luminance(color)), color, amount); }),
@@ -100,7 +100,7 @@ static constinit Node color_list[] = {
         }),
 
     adjusted(
-        adjustment("color_correct", "Colour correction",
+        adjustment("color_correct", "Color correction",
                    "Hue, saturation, gamma, lift, gain, contrast and exposure, applied in "
                    "this order.")
             .in<Float>("hue", 0, "Added, in turns", slider(-0.5, 0.5))
@@ -121,18 +121,18 @@ static constinit Node color_list[] = {
             return ((lifted - in.pivot) * in.contrast + in.pivot) * exp2(in.exposure);
         }),
 
-    color_family("to_oklab", "To OKLab", "A colour as lightness and two axes of hue.")
-        .in<Color>("color", 0.5, "The colour, linear", slider(0, 1))
+    color_family("to_oklab", "To OKLab", "A color as lightness and two axes of hue.")
+        .in<Color>("color", 0.5, "The color, linear", slider(0, 1))
         .out<vec3>("lab", "Lightness 0 to 1, green to red, blue to yellow")
         .body([](vec3 color) { return to_oklab(color); }),
 
-    color_family("from_oklab", "From OKLab", "The colour of OKLab numbers.")
+    color_family("from_oklab", "From OKLab", "The color of OKLab numbers.")
         .in<vec3>("lab", {0.5, 0, 0}, "Lightness 0 to 1, green to red, blue to yellow")
-        .out<Color>("color", "The colour, linear; outside 0 to 1 it cannot be displayed")
+        .out<Color>("color", "The color, linear; outside 0 to 1 it cannot be displayed")
         .body([](vec3 lab) { return from_oklab(lab); }),
 
     adjusted(adjustment("oklch_adjust", "Adjust lightness, chroma, hue",
-                        "Changes a colour in OKLab, evenly to the eye: a turned hue has "
+                        "Changes a color in OKLab, evenly to the eye: a turned hue has "
                         "the same lightness.")
                  .in<Float>("lightness", 1, "Factor", slider(0, 2))
                  .in<Float>("chroma", 1, "Factor; 0 is grey", slider(0, 2))

@@ -1,4 +1,4 @@
-// Blends of two colours and of two numbers. Formulas: W3C Compositing and Blending 1, and for the
+// Blends of two colors and of two numbers. Formulas: W3C Compositing and Blending 1, and for the
 // modes that it lacks those of Photoshop.
 #include <span>
 
@@ -97,7 +97,7 @@ static Float least_of(vec3 color) {
 static Float greatest_of(vec3 color) {
     return max(max(color.x(), color.y()), color.z());
 }
-// SetLum with ClipColor: the colour moved to a luminosity, then drawn towards grey into 0 to 1.
+// SetLum with ClipColor: the color moved to a luminosity, then drawn towards grey into 0 to 1.
 static vec3 with_lum(vec3 color, Float luminosity) {
     const auto set = function("with_luminosity(color, luminosity)", [](vec3 color, Float lum_) {
         const vec3 moved = named("moved", color + (lum_ - lum(color)));
@@ -204,7 +204,7 @@ static Float blended(FloatMode mode, Float base, Float top, Float band) {
 }
 
 static constinit Node color_blend_list[] = {
-    node("blend", "Blend", "Lays one colour over another by a mode: base where the mask is 0.")
+    node("blend", "Blend", "Lays one color over another by a mode: base where the mask is 0.")
         .family("color")
         .in<Color>("base", 0, "The background, linear", slider(0, 1))
         .in<Color>("top", 1, "The foreground, linear", slider(0, 1))
@@ -216,12 +216,12 @@ static constinit Node color_blend_list[] = {
                          "exclusion", "hard_light", "soft_light",  "linear_light", "vivid_light",
                          "pin_light", "hard_mix",   "color_dodge", "color_burn",   "linear_burn",
                          "hue",       "saturation", "color",       "luminosity"},
-                "How the colours are combined; the last four take that quality of the foreground")
+                "How the colors are combined; the last four take that quality of the foreground")
         .choice("space", {"linear", "display"},
                 "Where the formula is applied: linear light, or sRGB display values as Photoshop "
                 "and browsers do")
-        .flag("clamp", true, "Limits the combined colour to 0 to 1, before the mask")
-        .out<Color>("color", "The blended colour, linear")
+        .flag("clamp", true, "Limits the combined color to 0 to 1, before the mask")
+        .out<Color>("color", "The blended color, linear")
         .body([](Blend in) {
             const vec3 base = in_space(in.space, in.base), top = in_space(in.space, in.top);
             const vec3 both = named("both", blended(static_cast<Mode>(int(in.mode)), base, top));

@@ -1,4 +1,4 @@
-// Colours in other spaces. Colours of the graph are linear Rec. 709; all functions are defined for
+// Colors in other spaces. Colors of the graph are linear Rec. 709; all functions are defined for
 // every number.
 //
 // luminance(c)         of Rec. 709: 0.2126 R + 0.7152 G + 0.0722 B

@@ -20,7 +20,7 @@ static constexpr auto blend(const char* id, const char* title, const char* doc) 
         .out<vec3>("normal", "Unit normal in tangent space");
 }
 
-// Overlay blend of one colour channel; arguments and result are in [-1, 1].
+// Overlay blend of one color channel; arguments and result are in [-1, 1].
 static Float overlaid(Float a, Float b) {
     const Float x = a * 0.5 + 0.5, y = b * 0.5 + 0.5;
     return 2 * select(x < 0.5, 2 * x * y, 1 - 2 * (1 - x) * (1 - y)) - 1;
@@ -36,7 +36,7 @@ static constinit Node comparison_list[] = {
         .body([](vec3 a, vec3 b) { return linear_blend(a, b); }),
 
     blend("compare_overlay", "Wrong: overlay blend",
-          "The overlay of two normal maps as if they were colours. Wrong: the order matters, and "
+          "The overlay of two normal maps as if they were colors. Wrong: the order matters, and "
           "a flat detail changes the base. 6.7 degrees off on average, 32 at worst.")
         .choice("blue", {"overlay", "product"},
                 "How the third channel is made: as the others, or multiplied, as in Babylon.js")
@@ -67,8 +67,8 @@ static constinit Node comparison_list[] = {
         .body([](vec3 a, vec3 b) { return rnm_blend(a, b); }),
 
     blend("compare_unity", "Wrong: Unity basis blend",
-          "Reads the detail in a matrix made of the base. Wrong: the matrix is no rotation, and "
-          "the order matters. 5.8 degrees off on average, 36 at worst.")
+          "Reads the detail in a matrix made of the base. Wrong: the matrix is not a rotation, "
+          "and the order matters. 5.8 degrees off on average, 36 at worst.")
         .body([](vec3 a, vec3 b) {
             const vec3 x(a.z(), a.y(), -a.x()), y(a.x(), a.z(), -a.y());
             return normalize(x * b.x() + y * b.y() + a * b.z());
@@ -93,7 +93,8 @@ static constinit Node comparison_list[] = {
 
     comparison_family(
         "compare_normal_strength", "Wrong: strength of a normal",
-        "Scales x and y of a tangent-space normal and makes z anew. Wrong: slopes do not scale by "
+        "Scales x and y of a tangent-space normal and computes z from them. Wrong: slopes do not "
+        "scale by "
         "the amount; gradient_scale does, and so do x and y scaled with z left alone.")
         .in<vec3>("normal", {0, 0, 1}, "Unit, in tangent space")
         .in<Float>("amount", 1, "1 leaves it unchanged", slider(0, 2), unit("x"))

@@ -45,8 +45,8 @@ static constinit Node comparison_surface_list[] = {
         "the surface; in a sum of gradients it adds nothing.")
         .in<Normal>("a", surface::normal, "One bumped normal, object space")
         .in<Normal>("b", surface::normal, "The other bumped normal, object space")
-        .in<Float>("weight_a", 1, "Of the first", slider(0, 1))
-        .in<Float>("weight_b", 1, "Of the second", slider(0, 1))
+        .in<Float>("weight_a", 1, "Weight of the first", slider(0, 1))
+        .in<Float>("weight_b", 1, "Weight of the second", slider(0, 1))
         .out<Normal>("normal", "Unit normal in object space")
         .body([](vec3 a, vec3 b, Float weight_a, Float weight_b) {
             return normalize(a * weight_a + b * weight_b);
@@ -85,8 +85,8 @@ static constinit Node comparison_surface_list[] = {
 
     comparison_family(
         "compare_bump_blend", "Wrong: bumps blended as normals",
-        "What a blend of detail maps makes of two bumps: both as tangent-space normals of uv0. "
-        "Wrong as the blends are; in the place of an Add bumps it shows by how much. "
+        "A blend of detail maps, applied to two bumps as tangent-space normals of uv0. "
+        "Wrong as the blends are; in place of Add bumps it shows by how much. "
         "partial_derivative is right.")
         .in<Gradient>("a", "The coarse bump")
         .in<Gradient>("b", "The fine bump")
@@ -114,7 +114,7 @@ static constinit Node comparison_surface_list[] = {
         "has the slope itself.")
         .field<Height>("height", surface::uv0, "A height over uv0, in length units of object space")
         .choice("pixel", {"lengths", "unit"},
-                "Whether the pixel's axes keep their length, or are made unit as in three.js: "
+                "Length of the pixel's axes: as they are, or made unit as in three.js: "
                 "then the bump fades as the viewer comes closer")
         .out<Normal>("normal", "Unit normal in object space")
         .body([](Field<Float> height, PixelAxes axes) {

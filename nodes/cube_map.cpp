@@ -45,7 +45,7 @@ static constinit Node cube_map_list[] = {
                    encoding("normal_gl"))
         .in<vec3>("direction", surface::position, "Where to look, from the centre; any length")
         .choice("arrangement", {"strip", "grid"},
-                "The faces of the picture: +x -x +y -y +z -z in a row, or +x -x +y above -y +z -z")
+                "The faces of the image: +x -x +y -y +z -z in a row, or +x -x +y above -y +z -z")
         .in<Float>("strength", 1, strength_doc, slider(-2, 2), unit("x"))
         .in<Normal>("base", surface::normal, base_doc)
         .out<Gradient>("gradient", "The bump that leads to these normals")

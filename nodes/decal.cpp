@@ -13,8 +13,7 @@ static constexpr auto decal_family(const char* id, const char* title, const char
     return node(id, title, doc).family("decal");
 }
 
-constexpr char decal_normal_doc[] =
-    "Of the surface that receives it; what is turned away receives nothing";
+constexpr char decal_normal_doc[] = "Normal of the receiving surface; back faces receive nothing";
 constexpr char edge_doc[] = "The part of its reach over which it fades out; 0 is a hard edge";
 constexpr char angle_fade_doc[] = "Exponent of the cosine to the surface: 0 reaches every side";
 constexpr char attenuation_doc[] = "0 to 1: how much of the decal arrives";
@@ -50,7 +49,7 @@ struct DecalCapsule {
 };
 
 static constinit Node decal_list[] = {
-    decal_family("decal_box", "Box decal", "Projects a picture through a box.")
+    decal_family("decal_box", "Box decal", "Projects an image through a box.")
         .in<vec3>("point", surface::position, point_doc)
         .in<Normal>("normal", surface::normal, decal_normal_doc)
         .in<vec3>("origin", {0, 0, 1}, "The centre of the box", slider(-2, 2))
@@ -74,10 +73,10 @@ static constinit Node decal_list[] = {
         }),
 
     decal_family("decal_cone", "Cone decal",
-                 "Projects a picture from a point, like a slide projector.")
+                 "Projects an image from a point, like a slide projector.")
         .in<vec3>("point", surface::position, point_doc)
         .in<Normal>("normal", surface::normal, decal_normal_doc)
-        .in<vec3>("origin", {0, 0, 2}, "Where the projector stands", slider(-4, 4))
+        .in<vec3>("origin", {0, 0, 2}, "Position of the projector", slider(-4, 4))
         .in<vec3>("direction", {0, 0, -1}, "Where it projects to; any length", slider(-1, 1))
         .in<vec3>("up", {0, 1, 0}, "Where v grows; any length", slider(-1, 1))
         .in<Float>("angle", 40, "From side to side of the cone", slider(1, 160), limits(0.1, 179),
@@ -106,11 +105,10 @@ static constinit Node decal_list[] = {
 
     decal_family(
         "decal_sphere", "Sphere decal",
-        "Projects a picture from a point to all sides: a cube map by direction, or by longitude "
+        "Projects an image from a point to all sides: a cube map by direction, or by longitude "
         "and latitude.")
         .in<vec3>("point", surface::position, point_doc)
-        .in<Normal>("normal", surface::normal,
-                    "Of the surface that receives it, where the angle counts")
+        .in<Normal>("normal", surface::normal, "Normal of the receiving surface, for the angle")
         .in<vec3>("origin", {0, 0, 1}, "The centre", slider(-2, 2))
         .in<vec3>("axis", {0, 1, 0}, "To the pole where v is 1; any length", slider(-1, 1))
         .in<vec3>("front", {0, 0, 1}, "Where u is 0.5; any length", slider(-1, 1))
@@ -133,10 +131,9 @@ static constinit Node decal_list[] = {
         }),
 
     decal_family("decal_capsule", "Capsule decal",
-                 "Projects a picture from a line to all sides: a ball that was drawn out.")
+                 "Projects an image from a line to all sides: a capsule.")
         .in<vec3>("point", surface::position, point_doc)
-        .in<Normal>("normal", surface::normal,
-                    "Of the surface that receives it, where the angle counts")
+        .in<Normal>("normal", surface::normal, "Normal of the receiving surface, for the angle")
         .in<vec3>("start", {-0.4, 0, 1}, "One end of the line, v = 0", slider(-2, 2))
         .in<vec3>("end", {0.4, 0, 1}, "The other end, v = 1", slider(-2, 2))
         .in<vec3>("front", {0, 0, 1}, "Where u is 0.5; any length", slider(-1, 1))

@@ -67,8 +67,8 @@ struct Dents {
 
 static constinit Node fractal_list[] = {
     relief(fractal("fbm", "Fractal noise",
-                   "Natural roughness in space: fractional Brownian motion, a sum of octaves "
-                   "of noise."),
+                   "Natural roughness in space: fractional Brownian motion, a sum of noise "
+                   "octaves."),
            0.04, "The sum, about -1 to 1, mostly within -0.5 to 0.5")
         .body([](FractalNoise in) { return relief_of(fbm(in.fractal(), in.basis), in.amplitude); }),
 

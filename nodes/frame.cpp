@@ -50,15 +50,15 @@ static constinit Node frame_list[] = {
 
     normal_family(
         "tangent_map", "Tangent map",
-        "A direction along the surface from a picture: the tangent of brushed metal or combed "
+        "A direction along the surface from an image: the tangent of brushed metal or combed "
         "hair. Wire it to the `direction` of a map whose frame is `guess`.")
         .in<Image>("image", "Directions: x in red, y in green, z in blue; 0.5 is 0",
                    encoding("normal_gl"))
         .in<vec2>("uv", surface::uv0, "Where to read it")
         .choice("space", {"tangent", "object"},
-                "Whether the picture holds directions along u and v, or of object space")
+                "Space of the image: directions along u and v, or object space")
         .choice("frame", vector_frames,
-                "What u and v are: the vertex tangent of uv0, or derived from the uv")
+                "Directions of u and v: the vertex tangent of uv0, or derived from the uv")
         .out<vec3>("direction", "Object space, any length; its part along the surface counts")
         .body([](Image image, vec2 uv, DirectionSpace space, FrameMethod method) {
             const vec3 read = image.sample(uv).xyz();
@@ -66,10 +66,9 @@ static constinit Node frame_list[] = {
                                                    : along(read.xy(), unit_frame(uv, method));
         }),
 
-    normal_family(
-        "tangent_space_normal", "Normal in tangent space",
-        "What a tangent-space normal map must hold to give this normal or bump: decoded in the "
-        "same frame, on the same base, it is that normal again.")
+    normal_family("tangent_space_normal", "Normal in tangent space",
+                  "The texel of a tangent-space normal map for this normal or bump: decoded in the "
+                  "same frame, on the same base, it is that normal again.")
         .in<Normal>("normal", surface::normal, "A resolved normal, object space, any length")
         .in<vec2>("uv", surface::uv0, "The uv along whose directions x and y are measured")
         .choice("scale", scales, scale_doc, static_cast<int>(Scale::unit))

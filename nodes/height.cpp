@@ -61,7 +61,7 @@ static constinit Node height_list[] = {
         .body([](Float a, Float b, Float mask) { return mix(a, b, mask); }),
 
     height_family("height_max", "Higher of two heights",
-                  "One relief stands in another, as stones stand out of sand.")
+                  "One relief rises out of another, as stones out of sand.")
         .in<Height>("a", 0, "One height, in length units of object space")
         .in<Height>("b", 0, "The other height, in length units of object space")
         .in<Height>("smoothness", 0, smoothness_doc, slider(0, 0.1), limits(0, 1e6), unit("m"))
@@ -79,12 +79,12 @@ static constinit Node height_list[] = {
     height_family("height_remap", "Remap height",
                   "Brings heights of one range to another, as a value of 0 to 1 to lengths.")
         .in<Height>("height", 0, "In length units of object space, or a value")
-        .in<Float>("from_low", 0, "What becomes to_low", slider(-1, 1))
-        .in<Float>("from_high", 1, "What becomes to_high", slider(-1, 1))
+        .in<Float>("from_low", 0, "Mapped to to_low", slider(-1, 1))
+        .in<Float>("from_high", 1, "Mapped to to_high", slider(-1, 1))
         .in<Height>("to_low", 0, "In length units of object space", slider(-0.1, 0.1), unit("m"))
         .in<Height>("to_high", 0.02, "In length units of object space", slider(-0.1, 0.1),
                     unit("m"))
-        .flag("clamped", true, "Whether heights out of the range stay at its ends, as plateaus")
+        .flag("clamped", true, "Clamps heights out of the range to its ends, as plateaus")
         .out<Height>("height", "In length units of object space")
         .body([](Float height, Float from_low, Float from_high, Float to_low, Float to_high,
                  bool clamped) {

@@ -114,7 +114,7 @@ static T blend(vec3 weights, T a, T b, T c) {
 template <class Declaration>
 static constexpr auto hexagonal(const Declaration& declaration) {
     return declaration
-        .template in<Float>("hexagons", 1, "Hexagons per repeat of the picture, along one side",
+        .template in<Float>("hexagons", 1, "Hexagons per repeat of the image, along one side",
                             slider(0.25, 4), limits(0.01, 100), unit("x"))
         .template in<Float>("rotation", 1,
                             "How much each hexagon is turned: 0 not at all, 1 by any angle",
@@ -146,12 +146,11 @@ struct HexTileNormalMap {
 
 static constinit Node hex_list[] = {
     hexagonal(
-        node("hex_tile_color", "Hex-tiled colour",
-             "The colour of a picture, without visible repeats.")
+        node("hex_tile_color", "Hex-tiled color", "The color of an image, without visible repeats.")
             .family("hex")
-            .in<Image>("image", "The picture; sRGB unless it says otherwise", encoding("srgb"))
+            .in<Image>("image", "The image; sRGB unless it says otherwise", encoding("srgb"))
             .in<vec2>("uv", surface::uv0, "Where to read it"))
-        .out<Color>("color", "Linear colour")
+        .out<Color>("color", "Linear color")
         .body([](Image image, vec2 uv, Float hexagons, Float rotation, Float exponent,
                  Float contrast) {
             const HexBlend at = hexagons_at(uv, hexagons, rotation);
@@ -165,12 +164,12 @@ static constinit Node hex_list[] = {
 
     hexagonal(
         node("hex_tile_height_map", "Hex-tiled height map",
-             "A relief from a picture of its heights, without visible repeats.")
+             "A relief from an image of its heights, without visible repeats.")
             .family("hex")
             .in<Image>("image", height_map_doc, encoding("linear"))
             .in<vec2>("uv", surface::uv0, "Where to read it")
             .in<Float>("amplitude", 0.02, amplitude_doc, slider(0, 0.2), unit("m"))
-            .in<Float>("midlevel", 0.5, "The value in the picture that is height 0", slider(0, 1)))
+            .in<Float>("midlevel", 0.5, "The value in the image that is height 0", slider(0, 1)))
         .choice("quality", height_qualities, height_quality_doc)
         .choice("scale", scales, scale_doc)
         .in<Normal>("base", surface::normal, base_doc)

@@ -1,4 +1,4 @@
-// Nodes that read textures: colours, heights, slopes and normals.
+// Nodes that read textures: colors, heights, slopes and normals.
 #include <span>
 
 #include "nodes/height_slope.h"
@@ -40,10 +40,10 @@ struct TangentNormalMap {
 
 enum class Facing { toward, opposite };
 static constinit Node image_list[] = {
-    image_family("image", "Image", "The colour of a picture.")
-        .in<Image>("image", "The picture; sRGB unless it says otherwise", encoding("srgb"))
+    image_family("image", "Image", "The color of an image.")
+        .in<Image>("image", "The image; sRGB unless it says otherwise", encoding("srgb"))
         .in<vec2>("uv", surface::uv0, "Where to read it")
-        .out<Color>("color", "Linear colour")
+        .out<Color>("color", "Linear color")
         .out<Float>("alpha", "Opacity, 0 to 1")
         .out<Float>("red", "The red channel, linear")
         .out<Float>("green", "The green channel, linear")
@@ -54,11 +54,11 @@ static constinit Node image_list[] = {
         }),
 
     in_frame(
-        image_family("height_map", "Height map", "A relief from a picture of its heights.")
+        image_family("height_map", "Height map", "A relief from an image of its heights.")
             .in<Image>("image", height_map_doc, encoding("linear"))
             .in<vec2>("uv", surface::uv0, "Where to read it")
             .in<Float>("amplitude", 0.02, amplitude_doc, slider(0, 0.2), unit("m"))
-            .in<Float>("midlevel", 0.5, "The value in the picture that is height 0", slider(0, 1))
+            .in<Float>("midlevel", 0.5, "The value in the image that is height 0", slider(0, 1))
             .choice("quality", height_qualities, height_quality_doc),
         Scale::surface)
         .out<Height>("height", "In length units of object space, positive outward", unit("m"))
@@ -80,7 +80,7 @@ static constinit Node image_list[] = {
         }),
 
     slope_ports(image_family("derivative_map", "Derivative map",
-                             "A bump from a picture of slopes: dh/du in red, dh/dv in green.")
+                             "A bump from an image of slopes: dh/du in red, dh/dv in green.")
                     .in<Image>("image", "Slopes; 0.5 is flat unless it says otherwise",
                                encoding("derivative"))
                     .in<vec2>("uv", surface::uv0, "Where to read it"))

@@ -95,8 +95,8 @@ static constinit Node math_list[] = {
         .body([](Float edge, Float x) { return step(edge, x); }),
 
     math_family("smoothstep", "Smooth step",
-                "0 below one edge, 1 above another, smooth between; falls where the edges stand in "
-                "falling order.")
+                "0 below one edge, 1 above another, smooth between; falls where the first edge is "
+                "the higher one.")
         .in<Float>("low", 0, "Where it leaves 0")
         .in<Float>("high", 1, "Where it reaches 1")
         .in<Float>("x", 0, "The number")
@@ -105,11 +105,11 @@ static constinit Node math_list[] = {
 
     math_family("remap", "Remap",
                 "Brings one range to another; to_low where the old range is empty.")
-        .in<Float>("x", 0, "The number; beyond the old range it goes on straight")
+        .in<Float>("x", 0, "The number; beyond the old range the line continues")
         .in<Float>("from_low", 0, "Start of the old range")
         .in<Float>("from_high", 1, "End of the old range")
-        .in<Float>("to_low", 0, "What the start becomes")
-        .in<Float>("to_high", 1, "What the end becomes")
+        .in<Float>("to_low", 0, "Start of the new range")
+        .in<Float>("to_high", 1, "End of the new range")
         .out<Float>("result", "In the new range")
         .body([](Float x, Float from_low, Float from_high, Float to_low, Float to_high) {
             return mix(to_low, to_high, divide(x - from_low, from_high - from_low));
@@ -120,7 +120,7 @@ static constinit Node math_list[] = {
         .out<Float>("result", "A whole number")
         .body([](Float x) { return floor(x); }),
 
-    math_family("fraction", "Fraction", "What is left above the floor: a saw tooth.")
+    math_family("fraction", "Fraction", "The part above the floor: a saw tooth.")
         .in<Float>("x", 0, "The number")
         .out<Float>("result", "0 to 1")
         .body([](Float x) { return fract(x); }),

@@ -118,7 +118,7 @@ static constinit Node parallax_list[] = {
         .in<vec2>("uv", surface::uv0, relief_uv_doc)
         .in<Height>("top", 0,
                     "The height that lies in the surface itself, in length units of object space; "
-                    "what is higher is cut off",
+                    "higher values are cut off",
                     slider(-0.2, 0.2), unit("m"))
         .in<Float>("depth", 0.1,
                    "How far the relief reaches below the top, in length units of object space",
@@ -131,7 +131,7 @@ static constinit Node parallax_list[] = {
                    slider(0, 100), limits(0, 1e12), unit("m"))
         .out<vec2>("uv", relief_out_uv_doc)
         .out<vec2>("detail_uv",
-                   "The same place, its changes between pixels those on the relief: for colours "
+                   "The same place, its changes between pixels those on the relief: for colors "
                    "and normal maps on top, not for heights")
         .out<Height>("height", relief_height_doc, unit("m"))
         .out<vec3>("position", "The place in object space, in length units")
@@ -155,8 +155,8 @@ static constinit Node parallax_list[] = {
         }),
 
     node("parallax_offset", "Parallax offset",
-         "A relief that shifts with the view, by one step: cheap, right for gentle slopes, and "
-         "nothing hides anything.")
+         "A relief that shifts with the view, by one step: cheap, right for gentle slopes, "
+         "without occlusion.")
         .family("parallax")
         .field<Height>("height", surface::uv0,
                        "The relief as made from uv0, in length units of object space")

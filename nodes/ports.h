@@ -9,7 +9,7 @@ namespace wrinkle::nodes {
 
 inline constexpr const char* frame_methods[] = {"auto", "vertex", "derived", "exact", "guess"};
 inline constexpr char frame_doc[] =
-    "What turns slopes into a bump: vertex tangents of uv0, derived from the uv, exact (keeps "
+    "The frame of the slopes: vertex tangents of uv0, derived from the uv, exact (keeps "
     "stretch and skew), or guessed from a direction";
 inline constexpr const char* scales[] = {"surface", "unit"};
 inline constexpr char scale_doc[] =
@@ -76,7 +76,7 @@ constexpr auto slope_ports(const Declaration& declaration) {
                 "Factor of the slopes; for the scale `surface` a length of object space",
                 sdk::slider(-2, 2), sdk::unit("x"))
             .choice("per", {"uv", "texel"},
-                    "Whether the picture holds the change per uv unit or per texel")
+                    "Unit of the slopes in the image: change per uv unit or per texel")
             .flag("flip_u", false, "Turns the slopes along u about: for maps whose red points down")
             .flag("flip_v", false, "Turns the slopes along v about: for maps with v pointing down"),
         sdk::Scale::surface);

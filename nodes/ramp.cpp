@@ -1,4 +1,4 @@
-// Colours and numbers by a number, through points of the user.
+// Colors and numbers by a number, through points of the user.
 #include <array>
 #include <span>
 
@@ -29,7 +29,7 @@ static constexpr auto with_stops(const Declaration& declaration) {
                                     "Position of the stop, 0 to 1; one below that of the stop "
                                     "before counts as equal, a hard edge",
                                     slider(0, 1), limits(0, 1))
-                .template in<Color>(colors[k], k == 0 ? 0 : 1, "Colour of the stop, linear",
+                .template in<Color>(colors[k], k == 0 ? 0 : 1, "Color of the stop, linear",
                                     slider(0, 1)));
 }
 
@@ -76,24 +76,24 @@ struct Curve {
 };
 
 static constinit Node ramp_list[] = {
-    with_stops(node("ramp", "Colour ramp",
-                    "Maps a number to a colour: stops at positions from 0 to 1, the end colours "
+    with_stops(node("ramp", "Color ramp",
+                    "Maps a number to a color: stops at positions from 0 to 1, the end colors "
                     "outside. Filtered: the mean over the pixel.")
                    .family("color")
                    .in<Float>("factor", 0, "Position in the ramp, 0 to 1", slider(0, 1))
                    .count("stops", 2, 2, most_stops, "How many stops are used, from the first"))
         .choice("interpolation", interpolation_names,
-                "Between two stops: the left colour, straight, eased, or a smooth curve through "
+                "Between two stops: the left color, straight, eased, or a smooth curve through "
                 "all stops that never overshoots",
                 static_cast<int>(Interpolation::linear))
         .choice("space", {"linear", "display", "oklab"},
-                "Where colours are mixed: linear light, sRGB display values, or OKLab, where equal "
+                "Where colors are mixed: linear light, sRGB display values, or OKLab, where equal "
                 "steps look equal")
         .in<Float>("detail", 1,
-                   "1 is the colour at the factor, 0 the mean of the ramp; wire the detail of "
+                   "1 is the color at the factor, 0 the mean of the ramp; wire the detail of "
                    "cells for random factors",
                    slider(0, 1), limits(0, 1))
-        .out<Color>("color", "The colour, linear")
+        .out<Color>("color", "The color, linear")
         .out<Float>("value", "Its luminance")
         .body([](Ramp in) {
             const vec3 color = color_of(in);

@@ -1,4 +1,4 @@
-// Random values by cell and by number, and colours chosen by them.
+// Random values by cell and by number, and colors chosen by them.
 #include "nodes/random.h"
 
 #include <span>
@@ -36,7 +36,7 @@ struct RandomColor {
     Float hue_low, hue_high, saturation_low, saturation_high, value_low, value_high, detail;
 };
 
-// The integral from hue 0 of the colours of saturation and value 1.
+// The integral from hue 0 of the colors of saturation and value 1.
 static vec3 hue_integral(Float hue) {
     const auto integral = function("hue_integral(hue)", [](Float hue) {
         const vec3 turn = named("turn", hue + vec3(0, 2.0 / 3, 1.0 / 3));
@@ -73,7 +73,7 @@ static constexpr auto with_palette(const Declaration& declaration) {
     else
         return with_palette<k + 1>(
             declaration
-                .template in<Color>(palette_colors[k], k % 2, "A colour, linear", slider(0, 1))
+                .template in<Color>(palette_colors[k], k % 2, "A color, linear", slider(0, 1))
                 .template in<Float>(weights[k], 1, "Its share, relative to the other weights",
                                     slider(0, 1), limits(0, 1e6)));
 }
@@ -83,7 +83,7 @@ static constinit Node random_list[] = {
         random_family("random", "Random", "Random numbers of a cell, the same on every machine."))
         .out<Float>("value", "0 to below 1")
         .out<vec3>("vector", "Three more, 0 to below 1")
-        .out<Color>("color", "The vector as a linear colour")
+        .out<Color>("color", "The vector as a linear color")
         .body([](vec2 cell, Float id, int seed, Float detail) {
             const Uint bits = random_bits(cell, id, seed);
             const vec3 vector = mix(vec3(0.5), random3(hash(bits)), detail);
@@ -101,15 +101,15 @@ static constinit Node random_list[] = {
         }),
 
     with_detail(
-        random_family("random_color", "Random colour",
-                      "A random colour of a cell within ranges of hue, saturation and value.")
+        random_family("random_color", "Random color",
+                      "A random color of a cell within ranges of hue, saturation and value.")
             .in<Float>("hue_low", 0, "Start of the hues, in turns", slider(0, 1))
             .in<Float>("hue_high", 1, "End of the hues, in turns", slider(0, 1))
             .in<Float>("saturation_low", 0.3, "Least saturation", slider(0, 1), limits(0, 1))
             .in<Float>("saturation_high", 0.8, "Greatest saturation", slider(0, 1), limits(0, 1))
             .in<Float>("value_low", 0.3, "Least value", slider(0, 1))
             .in<Float>("value_high", 0.9, "Greatest value", slider(0, 1)))
-        .out<Color>("color", "The colour, linear")
+        .out<Color>("color", "The color, linear")
         .body([](RandomColor in) {
             const vec3 low(in.hue_low, in.saturation_low, in.value_low);
             const vec3 high(in.hue_high, in.saturation_high, in.value_high);
@@ -132,11 +132,11 @@ static constinit Node random_list[] = {
 
     with_detail(
         with_palette(
-            node("palette", "Palette", "One of several colours, chosen by a random number.")
+            node("palette", "Palette", "One of several colors, chosen by a random number.")
                 .family("color")
                 .in<Float>("random", 0, "The number, 0 to 1", slider(0, 1))
-                .count("colors", 4, 2, most_colors, "How many colours are used, from the first")))
-        .out<Color>("color", "The colour; the last one if all weights are 0")
+                .count("colors", 4, 2, most_colors, "How many colors are used, from the first")))
+        .out<Color>("color", "The color; the last one if all weights are 0")
         .body([](Palette in) {
             Float total = in.entry[0].weight;
             vec3 sum = in.entry[0].color * total;

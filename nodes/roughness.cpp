@@ -59,15 +59,16 @@ static constinit Node roughness_list[] = {
     gradient_family(
         "bump_roughness", "Roughness of bump",
         "Keeps a highlight as wide as the bump makes it where the bump is too fine for the "
-        "picture: the slopes that mips and filters leave out become roughness. Of normal maps read "
+        "image: the slopes that mips and filters leave out become roughness. Of normal maps read "
         "in three channels, slope moments maps, noises and most patterns; not of height maps.")
         .in<Gradient>("gradient", "The bump that is resolved, all of it")
-        .in<Float>("roughness", 0.5, "Of the surface by itself, perceptual: its square is alpha",
-                   slider(0, 1), limits(0, 1))
+        .in<Float>("roughness", 0.5,
+                   "Roughness of the surface itself, perceptual: its square is alpha", slider(0, 1),
+                   limits(0, 1))
         .in<Float>("amount", 1, "Factor of the variance: 0 leaves the roughness unchanged",
                    slider(0, 2), limits(0, 4), unit("x"))
         .out<Float>("roughness", "Perceptual roughness, 0 to 1")
-        .out<Float>("variance", "Of the unit normal within a pixel, both ways added")
+        .out<Float>("variance", "Variance of the unit normal within a pixel, both axes added")
         .out<Float>("anisotropy",
                     "How much wider the highlight is along the tangent, for the output "
                     "`specular_roughness_anisotropy`")
@@ -86,14 +87,15 @@ static constinit Node roughness_list[] = {
     slope_ports(
         image_family(
             "slope_moments_map", "Slope moments map",
-            "A bump from a picture of slopes, with a second picture of their squares and product, "
+            "A bump from an image of slopes, with a second image of their squares and product, "
             "so that `bump_roughness` knows exactly what the mips leave out (LEAN mapping). "
             "`wrinkle convert` makes both of a height or a normal map, --to derivative and --to "
             "moments.")
             .in<Image>("slopes", "Slopes dh/du in red and dh/dv in green", encoding("linear"))
-            .in<Image>("moments",
-                       "Of the same slopes: dh/du squared, dh/dv squared, and their product",
-                       encoding("linear"))
+            .in<Image>(
+                "moments",
+                "Moments of the same slopes: dh/du squared, dh/dv squared, and their product",
+                encoding("linear"))
             .in<vec2>("uv", surface::uv0, "Where to read both"))
         .body([](SlopeMomentsMap in) {
             return bump_of_slope(slope_with_moments(in), in.slopes, in);

@@ -212,7 +212,7 @@ static constinit Node shape_list[] = {
         .choice("seam", {"quadratic", "cubic", "chamfer"},
                 "Rounded by a parabola, smoother by a cubic, or cut straight at 45 degrees")
         .out<Float>("distance", "To the edge, negative inside; inside it is a bound")
-        .out<Float>("share", "0 to 1: how much of the result is b, to mix two colours alike")
+        .out<Float>("share", "0 to 1: how much of the result is b, to mix two colors alike")
         .body([](Float a, Float b, Choice mode, Float smoothness, Choice seam) {
             const auto [distance, share] = combined(static_cast<Combination>(int(mode)), a, b,
                                                     smoothness, static_cast<Seam>(int(seam)));

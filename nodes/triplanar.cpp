@@ -78,7 +78,8 @@ static constinit Node triplanar_list[] = {
         .in<Float>("sharpness", 3, sharpness_doc, slider(1, 8), limits(1, 64))
         .in<Float>("threshold", 0.2, "Axes whose cosine is below this count nothing",
                    slider(0, 0.5), limits(0, 0.57))
-        .out<vec3>("weights", "Of x, y and z; their sum is 1; constant under differentiation")
+        .out<vec3>("weights",
+                   "Weights of x, y and z; their sum is 1; constant under differentiation")
         .out<Float>("x", "The weight of the x axis")
         .out<Float>("y", "The weight of the y axis")
         .out<Float>("z", "The weight of the z axis")
@@ -87,14 +88,13 @@ static constinit Node triplanar_list[] = {
             return std::tuple{w, w.x(), w.y(), w.z()};
         }),
 
-    triplanar_family("triplanar_color", "Triplanar colour",
-                     "The colour of a picture, without any uv.")
-        .in<Image>("image", "The picture; sRGB unless it says otherwise", encoding("srgb"))
+    triplanar_family("triplanar_color", "Triplanar color", "The color of an image, without any uv.")
+        .in<Image>("image", "The image; sRGB unless it says otherwise", encoding("srgb"))
         .in<vec3>("point", surface::position, point_doc)
         .in<Normal>("normal", surface::normal, "Chooses among the axes")
         .in<Float>("tiling", 1, tiling_doc, slider(0, 8), unit("x"))
         .in<Float>("sharpness", 3, sharpness_doc, slider(1, 8), limits(1, 64))
-        .out<Color>("color", "Linear colour")
+        .out<Color>("color", "Linear color")
         .out<Float>("alpha", "Opacity, 0 to 1")
         .body([](Image image, vec3 point, vec3 normal, Float tiling, Float sharpness) {
             const vec3 weights = triplanar_weights(normal, sharpness);
@@ -104,13 +104,13 @@ static constinit Node triplanar_list[] = {
         }),
 
     triplanar_family("triplanar_height_map", "Triplanar height map",
-                     "A relief from a picture of its heights, without any uv.")
+                     "A relief from an image of its heights, without any uv.")
         .in<Image>("image", height_map_doc, encoding("linear"))
         .in<vec3>("point", surface::position, point_doc)
         .in<Float>("tiling", 1, tiling_doc, slider(0, 8), unit("x"))
         .in<Float>("amplitude", 0.02, "Height of white over black, in length units of object space",
                    slider(0, 0.2), unit("m"))
-        .in<Float>("midlevel", 0.5, "The value in the picture that is height 0", slider(0, 1))
+        .in<Float>("midlevel", 0.5, "The value in the image that is height 0", slider(0, 1))
         .choice("quality", height_qualities, height_quality_doc)
         .in<Float>("sharpness", 3, sharpness_doc, slider(1, 8), limits(1, 64))
         .in<Normal>("base", surface::normal, triplanar_base_doc)
@@ -126,7 +126,7 @@ static constinit Node triplanar_list[] = {
         }),
 
     triplanar_family("triplanar_derivative_map", "Triplanar derivative map",
-                     "A bump from a picture of slopes, without any uv.")
+                     "A bump from an image of slopes, without any uv.")
         .in<Image>("image", "Slopes; 0.5 is flat unless it says otherwise", encoding("derivative"))
         .in<vec3>("point", surface::position, point_doc)
         .in<Float>("tiling", 1, tiling_doc, slider(0, 8), unit("x"))

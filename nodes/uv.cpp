@@ -48,7 +48,8 @@ static constinit Node uv_list[] = {
     uv_family("planar_uv", "Planar UV",
               "Projects along an axis. Nothing is mirrored: each side reads as seen from outside.")
         .in<vec3>("point", surface::position, point_doc)
-        .in<Normal>("normal", surface::normal, "Tells which side is met, and how squarely")
+        .in<Normal>("normal", surface::normal,
+                    "Normal of the surface; selects the side and its weight")
         .choice("axis", axis_names, "The axis to look along", static_cast<int>(Axis::y))
         .choice("side", {"both", "positive", "negative"}, "The sides that the weight lets through")
         .in<vec2>("scale", 1, "Repeats per length unit", slider(0, 8), unit("x"))

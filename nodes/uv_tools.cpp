@@ -116,8 +116,7 @@ static constinit Node uv_tools_list[] = {
         }),
 
     uv_tool("uv_warp", "Warp UV", "Moves a uv by a vector.")
-        .in<vec2>("vector", 0.5, "The direction, 0.5 for none: a colour or two noises",
-                  slider(0, 1))
+        .in<vec2>("vector", 0.5, "The direction, 0.5 for none: a color or two noises", slider(0, 1))
         .in<Float>("amount", 0.1,
                    "Factor, in uv units; times the greatest slope below 1, or it folds",
                    slider(0, 1))

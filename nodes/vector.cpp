@@ -1,4 +1,4 @@
-// Arithmetic on vectors and colours, and their components.
+// Arithmetic on vectors and colors, and their components.
 #include <span>
 
 #include "wrinkle/node.h"
@@ -84,7 +84,7 @@ static constinit Node vector_list[] = {
         .body([](vec3 a, vec3 b) { return a - b; }),
 
     vector_family("vec3_multiply", "Multiply vec3",
-                  "The product of two vectors by components, as colours filter each other.")
+                  "The product of two vectors by components, as colors filter each other.")
         .in<vec3>("a", 1, "One vector")
         .in<vec3>("b", 1, "The other vector")
         .out<vec3>("vector", "a b")
@@ -96,7 +96,7 @@ static constinit Node vector_list[] = {
         .out<vec3>("vector", "The scaled vector")
         .body([](vec3 vector, Float factor) { return vector * factor; }),
 
-    vector_family("vec3_mix", "Mix vec3", "Goes from one vector or colour to another.")
+    vector_family("vec3_mix", "Mix vec3", "Goes from one vector or color to another.")
         .in<vec3>("a", 0, "The vector where the mask is 0")
         .in<vec3>("b", 1, "The vector where the mask is 1")
         .in<Float>("mask", 0.5, "0 is a, 1 is b", slider(0, 1))

@@ -140,7 +140,7 @@ static constinit Node weave_list[] = {
                 .choice("weave", {"plain", "twill", "twill_3_1", "satin_5", "satin_8"},
                         "Threads in turn above and below; diagonals of two above and two below, or "
                         "three and one; or long warp threads, held at every fifth or eighth")
-                .in<Float>("width", 0.9, "Of a thread, in the distance of two threads",
+                .in<Float>("width", 0.9, "Width of a thread, in distances of two threads",
                            slider(0.4, 1), limits(0.3, 1))
                 .count("seed", 0, 0, 65535, seed_doc),
             0.02, "1 where a thread is on top, 0 between threads")))

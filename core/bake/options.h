@@ -27,18 +27,19 @@ struct BakeTuning {
 namespace bake_words {
 
 inline constexpr const char* map =
-    "What is baked, separated by commas: outputs of the graph, and derivative and slopes of its "
+    "Maps, separated by commas: outputs of the graph, and derivative and slopes of its "
     "normal; default: normal";
 inline constexpr const char* pack =
     "A map of others' channels: \"orm: r=occlusion g=roughness b=metalness\"";
-inline constexpr const char* space = "Of normals; world is object space, as meshes are not moved";
+inline constexpr const char* space =
+    "Space of normals; world is object space, as meshes are not moved";
 inline constexpr const char* gl = "Green of normals is +v; the default";
 inline constexpr const char* dx = "Green of normals is -v";
 inline constexpr const char* scale = "Heights, slopes and derivatives are divided by this";
 inline constexpr const char* udim = "Every square of uv has a map of its own: OUT.1001.png";
-inline constexpr const char* samples = "Of a texel that an island's border crosses";
+inline constexpr const char* samples = "Points per texel that an island's border crosses";
 inline constexpr const char* dilate = "Texels by which islands grow over what is empty";
-inline constexpr const char* type = "Of the stored numbers; default: u8, half in OpenEXR";
+inline constexpr const char* type = "Type of the stored numbers; default: u8, half in OpenEXR";
 inline constexpr const char* compression = "OpenEXR: none rle zip zips piz; TIFF: none lzw zip";
 inline constexpr const char* tile = "Side of the tiles in OpenEXR and TIFF; 0: rows";
 

@@ -38,7 +38,7 @@ std::string overwrite_fault(std::span<const std::string> outputs,
         if (output == written.end()) continue;
         const std::string& name = *output->second;
         return "the output " + name + " would replace the input " +
-               (name == input ? "of the same name" : input) + "; choose another name";
+               (name == input ? "with its name" : input) + "; choose another name";
     }
     return {};
 }

@@ -141,7 +141,7 @@ const std::array<RuleInfo, rule_count> rule_infos = {{
      "A value cannot be parsed, or a connection leads nowhere, in a circle or to another type.",
      "Correct the element at the line named."},
     {"materialx-unsupported", "A part of a MaterialX document is not imported",
-     "A node, an input or a colour space has no equivalent: an error if the material needs it.",
+     "A node, an input or a color space has no equivalent: an error if the material needs it.",
      "Replace the element at the line named, or bake it to an image."},
     {"materialx-approximate", "A part of a MaterialX document is changed by the import",
      "A node is replaced by another one of the same kind with other values.",

@@ -3,7 +3,7 @@
 // expression samples the texture. t is the stored value. The texels of srgb images are decoded when
 // they are loaded, so mips and filters work on linear values.
 //
-//   linear      the stored value                 srgb         sRGB-encoded colour, linearised
+//   linear      the stored value                 srgb         sRGB-encoded color, linearised
 //   normal_gl   2t - 1, green = +v               normal_dx    2t - 1, green = -v
 //   normal_rg   x, y in red, green; z derived    normal_ag    x in alpha * red, y in green
 //   derivative  2t - 1, (dh/du, dh/dv)

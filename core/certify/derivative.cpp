@@ -101,8 +101,8 @@ void differs(const Trial& trial, const std::string& port, const Expected& expect
         "at point " + std::to_string(expected.point) + ", it changes by " + brief(expected.value) +
             " a pixel, its derivative is " + brief(found) + "; " + brief(expected.allowed) +
             " apart are allowed",
-        detached ? "a bump leaves out what is detached or given a slope of its own: detach() only "
-                   "what is constant around a point, or say that it is meant: --allow detach"
+        detached ? "a bump leaves out a detached value: detach() only a value that is constant "
+                   "around a point, or pass --allow detach if this is intended"
                  : "floor, ceil, step and integers have derivative 0: use them on what is constant "
                    "around a point");
 }

@@ -50,7 +50,7 @@ void check_ranges(const Port& port, const Fault& fault) {
     if (port.has_soft_range() && (port.soft_min < port.hard_min || port.soft_max > port.hard_max))
         fault("its slider goes from " + range(port.soft_min, port.soft_max) +
                   ", outside its limits " + range(port.hard_min, port.hard_max),
-              "what lies outside is clamped: make the slider end there");
+              "values outside are clamped: end the slider there");
     const double value = port.default_value[0];
     if (port.default_kind == Port::Default::constant &&
         (value < port.hard_min || value > port.hard_max))
@@ -66,10 +66,10 @@ void check_descriptor(const NodeType& type, Report& report) {
         report.add({"descriptor", "", std::move(message), std::move(remedy), {}});
     };
     if (!is_name(type.id)) fault("its id is not lower_snake_case", "letters a-z, digits and _");
-    if (type.title.empty()) fault("it has no title", "what a user reads in the palette");
-    if (type.family.empty()) fault("it has no family", "where it stands in the palette");
+    if (type.title.empty()) fault("it has no title", "its name in the palette");
+    if (type.family.empty()) fault("it has no family", "its category in the palette");
     if (type.doc.empty() || !type.doc.ends_with('.'))
-        fault("its doc is no sentence: " + json_quoted(type.doc),
+        fault("its doc is not a sentence: " + json_quoted(type.doc),
               "one or two sentences that end with a full stop");
     const auto is_output = [](const Port& port) { return port.kind == Port::Kind::output; };
     if (std::ranges::none_of(type.ports, is_output))

@@ -13,7 +13,7 @@ constexpr Variant variants[] = {Variant::value, Variant::dx, Variant::dy};
 // In the order of degenerate_points().
 constexpr std::string_view degenerate_names[] = {
     "no uv changes between pixels",      "the position does not change between pixels",
-    "nothing changes between pixels",    "the tangent is zero",
+    "no value changes between pixels",   "the tangent is zero",
     "the tangent's w is zero",           "the view vector is zero",
     "everything but the normal is zero", "position and uvs are a thousand times as large",
     "pixels are a millionth in size",

@@ -129,7 +129,7 @@ PartHeader header(const json::Value& root) {
     header.identity = text(root, "identity");
     std::tie(header.shard, header.shards) = pair(root, "shard");
     std::tie(header.first, header.last) = pair(root, "rows_of_tiles");
-    header.sets = texts(root, "pictures");
+    header.sets = texts(root, "sets");
     header.done = whole(item(root, "done", json::Kind::number));
     header.found = report(root);
     header.sums = texts(root, "sums");
@@ -198,7 +198,7 @@ std::string header_json(const PartHeader& header) {
         ",\n  \"shard\": [" + std::to_string(header.shard) + ", " + std::to_string(header.shards) +
         "],\n  \"size\": [" + std::to_string(header.width()) + ", " +
         std::to_string(header.height()) + "],\n  \"maps\": [" + maps +
-        "],\n  \"pictures\": " + json::string_array(header.sets) + ",\n  \"rows_of_tiles\": [" +
+        "],\n  \"sets\": " + json::string_array(header.sets) + ",\n  \"rows_of_tiles\": [" +
         std::to_string(header.first) + ", " + std::to_string(header.last) +
         "],\n  \"done\": " + std::to_string(header.done) +
         ",\n  \"sums\": " + json::string_array(header.sums) +

@@ -97,9 +97,9 @@ std::string conflict(const BakeOptions& options, const BakeRequest& request) {
 std::string read_request(const BakeOptions& options, BakeRequest& request) {
     if (!parse_bake_size(options.size, request))
         return "--size " + options.size +
-               " is no size; 1024 and 2048x1024 are, at most 65536 a side";
+               " is not a size such as 1024 or 2048x1024, at most 65536 a side";
     if (!parse_shard(options.shard, request))
-        return "--shard " + options.shard + " is no I/N; 2/8 is the second of eight";
+        return "--shard " + options.shard + " is not I/N such as 2/8, the second of eight";
     if (std::string why = name_maps(options, request); !why.empty()) return why;
     choose_files(options, request);
     return conflict(options, request);
@@ -118,7 +118,7 @@ void declare_bake_maps(CLI::App& sub, BakeOptions& c) {
 }
 
 void declare_bake_layout(CLI::App& sub, BakeOptions& c) {
-    sub.add_option("--size", c.size, "Of a map, in texels: N or WxH")
+    sub.add_option("--size", c.size, "Size of a map in texels: N or WxH")
         ->type_name("N")
         ->capture_default_str();
     sub.add_flag("--udim", c.udim, bake_words::udim);
@@ -134,7 +134,7 @@ void declare_bake_layout(CLI::App& sub, BakeOptions& c) {
 
 void declare_bake_options(CLI::App& sub, BakeOptions& c) {
     sub.add_option("FILE", c.file, "A graph; - reads standard input");
-    declare_mesh(sub, c.mesh, "What it is baked onto: ");
+    declare_mesh(sub, c.mesh, "Mesh: ");
     sub.add_option("-o", c.output, "The map's file; of several, their folder")
         ->type_name("OUT")
         ->required();
@@ -142,7 +142,7 @@ void declare_bake_options(CLI::App& sub, BakeOptions& c) {
     declare_bake_layout(sub, c);
     add_choice(sub, "--type", c.type, pixel_type_names, bake_words::type);
     add_choice(sub, "--format", c.format, bake_formats,
-               "Of maps in a folder; default: png, or exr for floats");
+               "Format of maps in a folder; default: png, or exr for floats");
     sub.add_option("--compression", c.compression, bake_words::compression)->type_name("NAME");
     sub.add_option("--tile", c.tile, bake_words::tile)
         ->type_name("N")
@@ -157,8 +157,7 @@ void declare_bake_options(CLI::App& sub, BakeOptions& c) {
         ->type_name("I/N");
     sub.add_option("--merge", c.merge, "Joins the folders of all shards instead of baking")
         ->type_name("DIR");
-    sub.add_flag("--resume", c.resume,
-                 "Keeps what is done when it is stopped, and goes on where it was");
+    sub.add_flag("--resume", c.resume, "Continues a bake that was stopped");
     sub.add_flag("--json", c.json, "Progress and the files written, a line of JSON each");
     declare_depfile(sub, c.depfile);
     declare_common(sub, c.common);

@@ -200,7 +200,7 @@ void declare_completion(CLI::App& app, Run& run) {
         app, run, "completion", "A script that lets a shell complete these commands");
     add_choice(sub, "SHELL", c.shell, {"bash", "zsh", "fish"}, "The shell")->required();
     auto [complete, command] =
-        add_command<CompleteCommand>(app, run, "complete", "What a shell offers after WORD...");
+        add_command<CompleteCommand>(app, run, "complete", "Words to complete after WORD...");
     command.app = &app;
     complete.group("");
     complete.add_option("WORD", command.words, "After the program's name, the last being typed");

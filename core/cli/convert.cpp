@@ -88,12 +88,12 @@ struct ConvertCommand {
         if (input == "-" || output == "-") return "convert reads and writes files, no streams";
         const std::string read[] = {input}, made[] = {output};
         if (const std::string why = overwrite_fault(made, read); !why.empty()) return why;
-        if (!std::isfinite(source.factor)) return "--scale is no number";
+        if (!std::isfinite(source.factor)) return "--scale is not a number";
         if (texel.size() > 2) return "--texel takes one size or two";
         for (const float size : texel)
             if (!(size > 0)) return "--texel takes sizes above 0";
         if (target.tile % 16 != 0)
-            return "--tile " + std::to_string(target.tile) + " is no multiple of 16";
+            return "--tile " + std::to_string(target.tile) + " is not a multiple of 16";
         return {};
     }
 
@@ -122,15 +122,15 @@ void declare_options(CLI::App& sub, ConvertCommand& c) {
     sub.add_option("-o", c.output, "The map to write: .exr, .tif, .png, .hdr or .jpg")
         ->type_name("OUT")
         ->required();
-    add_choice(sub, "--to", c.to, names_in(target_kinds), "What it is to be")->required();
+    add_choice(sub, "--to", c.to, names_in(target_kinds), "Kind of map to write")->required();
     add_choice(sub, "--from", c.from, names_in(source_kinds),
-               "What IN is; default: what it looks like, which is said");
+               "Kind of IN; default: the kind that it looks like, which is printed");
     add_choice(sub, "--type", c.type, pixel_type_names,
-               "Of its values; default: half, or what the format has");
+               "Type of its values; default: half, or a type of the format");
     sub.add_option("--compression", c.target.compression,
                    "exr: none rle zip zips piz; tif: none lzw zip; default: zip")
         ->type_name("NAME");
-    add_choice(sub, "--wrap", c.wrap, {"clamp", "repeat"}, "What lies beyond the border");
+    add_choice(sub, "--wrap", c.wrap, {"clamp", "repeat"}, "Values beyond the border");
     sub.add_flag("--mips", c.target.mips, "All levels, means of slopes and not of normals (.exr)");
     sub.add_option("--tile", c.target.tile,
                    "Tiles of this side (.exr, .tif); default: none, 64 with mips")

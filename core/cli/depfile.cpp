@@ -50,7 +50,7 @@ void declare_depfile(CLI::App& command, Depfile& depfile) {
     command.add_option("--depfile-target", depfile.target, "-MT: the name of the output there")
         ->type_name("NAME");
     command.add_flag("--depfile-phony", depfile.phony,
-                     "-MP: a target for each input, so that Make goes on when one was removed");
+                     "-MP: a target for each input, so that Make continues when one was removed");
 }
 
 std::string depfile_fault(const std::vector<Rule>& rules, const Depfile& depfile) {

@@ -136,7 +136,7 @@ void declare_eval(CLI::App& app, Run& run) {
         ->type_name("OUT");
     add_choice(sub, "--format", c.format, {"json", "csv", "npy"},
                "The form of the result; default: as OUT ends, else json");
-    add_choice(sub, "--precision", c.precision, {"float", "double"}, "Of the arithmetic");
+    add_choice(sub, "--precision", c.precision, {"float", "double"}, "Precision of the arithmetic");
     declare_common(sub, c.common);
 }
 

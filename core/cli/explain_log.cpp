@@ -93,7 +93,7 @@ void declare_explain_log(CLI::App& app, Run& run) {
     auto [sub, c] = add_command<ExplainCommand>(
         app, run, "explain-log", "Finds the nodes that a graphics driver's errors are about");
     sub.add_option("GRAPH", c.graph, "The graph that the text was compiled from")->required();
-    sub.add_option("LOG", c.log, "What the driver or compiler said; - reads standard input")
+    sub.add_option("LOG", c.log, "Log of the driver or compiler; - reads standard input")
         ->required();
     sub.add_option("--begins-at", c.first,
                    "The line of your shader that the text begins at, where it is a part of one")

@@ -88,10 +88,10 @@ struct LintCommand {
 
 void declare_lint(CLI::App& app, Run& run) {
     auto [sub, c] =
-        add_command<LintCommand>(app, run, "lint", "What maps are and what is wrong with them");
+        add_command<LintCommand>(app, run, "lint", "Finds the kinds and the defects of maps");
     sub.add_option("IMAGE", c.files, "Normal maps and height maps")->required();
     add_choice(sub, "--expect", c.expect, {"normal_gl", "normal_dx", "height"},
-               "What each is to be; anything else is a defect");
+               "Expected kind; any other is a defect");
     add_choice(sub, "--wrap", c.wrap, {"repeat", "clamp"},
                "clamp: a seam is not a defect; repeat: it is, in an atlas too; default: it is, "
                "but in an atlas");

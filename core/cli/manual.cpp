@@ -168,7 +168,7 @@ void declare_man(CLI::App& app, Run& run) {
     auto [sub, c] = add_command<ManCommand>(app, run, "man", "A manual page, in roff");
     c.app = &app;
     sub.group("");
-    sub.add_option("COMMAND", c.name, "Of this command; else of the whole program");
+    sub.add_option("COMMAND", c.name, "A command; default: the program");
     sub.add_option("--folder", c.folder, "Writes all pages into this folder")->type_name("DIR");
 }
 

@@ -32,7 +32,7 @@ constexpr std::string_view reserved =
 // Returns the reason if `name` is not valid for a new node, otherwise "".
 std::string why_not(const std::string& name) {
     if (!is_name(name))
-        return "is no name for a node: a letter a-z, then letters, digits and _, at most " +
+        return "is not a name for a node: a letter a-z, then letters, digits and _, at most " +
                std::to_string(max_name);
     const auto words = split(reserved, ' ');
     if (std::ranges::find(words, name) != words.end())
@@ -125,7 +125,7 @@ struct NewPluginCommand {
     std::string write(const fs::path& target) const {
         std::error_code error;
         if (fs::exists(target, error) && !fs::is_directory(target, error))
-            return target.string() + ": is no folder";
+            return target.string() + ": is not a folder";
         const auto files = scaffold(target, name, sdk_prefix());
         if (!error && fs::exists(target, error) && !is_unfinished(target, files))
             return target.string() + ": the folder is not empty; --folder names another one";
@@ -145,7 +145,7 @@ void declare_new_plugin(CLI::App& app, Run& run) {
     auto [sub, c] = add_command<NewPluginCommand>(
         app, run, "new-plugin",
         "Writes a folder with a node of your own, ready to build and to test");
-    sub.add_option("NAME", c.name, "What the node is called in graphs")
+    sub.add_option("NAME", c.name, "Type of the node in graphs")
         ->required()
         ->check(CLI::Validator(
             [](const std::string& name) {

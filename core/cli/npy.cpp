@@ -46,7 +46,8 @@ std::string json_of(std::string_view text) {
 }
 
 void require_form(bool readable) {
-    if (!readable) throw NpyProblem{"has a header that cannot be read", "what numpy.save() writes"};
+    if (!readable)
+        throw NpyProblem{"has a header that cannot be read", "write it with numpy.save()"};
 }
 
 void read_field(const json::Value& pair, NpyTable& table) {
@@ -118,7 +119,7 @@ NpyTable read_npy(std::string_view bytes) {
     const size_t begin = has_head && bytes[6] == 1 ? 10 : 12;
     const size_t length = has_head ? little_endian(bytes, 8, begin - 8) : 0;
     if (!has_head || length > bytes.size() - begin)
-        throw NpyProblem{"is not a whole NPY file", "what numpy.save() writes"};
+        throw NpyProblem{"is not a whole NPY file", "write it with numpy.save()"};
     NpyTable table;
     table.first = begin + length;
     read_header(bytes.substr(begin, length), table);

@@ -135,7 +135,7 @@ bool OffscreenRenderer::can_compare(const Shader& shader, Diagnostics& diagnosti
             continue;
         diagnostics.error(RuleId::type_mismatch,
                           "the output '" + options_.against + "' holds a " +
-                              std::string(name_of(type)) + ", which is no normal to compare with",
+                              std::string(name_of(type)) + ", which is not a normal",
                           type == PortType::gradient_ || type == PortType::derivative_
                               ? "put a node 'resolve' before it"
                               : "an output that holds a normal");

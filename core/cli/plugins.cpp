@@ -93,14 +93,14 @@ void declare_certify(CLI::App& command, CertifyOptions& options) {
     CLI::Option* file =
         command
             .add_option("--test", options.file,
-                        "Holds the nodes of this plugin to what the built-in ones are held to")
+                        "Tests the nodes of this plugin as the built-in ones are tested")
             ->type_name("FILE.so");
-    command.add_flag("--no-gpu", options.no_gpu, "Of --test: CPU and GPU are not compared")
+    command.add_flag("--no-gpu", options.no_gpu, "With --test: CPU and GPU are not compared")
         ->needs(file);
     const auto names = certify::check_names();
     command
         .add_option("--allow", options.allow,
-                    "Of --test: what this check finds is meant, and is not reported")
+                    "With --test: findings of this check are intended and not reported")
         ->check(CLI::IsMember(std::set<std::string>(names.begin(), names.end())))
         ->allow_extra_args(false)
         ->take_all()

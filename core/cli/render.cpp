@@ -44,7 +44,7 @@ struct RenderCommand {
         const Nodes nodes = load_nodes(common, diagnostics);
         const Overrides overrides = parse_overrides(common, diagnostics);
         if (overrides.is_sweep() && output == "-")
-            return fail(exit_usage, "a sweep makes several pictures; standard output takes one");
+            return fail(exit_usage, "a sweep makes several images; standard output takes one");
         std::vector<Shader> shaders;
         std::vector<Mesh> meshes;
         TextureStore textures;
@@ -98,7 +98,7 @@ struct RenderCommand {
         options.lighting = lighting == "phong" ? gpu::Lighting::phong : gpu::Lighting::ggx;
         const std::string type = fs::path(output).extension().string();
         if (!parse_size(size, options.width, options.height))
-            return "--size " + size + " is no size; 512x512 is one, at most 16384 a side";
+            return "--size " + size + " is not a size such as 512x512, at most 16384 a side";
         if (!options.against.empty() && options.view != gpu::View::difference)
             return "--against goes with --view difference";
         if (options.view != gpu::View::shaded && !(environment.empty() && phong.empty()))
@@ -112,12 +112,12 @@ struct RenderCommand {
         if (!phong.empty() && options.lighting != gpu::Lighting::phong)
             return "--phong goes with --lighting phong";
         if (!phong.empty() && !parse_phong(phong, options.phong))
-            return "--phong " + phong + " is no KA,KD,KS,SHININESS such as 0.1,0.7,0.4,32";
+            return "--phong " + phong + " is not KA,KD,KS,SHININESS such as 0.1,0.7,0.4,32";
         if (!environment.empty() && options.lighting != gpu::Lighting::ggx)
             return "--environment goes with --lighting ggx; Phong's light reflects nothing";
         if (output != "-" && type != ".png" && type != ".jpg" && type != ".jpeg" &&
             type != ".tif" && type != ".tiff")
-            return output + ": a picture is written as .png, .jpg or .tif";
+            return output + ": an image is written as .png, .jpg or .tif";
         return "";
     }
 
@@ -166,7 +166,7 @@ struct RenderCommand {
             environment.error(RuleId::environment, "a temporary folder cannot be made: " + folder);
             return false;
         }
-        const fs::path path = fs::path(folder) / "picture.png";
+        const fs::path path = fs::path(folder) / "image.png";
         std::string why;
         std::optional<std::string> bytes;
         if (save_image(image, path, {}, environment)) bytes = read_file(path, why);
@@ -183,19 +183,19 @@ struct RenderCommand {
 }  // namespace
 
 void declare_render(CLI::App& app, Run& run) {
-    auto [sub, c] = add_command<RenderCommand>(app, run, "render", "A picture of a graph");
+    auto [sub, c] = add_command<RenderCommand>(app, run, "render", "Renders a graph");
     sub.add_option("FILE", c.file, "A graph; - reads standard input")->required();
-    sub.add_option("-o", c.output, "The picture: .png, .jpg or .tif; - is standard output")
+    sub.add_option("-o", c.output, "The image: .png, .jpg or .tif; - is standard output")
         ->type_name("OUT")
         ->required();
-    declare_mesh(sub, c.render.mesh, "What it is drawn on: ");
-    sub.add_option("--size", c.size, "Of the picture")->type_name("WxH")->capture_default_str();
+    declare_mesh(sub, c.render.mesh, "Mesh: ");
+    sub.add_option("--size", c.size, "Size of the image")->type_name("WxH")->capture_default_str();
     sub.add_option("--view", c.view,
                    "Shown: " + joined(gpu::view_names(), ", ") + ", or an output by its name")
         ->type_name("VIEW")
         ->capture_default_str();
     sub.add_option("--camera", c.camera,
-                   "Where it is seen from: degrees around the mesh and above it, and a factor of "
+                   "Camera: degrees around the mesh and above it, and a factor of "
                    "the distance that shows all of it")
         ->type_name("YAW,PITCH[,DISTANCE]");
     sub.add_flag("--displace", c.render.displace,
@@ -204,14 +204,14 @@ void declare_render(CLI::App& app, Run& run) {
                    "The output that the difference is taken against; "
                    "default: the normal without bumps")
         ->type_name("OUTPUT");
-    add_choice(sub, "--lighting", c.lighting, gpu::lighting_names(), "Of the shaded view");
-    sub.add_option("--phong", c.phong, "Of that lighting; default: 0.1,0.7,0.4,32")
+    add_choice(sub, "--lighting", c.lighting, gpu::lighting_names(), "Lighting of the shaded view");
+    sub.add_option("--phong", c.phong, "Parameters of that lighting; default: 0.1,0.7,0.4,32")
         ->type_name("KA,KD,KS,SHININESS");
     add_choice(sub, "--light", c.mood, gpu::mood_names(), "Reflected by GGX; default: studio");
     sub.add_option("--environment", c.environment,
                    "Likewise, an equirectangular .hdr or .exr, its middle behind the object")
         ->type_name("FILE");
-    sub.add_option("--turn", c.render.turn, "Of the light around the object, in degrees")
+    sub.add_option("--turn", c.render.turn, "Rotation of the light around the object, in degrees")
         ->type_name("DEGREES");
     sub.add_option("--exposure", c.render.exposure, "Radiance is multiplied by 2^EV")
         ->type_name("EV");

@@ -50,7 +50,7 @@ void declare_common(CLI::App& command, CommonOptions& options, bool with_set) {
         command
             .add_option("--set", options.set,
                         "NODE.PORT=VALUE or input.NAME=VALUE; A:B:N is a sweep of N values")
-            ->type_name("WHAT=VALUE")
+            ->type_name("SETTING=VALUE")
             ->allow_extra_args(false)  // one value each: the next word may be a file
             ->take_all();
     }

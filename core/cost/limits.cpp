@@ -14,7 +14,7 @@ Excess texture_unit_excess(const Reflection& reflection) {
         text += (i ? ", " : "") + sampler.written;
         if (!sampler.readers.empty()) text += " (" + sampler.readers[0].node + ")";
     }
-    return {text, "put several masks into the channels of one picture, or fewer layers"};
+    return {text, "put several masks into the channels of one image, or use fewer layers"};
 }
 
 Excess draw_buffer_excess(const Reflection& reflection) {

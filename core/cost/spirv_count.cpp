@@ -278,7 +278,7 @@ ShaderCost ShaderCost::times(uint32_t iterations) const {
 }
 
 std::optional<SpirvCount> count_spirv(std::span<const uint32_t> words, std::string& why) {
-    why = "it is no SPIR-V";
+    why = "it is not SPIR-V";
     if (words.size() < header_words || words[0] != magic || words[3] > max_bound) return {};
     Counter counter(words[3]);
     for (size_t i = header_words; i < words.size();) {

@@ -33,7 +33,7 @@ void Flattener::push(const CpuInst& step) {
         program_.steps.push_back(step);
     else
         refuse("the graph makes more than " + std::to_string(max_steps_) +
-               " steps once its functions are written out");
+               " steps once its functions are inlined");
 }
 
 uint32_t Flattener::fresh(Type type) {

@@ -41,7 +41,7 @@ bool refused(const Module& module, const EmitOptions& options, Shader& shader) {
         if (output.value == poison)
             shader.problems.push_back({RuleId::target, 0,
                                        "the output '" + output.name + "' has no value",
-                                       "what is wrong in the graph is reported before"});
+                                       "an earlier problem names the reason"});
     if (options.bare_result && module.outputs.size() > 1)
         shader.problems.push_back(
             {RuleId::target, 0, "a function without a struct returns one output", ""});

@@ -62,7 +62,7 @@ bool check_members(const Shader& material, Diagnostics& diagnostics) {
         if (member.variant != Variant::value) {
             diagnostics.error(RuleId::mesh_attribute,
                               "the material reads " + in_quotes(member.name) +
-                                  ", which is no property of a drawn surface");
+                                  ", which is not a property of a drawn surface");
             return false;
         }
     return true;

@@ -70,7 +70,7 @@ std::optional<Target> Target::make(const TargetOptions& options, Diagnostics& di
     const auto fits = [&](int side) { return side >= 1 && side <= limit; };
     const std::string size = std::to_string(options.width) + "x" + std::to_string(options.height);
     if (!fits(options.width) || !fits(options.height)) {
-        diagnostics.error(RuleId::opengl, "a picture of " + size + " pixels cannot be drawn",
+        diagnostics.error(RuleId::opengl, "an image of " + size + " pixels cannot be drawn",
                           "1 to " + std::to_string(limit) + " pixels a side");
         return std::nullopt;
     }
@@ -80,7 +80,7 @@ std::optional<Target> Target::make(const TargetOptions& options, Diagnostics& di
     target.options_.samples = std::clamp(options.samples, 1, limit_of(GL_MAX_SAMPLES));
     if (!target.build()) {
         diagnostics.error(RuleId::opengl,
-                          "the driver cannot draw into a picture of " + size + " pixels");
+                          "the driver cannot draw into an image of " + size + " pixels");
         return std::nullopt;
     }
     return target;

@@ -3,7 +3,7 @@
 // The levels of a MipChain are uploaded as 32-bit floats, so that filtered values equal the CPU's:
 // drivers filter integer formats with the precision of the format, and the slope of a height
 // multiplies a quantisation step by the image size. Only 8-bit images of several channels (mostly
-// colours) are uploaded as 16-bit integers, half the memory; also if they were decoded from sRGB:
+// colors) are uploaded as 16-bit integers, half the memory; also if they were decoded from sRGB:
 // a hardware sRGB format would round mips to 8 bits. A Sampler holds wrap and filter, separate from
 // the texels: one texture may be sampled in several ways.
 #pragma once

@@ -22,7 +22,7 @@ public:
 
     void read(const Value& root, Document& document) {
         if (!report_.expect(root, Kind::object, "the graph", "")) {
-            lost_ = "it is no JSON object";
+            lost_ = "it is not a JSON object";
             return;
         }
         for (const json::Member& member : root.children())

@@ -109,7 +109,7 @@ void read_input(std::string_view port, const Value& value, std::string_view node
         input.kind = Input::Kind::link;
     else
         report.at(from, std::string(node), RuleId::invalid_link,
-                  json_quoted(from.as_string()) + " is no link", link_form);
+                  json_quoted(from.as_string()) + " is not a link", link_form);
 }
 
 NodePtr read_node(std::string_view id, const Value& value, Report& report) {
@@ -136,7 +136,7 @@ Output read_output(std::string_view name, const Value& value, Report& report) {
     if (output.from.kind != Input::Kind::literal) return output;
     output.from.kind = Input::Kind::broken;
     if (!value.cut_off())
-        report.at(value, "", RuleId::invalid_link, "output " + json_quoted(name) + " is no link",
+        report.at(value, "", RuleId::invalid_link, "output " + json_quoted(name) + " is not a link",
                   "expected { \"from\": \"NODE.OUTPUT\" }");
     return output;
 }

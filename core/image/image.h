@@ -4,7 +4,7 @@
 // (x, y) covers u in [x, x + 1] / width, v in [y, y + 1] / height. This is the order that
 // glTexImage2D expects. Only loading and saving reverse the order of rows.
 //
-// Values are raw, without colour conversion: an 8-bit 255 and a 16-bit 65535 are 1.0, values of
+// Values are raw, without color conversion: an 8-bit 255 and a 16-bit 65535 are 1.0, values of
 // float files are unchanged, including NaN and infinities. Alpha is never premultiplied.
 #pragma once
 

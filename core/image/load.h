@@ -2,7 +2,7 @@
 // All but PNG need a separate module (lib/wrinkle/wrinkle_image_oiio.so) that is loaded on first
 // use; see find_codec.h. All functions are thread-safe.
 //
-// The format is detected by the file's first bytes, not by its extension. Colours are not converted
+// The format is detected by the file's first bytes, not by its extension. Colors are not converted
 // and EXIF orientation is ignored. The first of several sub-images or mip levels is read. Integers
 // of other widths and doubles are converted to float.
 #pragma once

@@ -1,6 +1,6 @@
 // The graph of a material that reads a texture set.
 //
-// Every channel becomes the standard output of its name. Colours are read as sRGB, but linear from
+// Every channel becomes the standard output of its name. Colors are read as sRGB, but linear from
 // float files; data as stored. The normal comes from the normal map, else from the height map.
 // Nodes: `tile` (uv_transform), one node for each image (`color_map`, `normal_map`, ...;
 // `packed_map` for several channels), and the arithmetic between. Exposed inputs: `tiling`, `bump`

@@ -1,4 +1,4 @@
-// Colours: hue, saturation, luminance.
+// Colors: hue, saturation, luminance.
 #include "import/mtlx_importer.h"
 
 namespace wrinkle::materialx {

@@ -83,7 +83,7 @@ std::optional<ColorSpace> Importer::color_space(uint32_t element) {
     const auto row = std::ranges::find(color_spaces, name, &SpaceRow::name);
     if (row != color_spaces.end()) return ColorSpace{row->gamma};
     report(element, Severity::error, RuleId::materialx_unsupported,
-           "the colour space '" + std::string(name) + "' is not supported",
+           "the color space '" + std::string(name) + "' is not supported",
            "lin_rec709, srgb_texture, g22_rec709, g18_rec709 or rec709_display");
     return {};
 }

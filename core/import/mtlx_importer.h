@@ -18,7 +18,7 @@
 
 namespace wrinkle::materialx {
 
-// Transfer function of stored colours: linear = stored ^ gamma; 0 is the curve of sRGB.
+// Transfer function of stored colors: linear = stored ^ gamma; 0 is the curve of sRGB.
 struct ColorSpace {
     double gamma = 1;
     bool is_linear() const { return gamma == 1; }

@@ -1,4 +1,4 @@
-// Arithmetic by components: a node for all of a colour where one exists, else one for each number.
+// Arithmetic by components: a node for all of a color where one exists, else one for each number.
 #include <algorithm>
 #include <functional>
 

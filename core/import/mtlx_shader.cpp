@@ -288,7 +288,7 @@ void import_standard_surface(ShaderImport& shader) {
         opacity.literal(0) == opacity.literal(2))
         return shader.set("opacity", opacity.literal(0));
     shader.importer().report(shader.element(), Severity::warning, RuleId::materialx_approximate,
-                             "the opacity is the luminance of the colour");
+                             "the opacity is the luminance of the color");
     shader.set("opacity", wire_value(Type::float_, graph.add("luminance", "value",
                                                              {graph.input("color", opacity)})));
 }

@@ -39,7 +39,7 @@ Value tangent(NodeContext& context) {
 Value geom_color(NodeContext& context) {
     GraphBuilder& graph = context.graph();
     const Value color = wire_value(Type::color4, {"surface", "color0"});
-    if (context.constant("index", 0) != 0) return context.fail("vertex colour above 0", "index 0");
+    if (context.constant("index", 0) != 0) return context.fail("vertex color above 0", "index 0");
     if (context.size() == 4) return color;
     Numbers parts;
     for (int i = 0; i < context.size(); ++i)

@@ -83,7 +83,7 @@ std::string wrap_of(NodeContext& context) {
     if (u != v)
         context.approximate("u and v have the address mode '" + u + "', instead of '" + v + "'");
     if (u == "constant")
-        context.approximate("the border of the image is repeated instead of the default colour");
+        context.approximate("the border of the image is repeated instead of the default color");
     if (u == "clamp" || u == "constant") return "clamp";
     return u == "mirror" ? "mirror" : "repeat";
 }
@@ -93,7 +93,7 @@ void lose_frames(NodeContext& context) {
     if (!context.text("framerange", "").empty()) context.lose("one frame is read");
 }
 
-// A colour that is stored with a gamma is decoded by a node, after the filter.
+// A color that is stored with a gamma is decoded by a node, after the filter.
 Value decoded(NodeContext& context, Value value, double gamma) {
     GraphBuilder& graph = context.graph();
     Value color = value;

@@ -51,7 +51,7 @@ struct UvChange {
     double area() const { return derivative[0] * derivative[3] - derivative[1] * derivative[2]; }
 };
 
-// Reads an image at a uv. The node exists from the first use of the colours on.
+// Reads an image at a uv. The node exists from the first use of the colors on.
 struct ImageRead {
     json::Value image;  // value of an image port, with the encoding of the type
     std::string file;   // as in the graph

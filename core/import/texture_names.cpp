@@ -40,8 +40,8 @@ struct Row {
 
 // clang-format off
 constexpr Row rows[] = {
-    {"basecolor basecolour albedo alb color colour col bc basemap", color_rgb},
-    {"diffuse diff diffusecolor diffusecolour d", color_rgb, 1},
+    {"basecolor basecolor albedo alb color color col bc basemap", color_rgb},
+    {"diffuse diff diffusecolor diffusecolor d", color_rgb, 1},
     {"albedotransparency albedoopacity albedoalpha basecoloropacity basecoloralpha "
      "basecolortransparency diffusealpha", color_and_opacity},
     {"normalgl normalogl normalopengl norgl nrmgl", normal_rgb, 0, NamedGreen::gl},

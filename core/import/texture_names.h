@@ -37,7 +37,7 @@ std::string_view name_of(Channel channel);  // "color": the standard output
 enum class Component : uint8_t { rgb, red, green, blue, alpha };
 std::string_view name_of(Component component);
 
-// A channel in a component of an image, linear but for colours.
+// A channel in a component of an image, linear but for colors.
 struct ChannelSource {
     Channel channel = Channel::color;
     Component component = Component::rgb;

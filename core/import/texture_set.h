@@ -58,7 +58,7 @@ struct ExamineOptions {
 };
 
 // Reads the headers of all images, the pixels of the normal map (direction of green, by
-// maps::examine()), those of a colour map with alpha if no other file holds the opacity (an alpha
+// maps::examine()), those of a color map with alpha if no other file holds the opacity (an alpha
 // below 1 anywhere makes it the opacity), and those of the height map if there is a normal map of
 // its size (`relief`). Returns false after an error, or if `stopped` returned true.
 bool examine_textures(TextureSet& set, const ExamineOptions& options, Diagnostics& diagnostics);

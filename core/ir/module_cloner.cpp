@@ -98,8 +98,8 @@ Id ModuleCloner::write_apply(const Inst& inst, std::span<const Id> args) {
     if (inst.op == Op::loop_) {
         const int level = shifted(region.level);
         if (level > Module::max_region) {
-            target_->problem("loops stand more than " + std::to_string(Module::max_region) +
-                             " deep in each other");
+            target_->problem("loops are nested more than " + std::to_string(Module::max_region) +
+                             " deep");
             return poison;
         }
         region.level = static_cast<uint8_t>(level);

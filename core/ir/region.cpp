@@ -35,7 +35,7 @@ bool Module::fits(const OpenRegion& open, std::span<const Id> results) {
     bool fit = results.size() == open.params.size() + 1 && type(results[0]) == Type::bool_;
     for (size_t k = 0; fit && k < open.params.size(); ++k)
         fit = type(results[k + 1]) == open.params[k];
-    if (!fit) problem("a loop must give a bool \"go on\" and a next state of the same types");
+    if (!fit) problem("a loop must give a bool \"continue\" and a next state of the same types");
     return fit;
 }
 
@@ -80,8 +80,7 @@ RegionUse Module::end_region(std::span<const Id> results, uint32_t max_iteration
     const OpenRegion open = std::move(open_.back());
     open_.pop_back();
     if (level > max_region) {
-        problem("loops and functions stand more than " + std::to_string(max_region) +
-                " deep in each other");
+        problem("loops and functions are nested more than " + std::to_string(max_region) + " deep");
         return {};
     }
     if (!fits(open, results)) return {};

@@ -90,7 +90,7 @@ std::string verify(const Module& module) {
     }
     for (const ModuleOutput& output : module.outputs)
         if (output.value != poison && module[output.value].level > 0)
-            return "output " + output.name + " stands inside a region";
+            return "output " + output.name + " is inside a region";
     return {};
 }
 

@@ -238,7 +238,7 @@ private:
         if (diagnostics_.dropped() > 0) return diagnostics_.add({});  // only counted from here on
         const Location before = tree_.location(entries[first].offset);
         report(RuleId::duplicate_key, entries[again].offset, Value(shared_, again + 1).pointer(),
-               "key " + json_quoted(tree_.text(entries[again])) + " stands twice",
+               "key " + json_quoted(tree_.text(entries[again])) + " occurs twice",
                "first at line " + std::to_string(before.line) + ", column " +
                    std::to_string(before.column));
     }

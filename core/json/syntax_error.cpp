@@ -117,7 +117,7 @@ SyntaxError explain(const ParserState& state) {
     if (is_not_finite(word))
         return {start, word + " is not a number in JSON", "expected a finite number"};
     if (first == '/') return {start, "JSON has no comments", "remove it"};
-    if (first == '\'') return {start, "unexpected character '", "strings stand in double quotes"};
+    if (first == '\'') return {start, "unexpected character '", "strings need double quotes"};
     if (first == '"' && (next == Next::value || next == Next::key))
         return bad_string(source, start, state.consumed);
     if (next == Next::value && is_number(word)) return bad_number(state, start, word);

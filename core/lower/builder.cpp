@@ -132,7 +132,7 @@ private:
     }
 
     Id literal(uint32_t type, const double* lanes) {
-        if (!is_number(type) || !lanes) return refuse("asks for a literal that is no number");
+        if (!is_number(type) || !lanes) return refuse("requests a literal that is not a number");
         const auto wanted = static_cast<Type>(type);
         const size_t count = info(wanted).lanes;
         for (size_t i = 0; i < count; ++i)
@@ -277,7 +277,7 @@ private:
         const Port* p = port(index, "output()");
         if (!p) return;
         if (p->kind != Port::Kind::output) {
-            refuse("gives a value to port '" + p->name + "', which is no output");
+            refuse("gives a value to port '" + p->name + "', which is not an output");
             return;
         }
         if (lowering_.has_output(node_, index)) refuse("gives its output '" + p->name + "' twice");

@@ -32,7 +32,7 @@ public:
 
     // Records an invalid call as a problem, once per message. Returns poison.
     Id refuse(const std::string& message,
-              std::string expected = "the node's author can mend this") {
+              std::string expected = "report it to the author of the node") {
         const std::vector<Problem>& problems = module_.problems;
         for (size_t i = problems.size(); i > 0 && problems[i - 1].node == module_.current_node; --i)
             if (problems[i - 1].message == message) return poison;

@@ -162,7 +162,7 @@ private:
         diagnostics_.add(
             diagnose(project_.top(), RuleId::over_limit,
                      "the graph needs more than " + std::to_string(options_.max_nodes) + " nodes",
-                     "each use of a sub-graph that is written out counts by itself"));
+                     "each inlined use of a sub-graph counts"));
         frames_.clear();
         return false;
     }

@@ -27,7 +27,7 @@ std::optional<ImageFault> image_fault(const NamedFiles::Found& found,
     if (found.type == file_type::regular) return {};
     const bool folder = found.type == file_type::directory;
     return ImageFault{RuleId::image_missing,
-                      folder ? "which is a folder" : "which is no regular file",
+                      folder ? "which is a folder" : "which is not a regular file",
                       "expected an image file"};
 }
 

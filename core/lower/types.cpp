@@ -24,7 +24,7 @@ std::deque<NodeType> make_reroutes() {
         type.origin = Registry::built_in;
         Port& in = type.ports.emplace_back();
         in.name = "in";
-        in.doc = "What is passed on";
+        in.doc = "The value";
         in.type = static_cast<PortType>(i);
         Port out = in;
         out.kind = Port::Kind::output;

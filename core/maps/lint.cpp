@@ -27,7 +27,7 @@ constexpr std::array map_classes = {
     NamedWords{"height", "a height map"},
     NamedWords{"normal_gl", "a tangent-space normal map, green up"},
     NamedWords{"normal_dx", "a tangent-space normal map, green down"},
-    NamedWords{"normal", "a tangent-space normal map whose slopes do not tell where green points"},
+    NamedWords{"normal", "a tangent-space normal map, green up or down"},
     NamedWords{"normal_object", "an object-space normal map"},
     NamedWords{"two_channel", "slopes or normals in two channels"},
     NamedWords{"color", "no map of a bump"},

@@ -19,7 +19,7 @@
 
 namespace wrinkle::maps {
 
-//   height      the stored value; for colours the mean of red, green and blue
+//   height      the stored value; for colors the mean of red, green and blue
 //   normal      m = 2t - 1 for the stored value t, slopes -m.xy / z, with the clamps of
 //               docs/surface-gradient.md: z = max(|m.z|, max(|m.x|, |m.y|) / 128, 1e-6); for two
 //               channels z is reconstructed so that m is unit. `dx` maps have green inverted

@@ -159,7 +159,7 @@ private:
         if (sparse.count < 0 || static_cast<size_t>(sparse.count) > result.count ||
             sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0 ||
             !is_index_type(sparse.indices.componentType))
-            fail("its sparse part is no valid one");
+            fail("its sparse part is not valid");
         const auto count = static_cast<uint64_t>(sparse.count);
         const Elements places =
             locate(sparse.indices.bufferView, static_cast<uint64_t>(sparse.indices.byteOffset),

@@ -176,7 +176,7 @@ private:
         return result;
     }
 
-    // Leaves `out` empty if the attribute is absent. Colours may have three components.
+    // Leaves `out` empty if the attribute is absent. Colors may have three components.
     template <typename Vector>
     void read_vector(const tinygltf::Primitive& primitive, const std::string& name,
                      std::vector<Vector>& out, int least) {
@@ -241,7 +241,7 @@ private:
         if (bad > 0)
             warn(std::to_string(bad) + " normals are zero or no numbers; smooth ones replace them");
         if (!part.tangents.empty() && !are_tangents(part)) {
-            warn("its tangents are no unit vectors; MikkTSpace's replace them");
+            warn("its tangents are not unit vectors; MikkTSpace's replace them");
             part.tangents.clear();
         }
         ensure_tangents(part);

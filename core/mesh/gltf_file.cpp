@@ -138,10 +138,11 @@ tinygltf::Model parse(std::string_view bytes, FileGate& gate) {
         error = problem.what();
     }
     if (ok) return model;
-    if (gate.refused.empty()) fail("is no valid glTF: " + one_line(error));
-    throw InvalidGltf(gate.refused,
-                      "external files stand below the mesh's folder, or --root names a folder that "
-                      "holds them");
+    if (gate.refused.empty()) fail("is not valid glTF: " + one_line(error));
+    throw InvalidGltf(
+        gate.refused,
+        "external files must be below the mesh's folder, or --root names a folder that "
+        "holds them");
 }
 
 }  // namespace

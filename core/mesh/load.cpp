@@ -31,11 +31,11 @@ bool all_finite(const std::vector<T>& values) {
 
 // Returns "" if the mesh can be drawn, else the problem.
 std::string problem_of(const Mesh& mesh) {
-    if (!all_finite(mesh.positions)) return "a position is no finite number";
+    if (!all_finite(mesh.positions)) return "a position is not a finite number";
     for (size_t set = 0; set < max_uv_sets; ++set)
         if (!all_finite(mesh.uvs[set]))
-            return "a uv of set " + std::to_string(set) + " is no finite number";
-    if (!all_finite(mesh.colors)) return "a colour is no finite number";
+            return "a uv of set " + std::to_string(set) + " is not a finite number";
+    if (!all_finite(mesh.colors)) return "a color is not a finite number";
     for (const glm::vec3 p : mesh.positions)
         if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > max_coordinate)
             return "a coordinate is beyond 1e15";
@@ -60,7 +60,7 @@ std::optional<Mesh> load_mesh_bytes(std::string_view bytes, const fs::path& path
                                     const MeshFileOptions& options, Diagnostics& diagnostics) {
     const bool gltf = bytes.starts_with("glTF") || is_json(bytes);
     if (!gltf && bytes.find('\0') != bytes.npos) {
-        error(path, "is no mesh file", "an OBJ, .gltf or .glb", diagnostics);
+        error(path, "is not a mesh file", "an OBJ, .gltf or .glb", diagnostics);
         return {};
     }
     auto mesh = gltf ? read_gltf(bytes, path, options, diagnostics)

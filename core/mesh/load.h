@@ -33,18 +33,18 @@ struct MeshFileOptions {
 //         space is scene space. TEXCOORD_0 to 3, COLOR_0, sparse and quantised accessors.
 //         Skins and morph targets stay in the stored pose. v is flipped, v' = 1 - v; tangent.w is
 //         unchanged. The uv sets of a primitive are transformed by the KHR_texture_transform of its
-//         material: that of the first texture that reads a set, in the order normal, base colour,
+//         material: that of the first texture that reads a set, in the order normal, base color,
 //         metallic-roughness, occlusion, emissive. Tangents are generated again if that transform
 //         rotates or mirrors uv0. Images are not read.
 //
 // Faces of more than three corners are triangulated. If primitives or faces have different
-// attributes, the mesh has all of them: a missing uv is (0, 0), a missing colour white. Missing,
+// attributes, the mesh has all of them: a missing uv is (0, 0), a missing color white. Missing,
 // zero and non-finite normals are replaced by smooth ones (mean over the corners that share a
 // position, weighted by angle); missing tangents are generated (mesh/vertex_frames.h). Faces
 // without area and edges of more than two faces are retained and drawn.
 //
 // Errors name the file (for an OBJ also line and column), the problem and a hint. Causes:
-// unreadable or truncated files, indices out of range, non-finite positions, uvs or colours,
+// unreadable or truncated files, indices out of range, non-finite positions, uvs or colors,
 // coordinates beyond 1e15, nothing to draw, external files outside both the mesh's folder and
 // `root`, unknown required extensions, files over the limits.
 std::optional<Mesh> load_mesh(const std::filesystem::path& path, const MeshFileOptions& options,

@@ -88,7 +88,7 @@ private:
                 (digits.find("e-") != digits.npos || digits.find("E-") != digits.npos);
             if ((problem != std::errc{} && !tiny) || stop != end ||
                 !std::isfinite(static_cast<float>(value))) {
-                error(word, "'" + shown(word) + "' is no finite number", statement);
+                error(word, "'" + shown(word) + "' is not a finite number", statement);
                 return 0;
             }
             values[count++] = static_cast<float>(value);
@@ -130,7 +130,7 @@ private:
         const char* end = word.data() + word.size();
         const auto [stop, problem] = std::from_chars(word.data(), end, value);
         if (problem != std::errc{} || stop != end || value == 0) {
-            error(word, "'" + shown(word) + "' is no index of a " + what,
+            error(word, "'" + shown(word) + "' is not an index of a " + what,
                   "a whole number from 1, or from -1 backwards");
             return false;
         }

@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* manifest_remedy = "`wrinkle plugins --manifest` writes it anew";
+constexpr const char* manifest_remedy = "`wrinkle plugins --manifest` writes it again";
 
 std::optional<PluginListing> from_manifest(const PluginFile& file, const std::string& hash,
                                            Diagnostics& diagnostics) {
@@ -31,7 +31,7 @@ std::optional<PluginListing> from_manifest(const PluginFile& file, const std::st
     Diagnostics problems;
     auto listing = read_listing(std::move(*text), name, file.origin, problems);
     if (!listing) return ignore(problems.list().front().where, problems.list().front().message);
-    if (listing->sha256 != hash) return ignore({name}, "the plugin was built anew since");
+    if (listing->sha256 != hash) return ignore({name}, "the plugin was built again since");
     return listing;
 }
 

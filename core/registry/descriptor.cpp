@@ -221,7 +221,8 @@ private:
         if (port.default_kind == Port::Default::surface) {
             const SurfaceProperty& property = surface_properties()[port.default_surface];
             if (lanes_of(property.type) == lanes_of(port.type)) return true;
-            return fault("its default surface." + std::string(property.name) + " is no " + type);
+            return fault("its default surface." + std::string(property.name) + " is not of type " +
+                         type);
         }
         for (int i = 0; i < lanes_of(port.type); ++i) {
             const double number = source.default_value[i];
@@ -243,7 +244,7 @@ private:
         if (!ranges(source, port)) return false;
         const double number = source.default_value[0];
         if (!(std::abs(number) <= 1e9) || number != std::floor(number))
-            return fault("its default is no integer");
+            return fault("its default is not an integer");
         port.default_kind = Port::Default::constant;
         port.default_value[0] = number;
         if (port.kind == Port::Kind::count) return in_range(port, number);
@@ -265,7 +266,7 @@ private:
             if (!is_name(name))
                 return fault("its choice " + json_quoted(name) + " is not lower_snake_case");
             if (std::ranges::find(port.choices, name) != port.choices.end())
-                return fault("its choice '" + name + "' stands there twice");
+                return fault("its choice '" + name + "' occurs twice");
             port.choices.push_back(std::move(name));
         }
         return true;

@@ -50,7 +50,7 @@ bool is_cut_short(const Elf64_Ehdr& head, std::string_view bytes) {
 std::string elf_fault(std::string_view bytes) {
     if (bytes.empty()) return "the file is empty";
     if (bytes.substr(0, SELFMAG) != std::string_view(ELFMAG).substr(0, bytes.size()))
-        return "it is no shared object";
+        return "it is not a shared object";
     Elf64_Ehdr head;
     if (bytes.size() < sizeof head) return "the file is cut short";
     std::memcpy(&head, bytes.data(), sizeof head);
@@ -61,7 +61,7 @@ std::string elf_fault(std::string_view bytes) {
     if (own_machine != EM_NONE && head.e_machine != own_machine)
         return "it is built for " + machine_name(head.e_machine) + ", this program for " +
                machine_name(own_machine);
-    if (head.e_type != ET_DYN) return "it is no shared object";
+    if (head.e_type != ET_DYN) return "it is not a shared object";
     if (own_class == ELFCLASS64 && is_cut_short(head, bytes)) return "the file is cut short";
     return {};
 }

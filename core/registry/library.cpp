@@ -29,7 +29,7 @@ const wr_plugin* enter(void* library, const std::string& origin, Diagnostics& di
     const auto entry = reinterpret_cast<wr_plugin_entry>(dlsym(library, entry_symbol));
     if (!entry) {
         add_fault(diagnostics, origin,
-                  "it is no plugin of Wrinkle: it does not export wrinkle_plugin",
+                  "it is not a plugin of Wrinkle: it does not export wrinkle_plugin",
                   "end it with WRINKLE_PLUGIN(\"id\", \"version\", nodes...), in C with "
                   "WR_EXPORT const wr_plugin* wrinkle_plugin(void)");
         return nullptr;
@@ -70,7 +70,7 @@ std::string words_of_exception() {
     } catch (const std::exception& problem) {
         return problem.what();
     } catch (...) {
-        return "something that is no std::exception";
+        return "something other than a std::exception";
     }
 }
 

@@ -60,7 +60,7 @@ private:
         const Value value = object.find(key);
         if (value.is(Kind::null)) return nullptr;
         if (!value.is(Kind::string)) {
-            wrong(value, "\"" + std::string(key) + "\" is no text");
+            wrong(value, "\"" + std::string(key) + "\" is not a string");
             return nullptr;
         }
         return texts_.emplace_back(value.as_string()).c_str();
@@ -71,7 +71,7 @@ private:
         const double x = value.is(Kind::number) ? value.as_number() : -1;
         if (x >= 0 && x < 4294967296.0 && x == std::floor(x)) return static_cast<uint32_t>(x);
         wrong(value.is(Kind::null) ? object : value,
-              "\"" + std::string(key) + "\" is no whole number");
+              "\"" + std::string(key) + "\" is not a whole number");
         return 0;
     }
 
@@ -131,7 +131,7 @@ private:
 
     const char* choice(const Value& value) {
         if (value.is(Kind::string)) return texts_.emplace_back(value.as_string()).c_str();
-        wrong(value, "a choice is no text");
+        wrong(value, "a choice is not a string");
         return "";
     }
 
@@ -154,7 +154,7 @@ private:
     void range(const Value& value, double& least, double& most) {
         if (value.is(Kind::null)) return;
         constexpr double infinity = std::numeric_limits<double>::infinity();
-        if (value.size() != 2) return wrong(value, "a range is no pair");
+        if (value.size() != 2) return wrong(value, "a range is not a pair");
         const Value first = value.at(0), last = value.at(1);
         least = first.is(Kind::number) ? first.as_number() : -infinity;
         most = last.is(Kind::number) ? last.as_number() : infinity;
@@ -177,7 +177,7 @@ private:
                 if (each.value.is(Kind::number))
                     port.default_value[lane++] = each.value.as_number();
                 else
-                    wrong(each.value, "a default is no number");
+                    wrong(each.value, "a default is not a number");
         } else if (const char* link = value.is(Kind::object) ? text(value, "from") : nullptr) {
             port.default_kind = WR_DEFAULT_SURFACE;
             port.default_surface = surface(link);
@@ -226,7 +226,7 @@ std::optional<PluginListing> read_listing(std::string text, const std::string& n
     if (!parsed.complete || problems.has_errors()) return std::nullopt;
     const Value form = parsed.root.find("wrinkle_plugin");
     if (!form.is(Kind::number) || form.as_number() != listing_form)
-        return refuse(parsed.root, "this is no description of a plugin that this program knows",
+        return refuse(parsed.root, "this is not a description of a plugin that this program knows",
                       "\"wrinkle_plugin\": " + shortest(listing_form));
     Descriptors descriptors;
     const wr_plugin* plugin = descriptors.plugin(parsed.root);

@@ -36,7 +36,7 @@ std::shared_ptr<const std::string> PluginCode::calls(size_t node, std::span<cons
     }
     if (!found->second.calls) {
         reason.why = found->second.why;
-        reason.remedy = "the node's author can mend this";
+        reason.remedy = "report it to the author of the node";
     }
     return found->second.calls;
 }
@@ -74,7 +74,7 @@ std::string PluginCode::check_nodes() {
     if (!listing) return sentence_of(problems);
     if (to_json(*listing) == listing_) return {};
     return "its nodes are not those that its manifest lists; "
-           "`wrinkle plugins --manifest` writes it anew";
+           "`wrinkle plugins --manifest` writes it again";
 }
 
 }  // namespace wrinkle

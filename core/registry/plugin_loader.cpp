@@ -91,8 +91,7 @@ private:
         Diagnostics problems;
         if (!take(error ? path : real.string(), report, problems)) {
             report.state = PluginReport::State::refused;
-            if (keep_former(path))
-                add_fault(problems, path, "what was loaded of it before is kept");
+            if (keep_former(path)) add_fault(problems, path, "its nodes loaded before remain");
         }
         for (Diagnostic problem : problems.list()) {
             if (problem.severity == Severity::error) {

@@ -140,7 +140,7 @@ int main(int argc, char** argv) {
     CLI::App app("Edits a graph in a window", "wrinkle-editor");
     app.add_option("FILE", arguments.file, "The graph; a new one when it does not exist");
     app.add_option("--script", arguments.script, "Plays a script (editor/app/script.h) and ends");
-    app.add_option("--shot", arguments.shot, "Writes a picture of the window and ends");
+    app.add_option("--shot", arguments.shot, "Writes a screenshot of the window and ends");
     app.add_option("--timings", arguments.timings,
                    "Writes how long frames took, and edits until their pixels were there");
     app.add_option("--size", arguments.size, "Width and height of the window")->expected(2);

@@ -235,13 +235,13 @@ bool Script::see(const Line& line, const State& state, const Screen& screen) {
     if (what == "section") return begin_section(state, w[1]);
     if (what == "say") return say(rest(w, 1));
     if (what == "shot")
-        return (screen.shot && screen.shot(w[1])) || fail("no picture could be written");
+        return (screen.shot && screen.shot(w[1])) || fail("no screenshot could be written");
     if (what == "lose") {
         if (!screen.lose_driver || w[1] != "driver") return fail("there is no such thing to lose");
         screen.lose_driver();
         return true;
     }
-    if (what != "assert" && what != "await") return fail("'" + what + "' is no step");
+    if (what != "assert" && what != "await") return fail("'" + what + "' is not a step");
     if (w[1] == "actions" && w.size() > 2)
         return actions_ <= number(w[2]) || fail(std::to_string(actions_) + " actions");
     const auto result = holds(state, w);

@@ -225,7 +225,7 @@ bool Window::recreate_context(State& state, std::string& why) {
     h.drawn = 0;
     adopt(window, h.queue, h.scripted);
     if (state.preview) state.preview->recreate_context();
-    state.status = "The graphics driver was reset; all is drawn anew.";
+    state.status = "The graphics driver was reset; everything is drawn again.";
     h.awake = 3;
     return true;
 }

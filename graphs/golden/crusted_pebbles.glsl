@@ -225,12 +225,12 @@ WrinkleMaterial_crusted_pebbles wrinkle_crusted_pebbles(WrinkleSurface_crusted_p
     // normal: Resolve
     vec3 normal_difference = normal * (s.facing + dot(normal, relief_both_slope)) -
             relief_both_slope;
-    // stone: Colour ramp
+    // stone: Color ramp
     float stone_segment = wrinkle_crusted_pebbles_linear_segment(cells.w, stones_greatest, 0.0,
             1.0);
     vec3 stone_color = vec3(0.28, 0.3, 0.33) + vec3(-0.16, -0.17, -0.17) * stone_segment;
     float tone_result = grain.w + 0.5;  // tone: Remap
-    // shade: Colour ramp
+    // shade: Color ramp
     float shade_segment = wrinkle_crusted_pebbles_linear_segment(tone_result,
             max(length(vec2(dot(grain.xyz, dpdx), dot(grain.xyz, dpdy))), 1e-05), 0.0, 1.0);
     vec3 shade_product = vec3(0.45) * shade_segment;

@@ -297,8 +297,7 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec3 normal_cross_product = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     vec3 normal_gradient = normal_sum + normal_cross_product;
     vec3 normal_bumped = normal * s.facing - normal_gradient;
-    // tint: Hex-tiled colour
-    float tint_dot_product = dot(pebbles_here.xyz, hex_pebbles_luminance);
+    float tint_dot_product = dot(pebbles_here.xyz, hex_pebbles_luminance);  // tint: Hex-tiled color
     float tint_dot_product_2 = dot(pebbles_here_2.xyz, hex_pebbles_luminance);
     float tint_dot_product_3 = dot(pebbles_here_3.xyz, hex_pebbles_luminance);
     vec3 tint_vector = vec3(tint_dot_product, tint_dot_product_2, tint_dot_product_3);
@@ -326,7 +325,7 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     WrinkleMaterial_hex_pebbles m;
     // normal: Resolve (continued)
     m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + hex_pebbles_min_normal));
-    // tint: Hex-tiled colour (continued)
+    // tint: Hex-tiled color (continued)
     m.color = tint_sum + pebbles_here_3.xyz * tint_quotient_2.z;
     return m;
 }

@@ -221,7 +221,7 @@ WrinkleMaterial_marble wrinkle_marble(WrinkleSurface_marble s) {
     // cloud: Fractal noise
     vec4 cloud = wrinkle_marble_fbm(s.position, position_width, 1.5, 6, 2.0, 0.5);
     float tone_result = (cloud.w + 0.6) / 1.2;  // tone: Remap
-    // stone: Colour ramp
+    // stone: Color ramp
     float stone_width = length(vec2(dot(cloud.xyz, dpdx), dot(cloud.xyz, dpdy)) / 1.2);
     float stone_greatest = max(stone_width, 1e-05);
     vec3 stone_segment = wrinkle_marble_smooth_segment_2(tone_result, stone_greatest, 0.0, 0.4,
@@ -236,7 +236,7 @@ WrinkleMaterial_marble wrinkle_marble(WrinkleSurface_marble s) {
             vec3(-0.10258053, 0.001658, 0.0014256814), vec3(0.0, -0.0, -0.0),
             vec3(-0.17107008, 0.0026592687, 0.004214811));
     vec3 stone_color = wrinkle_marble_from_oklab(stone_sum + stone_segment_2 + stone_segment_3);
-    // roughness: Colour ramp
+    // roughness: Color ramp
     float roughness_segment = wrinkle_marble_linear_segment(sharp_value,
             max(length(sharp_slope_2), 1e-05), 0.0, 1.0);
     vec3 roughness_product = vec3(0.38) * roughness_segment;
@@ -244,7 +244,7 @@ WrinkleMaterial_marble wrinkle_marble(WrinkleSurface_marble s) {
     WrinkleMaterial_marble m;
     m.normal = normalize(normal_product + sharp_slope * 0.004);  // normal: Resolve (continued)
     m.color = mix(stone_color, vec3(0.16, 0.14, 0.13), sharp_value);  // color: Mix vec3
-    // roughness: Colour ramp (continued)
+    // roughness: Color ramp (continued)
     m.roughness = dot(roughness_color, vec3(0.2126, 0.7152, 0.0722));
     return m;
 }

@@ -168,7 +168,7 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     float weave_sum_2 = weave_product_5.x * normal_side_x + weave_product_3.y * normal_side_y;
     vec3 weave_volume = vec3(weave_sum, weave_product_5.y + weave_product_4.y, -weave_sum_2);
     vec3 a_sum = pebbles_slope_7 + weave_volume;  // a: Add bumps
-    vec3 tint_product = s.position * 0.7;  // tint: Triplanar colour
+    vec3 tint_product = s.position * 0.7;  // tint: Triplanar color
     vec2 tint_vector = vec2(pebbles_negated_2 * tint_product.z, tint_product.y);
     vec4 tint_product_2 = texture(triplanar_rock_tint_image, tint_vector) * pebbles_weights.x;
     vec2 tint_vector_2 = vec2(tint_product.x, pebbles_negated * tint_product.z);
@@ -275,7 +275,7 @@ WrinkleMaterial_triplanar_rock wrinkle_triplanar_rock(WrinkleSurface_triplanar_r
     WrinkleMaterial_triplanar_rock m;
     // normal: Resolve
     m.normal = normalize(normal * (s.facing + dot(normal, g_gradient_2)) - g_gradient_2);
-    // tint: Triplanar colour (continued)
+    // tint: Triplanar color (continued)
     m.color = (tint_product_2 + tint_product_3 + tint_product_4).xyz;
     return m;
 }

@@ -16,10 +16,8 @@ static Node height_blend =
         .family("gradient")
         .in<Gradient>("a", "The bump of one material")
         .in<Gradient>("b", "The bump of the other")
-        .in<Height>("height_a", 0, "How high the one stands, in length units of object space",
-                    unit("m"))
-        .in<Height>("height_b", 0, "How high the other stands, in length units of object space",
-                    unit("m"))
+        .in<Height>("height_a", 0, "The first height, in length units of object space", unit("m"))
+        .in<Height>("height_b", 0, "The second height, in length units of object space", unit("m"))
         .in<Float>("level", 0, "Raises b over a, in length units of object space",
                    slider(-0.1, 0.1), unit("m"))
         .in<Float>("softness", 0.01,
@@ -27,7 +25,7 @@ static Node height_blend =
                    "object space",
                    slider(0.001, 0.1), limits(1e-6, 1e6), unit("m"))
         .out<Gradient>("gradient", "The bump of the higher one")
-        .out<Float>("weight", "0 where a shows, 1 where b does; for colours")
+        .out<Float>("weight", "0 where a shows, 1 where b does; for colors")
         .body([](Blend in) {
             const Float above = in.height_b + in.level - in.height_a;
             const Float weight = saturate(0.5 + above / in.softness);

@@ -32,19 +32,19 @@ static Node rust =
         .family("gradient")
         .in<Gradient>("metal", "The bump that rusts")
         .in<Gradient>("rust", "The bump of the rust itself")
-        .in<Height>("height", 0, "Of the metal, for hollows, in length units of object space",
-                    unit("m"))
+        .in<Height>("height", 0,
+                    "Height of the metal, for hollows, in length units of object space", unit("m"))
         .choice("where", {"hollows", "flats", "edges", "below"},
                 "Where it begins: below a height of 0, where the bump is gentle, where it is "
                 "steep, or where it looks down")
         .in<Float>("amount", 0.5, "How far it has come: 0 nowhere, 1 everywhere", slider(0, 1),
                    limits(0, 1), unit("x"))
-        .in<Float>("hardness", 6, "Of the rim between metal and rust; 1 is a wide wash",
+        .in<Float>("hardness", 6, "Width of the rim between metal and rust; 1 is a wide wash",
                    slider(1, 20), limits(1, 100), unit("x"))
         .in<Float>("depth", 0.02, "Heights go from -depth to depth, in length units",
                    slider(0.001, 0.1), limits(1e-6, 1e6), unit("m"))
         .out<Gradient>("gradient", "Metal and rust")
-        .out<Float>("mask", "0 on metal, 1 on rust; for colour and roughness")
+        .out<Float>("mask", "0 on metal, 1 on rust; for color and roughness")
         .body([](Rust in) {
             const Float exposed = exposure(in.where, in.metal, in.height, in.depth);
             const Float mask = saturate((exposed + in.amount - 1) * in.hardness + in.amount);

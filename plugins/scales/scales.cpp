@@ -23,7 +23,7 @@ static Node scales =
         .family("pattern")
         .in<vec2>("uv", surface::uv0, "Where to read it")
         .in<Float>("density", 10, "Scales per uv unit", slider(1, 40), unit("x"))
-        .in<Float>("radius", 0.75, "Of a scale, in the distance of two", slider(0.5, 1),
+        .in<Float>("radius", 0.75, "Size of a scale, in distances of two", slider(0.5, 1),
                    limits(0.1, 1), unit("x"))
         .in<Float>("tilt", 0.7, "How much higher the tip is than the root", slider(0, 1),
                    limits(0, 1), unit("x"))

@@ -28,7 +28,7 @@ static Node twill =
                        "object space",
                        unit("m"))
         .in<Float>("scale", 24, "Threads per uv unit", slider(1, 64), unit("x"))
-        .in<Float>("width", 0.9, "Of a thread, in the distance of two threads", slider(0.4, 1),
+        .in<Float>("width", 0.9, "Width of a thread, in distances of two threads", slider(0.4, 1),
                    limits(0.3, 1), unit("x"))
         .in<Float>("amplitude", 0.01, "Height of a thread, in length units of object space",
                    slider(0, 0.05), unit("m"))

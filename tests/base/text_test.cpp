@@ -54,7 +54,7 @@ TEST(Text, TheNearestNameIsASlipAway) {
     EXPECT_EQ(nearest("amout", names), "amount");
     EXPECT_EQ(nearest("gradeint", names), "gradient");
     EXPECT_EQ(nearest("u", names), "uv");
-    EXPECT_EQ(nearest("colour", names), "");
+    EXPECT_EQ(nearest("color", names), "");
     EXPECT_EQ(nearest("", {}), "");
     EXPECT_EQ(nearest(std::string(100'000, 'a'), names), "");
 }

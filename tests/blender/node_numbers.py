@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes tests/nodes/blender_numbers.h: colour ramps, curves and blends as Blender computes them.
+"""Writes tests/nodes/blender_numbers.h: color ramps, curves and blends as Blender computes them.
 
 usage: blender --background --factory-startup --python-exit-code 1 \
            --python tests/blender/node_numbers.py -- tests/nodes/blender_numbers.h

@@ -109,8 +109,8 @@ TEST_F(BadInputTest, IsReportedAtItsPlaceAndNothingIsWritten) {
          graph_of(R"("x": {"type": "add", "in": {"c": 1}})"),
          {"bad.json:3:", "node 'x'", "'c'"}},
         {"an unknown key",
-         graph_of(R"("x": {"type": "add", "colour": 3})"),
-         {"bad.json:3:", "\"colour\""}},
+         graph_of(R"("x": {"type": "add", "color": 3})"),
+         {"bad.json:3:", "\"color\""}},
         {"a wrong value",
          graph_of(R"("x": {"type": "add", "in": {"a": "one"}})"),
          {"bad.json:3:34", "node 'x'", "'a'"}},
@@ -197,7 +197,7 @@ TEST_F(BadInputTest, AFileThatIsNoneIsNamed) {
 // Opening a pipe blocks until it has a writer.
 TEST_F(BadInputTest, APipeIsNoImage) {
     ASSERT_EQ(mkfifo((folder / "pipe.png").c_str(), 0600), 0);
-    expect_refused({"a pipe", image_graph("pipe.png"), {"no regular file"}});
+    expect_refused({"a pipe", image_graph("pipe.png"), {"not a regular file"}});
 }
 
 TEST_F(BadInputTest, EveryProblemIsReportedAtOnce) {

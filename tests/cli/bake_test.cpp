@@ -218,11 +218,11 @@ TEST_F(BakeTest, WrongUsageIsSaidBeforeAnyWork) {
         return ran.err;
     };
     EXPECT_TRUE(says(wrong({"--gl", "--dx"}), "two ways of green"));
-    EXPECT_TRUE(says(wrong({"--size", "0"}), "--size 0 is no size"));
+    EXPECT_TRUE(says(wrong({"--size", "0"}), "--size 0 is not a size"));
     wrong({"--size", "12x"});
     wrong({"--samples", "3"});
     wrong({"--dilate", "5000"});
-    EXPECT_TRUE(says(wrong({"--shard", "3/2"}), "2/8 is the second of eight"));
+    EXPECT_TRUE(says(wrong({"--shard", "3/2"}), "2/8, the second of eight"));
     EXPECT_TRUE(says(wrong({"--scale", "0"}), "greater than 0"));
     EXPECT_TRUE(says(wrong({"--pack", "r"}), "names no channels"));
     EXPECT_TRUE(says(wrong({"--map", "normal,normal"}), "two maps would be called 'normal'"));

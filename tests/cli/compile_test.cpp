@@ -65,9 +65,9 @@ TEST_F(CompileTest, OneFunctionComputesTheSelectedOutputs) {
     const std::string normal = run({"compile", "g.json", "--outputs", "normal"}).out;
     EXPECT_TRUE(says(normal, "\nvec3 wrinkle_g(WrinkleSurface_g s) {"));
     EXPECT_EQ(normal.find("WrinkleMaterial"), normal.npos);
-    const Ran wrong = run({"compile", "g.json", "--outputs", "normal,colour", "-o", "g.glsl"});
+    const Ran wrong = run({"compile", "g.json", "--outputs", "normal,color", "-o", "g.glsl"});
     EXPECT_EQ(wrong.code, 1);
-    EXPECT_TRUE(says(wrong.err, "no output 'colour' (it has displacement, normal)"));
+    EXPECT_TRUE(says(wrong.err, "no output 'color' (it has displacement, normal)"));
     EXPECT_FALSE(exists("g.glsl"));
 }
 

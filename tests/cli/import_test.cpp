@@ -12,7 +12,7 @@ using Names = std::vector<std::string>;
 
 class Import : public CliTest {
 protected:
-    // A file of one colour of 8 bits.
+    // A file of one color of 8 bits.
     void put_image(const std::string& name, const std::vector<int>& texel) const {
         Image image = make_image(4, 4, static_cast<uint32_t>(texel.size()));
         for (size_t i = 0; i < image.data.size(); ++i)
@@ -102,7 +102,7 @@ TEST_F(Import, ValuesAreThoseOfTheImages) {
     EXPECT_EQ(run({"format", "--check", "set/g.json"}).code, 0);
 }
 
-TEST_F(Import, ColoursOfFloatFilesAreLinear) {
+TEST_F(Import, ColorsOfFloatFilesAreLinear) {
     Image image = make_image(4, 4, 3);
     std::fill(image.data.begin(), image.data.end(), 0.25F);
     save(image, "a_color.exr", PixelType::half);

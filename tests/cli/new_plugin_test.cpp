@@ -36,11 +36,11 @@ TEST_F(NewPluginTest, TheFolderMayHaveAnyNameAndBeThereEmpty) {
 
 TEST_F(NewPluginTest, ANameMustBeFree) {
     const std::vector<std::pair<std::string, std::string>> refused = {
-        {"Studs", "'Studs' is no name for a node: a letter a-z, then letters, digits and _"},
-        {"my studs", "is no name for a node"},
-        {"9studs", "is no name for a node"},
-        {"../studs", "is no name for a node"},
-        {"", "is no name for a node"},
+        {"Studs", "'Studs' is not a name for a node: a letter a-z, then letters, digits and _"},
+        {"my studs", "is not a name for a node"},
+        {"9studs", "is not a name for a node"},
+        {"../studs", "is not a name for a node"},
+        {"", "is not a name for a node"},
         {std::string(65, 'a'), "at most 64"},
         {"double", "'double' is a word of C++ or CMake"},
         {"test", "'test' is a word of C++ or CMake"},
@@ -61,7 +61,7 @@ TEST_F(NewPluginTest, AnotherFolderIsLeftAsItIs) {
     EXPECT_TRUE(says(full.err, "studs: the folder is not empty; --folder names another one"));
     const Ran file = run({"new-plugin", "studs", "--folder", "studs/notes.txt"});
     EXPECT_EQ(file.code, 3);
-    EXPECT_TRUE(says(file.err, "studs/notes.txt: is no folder"));
+    EXPECT_TRUE(says(file.err, "studs/notes.txt: is not a folder"));
     EXPECT_EQ(files(), (Names{"studs", "studs/notes.txt"}));
     EXPECT_EQ(get("studs/notes.txt"), "mine");
 }

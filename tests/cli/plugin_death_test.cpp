@@ -40,7 +40,7 @@ protected:
             EXPECT_EQ(ran.code, 1) << way;
             EXPECT_EQ(ran.out, "") << way;
             EXPECT_EQ(ran.err, at_the_node + "the plugin p/dying.so cannot be used: " + words +
-                                   " (the node's author can mend this)\n")
+                                   " (report it to the author of the node)\n")
                 << way;
         }
     }

@@ -65,7 +65,8 @@ TEST_F(PluginTest, AManifestIsWrittenBesideThePlugin) {
     put("p/none.so", "no plugin");
     const Ran refused = run({"plugins", "--manifest", "p/none.so"});
     EXPECT_EQ(refused.code, 1);
-    EXPECT_TRUE(says(refused.err, "p/none.so: error: it cannot be loaded: it is no shared object"));
+    EXPECT_TRUE(
+        says(refused.err, "p/none.so: error: it cannot be loaded: it is not a shared object"));
     EXPECT_FALSE(exists("p/none.so.json"));
     put("q/ripples.so", get("p/ripples.so"));
     put("q/ripples.so.json/in_the_way", "");

@@ -108,7 +108,7 @@ TEST_F(Headless, EstimatesAreThoseOfTheText) {
     EXPECT_GT(compared, 4U);
 }
 
-// Returns the number of vertices of that colour in the card's last row or in its header.
+// Returns the number of vertices of that color in the card's last row or in its header.
 size_t drawn(const State& state, std::string_view node, ImU32 color, bool header = false) {
     ImDrawList list(ImGui::GetDrawListSharedData());
     list._ResetForNewFrame();
@@ -145,7 +145,7 @@ TEST_F(Headless, TheCardSaysItsCostAndTheHeatViewTintsIt) {
     EXPECT_EQ(drawn(state, "noise", theme::text_dim), 0U);
 }
 
-// Luminance increases monotonically along the colour scale, and its text has a contrast of at least
+// Luminance increases monotonically along the color scale, and its text has a contrast of at least
 // 4.5.
 TEST(Heat, GetsLighterAndItsTextReads) {
     const auto light = [](ImU32 color) {

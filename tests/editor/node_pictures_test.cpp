@@ -61,7 +61,7 @@ TEST(NodePreviews, AHeightIsGrayOverItsRange) {
     expect_texel(texel_of(pictures, "half", 64, 3), middle, middle, middle);
 }
 
-TEST(NodePreviews, ASlopeIsTheColourOfItsNormal) {
+TEST(NodePreviews, ASlopeIsTheColorOfItsNormal) {
     // h = u / 2 over a patch with u = x: the normal is (-1, 0, 2) / sqrt 5.
     const NodePreviews pictures = pictures_of(ramp);
     const auto shown = [](double v) { return static_cast<int>(std::lround(127.5 + 127.5 * v)); };

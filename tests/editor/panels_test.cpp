@@ -73,7 +73,7 @@ TEST_F(Headless, ALongListIsNarrowedByTyping) {
 }
 
 // Registry with a node type that has a color input; no built-in type has one.
-Registry with_colour_node() {
+Registry with_color_node() {
     static wr_port in = {}, out = {};
     in.size = out.size = sizeof(wr_port);
     in.kind = WR_KIND_INPUT;
@@ -98,18 +98,18 @@ Registry with_colour_node() {
     static wr_plugin plugin = {};
     plugin.size = sizeof(wr_plugin);
     plugin.abi = WR_ABI;
-    plugin.id = "colours";
+    plugin.id = "colors";
     plugin.version = "1";
     plugin.nodes = nodes;
     plugin.node_count = 1;
     Registry registry;
     Diagnostics problems;
-    EXPECT_TRUE(registry.add_plugin(&plugin, "colours", problems)) << to_text(problems);
+    EXPECT_TRUE(registry.add_plugin(&plugin, "colors", problems)) << to_text(problems);
     return registry;
 }
 
-TEST_F(Headless, AColourIsPickedInOneStep) {
-    static const Registry registry = with_colour_node();
+TEST_F(Headless, AColorIsPickedInOneStep) {
+    static const Registry registry = with_color_node();
     state.registry = &registry;
     open(R"({ "wrinkle": 1, "nodes": { "c": { "type": "tint" } } })");
     play("assert errors 0\nclick field:c.color.0\nassert target color");

@@ -1,5 +1,5 @@
-// Tests of the colours of both themes: contrast by WCAG 2.1; differences of the type colours by
-// CIEDE2000 (Sharma, Wu, Dalal 2005) under simulated colour vision deficiencies (Machado, Oliveira,
+// Tests of the colors of both themes: contrast by WCAG 2.1; differences of the type colors by
+// CIEDE2000 (Sharma, Wu, Dalal 2005) under simulated color vision deficiencies (Machado, Oliveira,
 // Fernandes 2009).
 #include "editor/view/look/theme.h"
 

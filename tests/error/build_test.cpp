@@ -22,7 +22,7 @@ std::string report_of(const std::string& type) {
     return text.substr(prefix.size());
 }
 
-const std::string mend = " (the node's author can mend this)\n";
+const std::string mend = " (report it to the author of the node)\n";
 
 TEST(Build, OutputsAreGivenOnceAndRightly) {
     EXPECT_EQ(report_of("forgets"), "gives no value to its output 'value'" + mend);
@@ -60,7 +60,7 @@ TEST(Build, EveryLieIsFoundOut) {
                              "uses a value that does not exist",
                              "gives the op 'column' an impossible detail",
                              "asks for a literal that is not finite",
-                             "asks for a literal that is no number",
+                             "requests a literal that is not a number",
                              "input() asks for port 77, which does not exist",
                              "reads port 'value' as a value, which it is not",
                              "reads port 'value' as an image, which it is not",
@@ -72,7 +72,7 @@ TEST(Build, EveryLieIsFoundOut) {
                              "ends a loop or a function that it did not begin",
                              "applies a loop or a function that does not exist",
                              "begins a loop or a function in an impossible way",
-                             "gives a value to port 'value', which is no output",
+                             "gives a value to port 'value', which is not an output",
                              "output() asks for port 99, which does not exist"})
         EXPECT_NE(text.find(part), text.npos) << part << "\n" << text;
 }

@@ -306,9 +306,9 @@ TEST(CheckGraph, InputsOfOptions) {
 }
 
 TEST(CheckGraph, UnknownKeysAreErrors) {
-    const std::string text = reports(
-        test::graph(R"("h": {"type": "many", "colour": 1})", R"("a": {"from": "h.value"})"));
-    EXPECT_EQ(text, "g.json:1:48: error: node 'h': unknown key \"colour\"\n");
+    const std::string text =
+        reports(test::graph(R"("h": {"type": "many", "color": 1})", R"("a": {"from": "h.value"})"));
+    EXPECT_EQ(text, "g.json:1:48: error: node 'h': unknown key \"color\"\n");
 }
 
 TEST(CheckGraph, EditedDocumentsAreAskedForTheirLinks) {

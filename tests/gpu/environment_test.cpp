@@ -27,7 +27,7 @@ void for_each_texel(const CubeFaces& faces, F check) {
                   faces[static_cast<size_t>(face)][static_cast<size_t>(i)]);
 }
 
-TEST(Environment, OfOneColourIsThatColourAtEveryRoughness) {
+TEST(Environment, OfOneColorIsThatColorAtEveryRoughness) {
     const EnvironmentCube cube =
         prefilter(equirectangular([](dvec3) { return vec3(0.25F, 1, 3); }));
     for (size_t level = 0; level < environment_levels; ++level)

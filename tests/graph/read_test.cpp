@@ -71,11 +71,11 @@ g.json:9:18: error: node 'n': "in" is a number (expected an object)
 g.json:9:32: error: node 'n': "version" is 1.5 (expected an integer from 1 on)
 g.json:9:46: error: node 'n': "muted" is a string (expected a boolean)
 g.json:10:20: error: node 'm': "type" is empty (expected the name of a node type)
-g.json:10:47: error: node 'm': "weave" is no link (expected "NODE.OUTPUT", "surface.NAME" or "input.NAME")
+g.json:10:47: error: node 'm': "weave" is not a link (expected "NODE.OUTPUT", "surface.NAME" or "input.NAME")
 g.json:10:73: error: node 'm': "from" is a number (expected a string)
-g.json:10:93: error: node 'm': "a.b.c" is no link (expected "NODE.OUTPUT", "surface.NAME" or "input.NAME")
+g.json:10:93: error: node 'm': "a.b.c" is not a link (expected "NODE.OUTPUT", "surface.NAME" or "input.NAME")
 g.json:11:10: error: node 'o': the node is a number (expected an object)
-g.json:13:26: error: output "normal" is no link (expected { "from": "NODE.OUTPUT" })
+g.json:13:26: error: output "normal" is not a link (expected { "from": "NODE.OUTPUT" })
 g.json:13:39: error: there is no node 'nn' (did you mean 'n'?)
 g.json:13:73: error: the graph has no input 'cc' (did you mean 'c'?)
 g.json:14:20: error: node 'n': the position is not two numbers (expected [x, y])
@@ -111,8 +111,8 @@ TEST(Read, DuplicateNodesAndPorts) {
             "\"a\": {\"type\": \"t\", \"in\": {\"x\": 1, \"x\": 2}},\n\"a\": {\"type\": \"u\"}"),
         "g.json", diagnostics);
     EXPECT_EQ(to_text(diagnostics),
-              "g.json:2:35: error: key \"x\" stands twice (first at line 2, column 27)\n"
-              "g.json:3:1: error: key \"a\" stands twice (first at line 2, column 1)\n");
+              "g.json:2:35: error: key \"x\" occurs twice (first at line 2, column 27)\n"
+              "g.json:3:1: error: key \"a\" occurs twice (first at line 2, column 1)\n");
     ASSERT_EQ(document.nodes.size(), 1u);
     EXPECT_EQ(document.nodes[0]->inputs.size(), 1u);
 }
@@ -243,7 +243,7 @@ TEST(Read, SaysWhatItLost) {
     EXPECT_NE(lost(R"({"wrinkle": 1, "nodes": {}, "nodes": {}})"), "");
     EXPECT_EQ(lost(sample_text(), {7, 0}), "");
     EXPECT_EQ(lost(sample_text(), {6, 0}), "it has more nodes than are allowed");
-    EXPECT_EQ(lost("[1, 2]"), "it is no JSON object");
+    EXPECT_EQ(lost("[1, 2]"), "it is not a JSON object");
 }
 
 // Ports are searched linearly, as those of a node are, so their number is limited.

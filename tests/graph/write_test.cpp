@@ -76,7 +76,7 @@ TEST(Write, WhatIsNotKnownIsKept) {
     const Document document = read_quietly(
         R"({"$schema": "s.json", "wrinkle": 1, "author": {"name": "me", "n": 1.00},
 "inputs": {"i": {"type": "float", "units": "m"}, "j": [2]},
-"nodes": {"a": {"type": "plugin_type", "colour": [1.0, {"x": null}], "in": {"odd": {"k": [1e1]}, "w": {"from": "a"}}},
+"nodes": {"a": {"type": "plugin_type", "color": [1.0, {"x": null}], "in": {"odd": {"k": [1e1]}, "w": {"from": "a"}}},
 "b": null, "c": {"type": 5, "in": 6, "version": "x"}},
 "outputs": {"o": 4}, "layout": {"a": "here", "gone": [1, 2], "$new": {"a": 1}, "$frames": {"f": 8, "g": {"rect": [1, 2, 3, 4.0], "color": "red"}}}})");
     EXPECT_EQ(canonical_text(document), R"({
@@ -93,7 +93,7 @@ TEST(Write, WhatIsNotKnownIsKept) {
         "odd": { "k": [1e1] },
         "w": { "from": "a" }
       },
-      "colour": [1.0, { "x": null }]
+      "color": [1.0, { "x": null }]
     },
     "b": null,
     "c": {

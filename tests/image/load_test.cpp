@@ -46,11 +46,11 @@ TEST_F(LoadTest, AlphaIsNotMultipliedIn) {
     EXPECT_EQ(color.data, fractions(255, 200, 100, 50, 0));
 }
 
-TEST_F(LoadTest, PalettesAndTransparentColoursAreExpanded) {
-    const std::string colours =
+TEST_F(LoadTest, PalettesAndTransparentColorsAreExpanded) {
+    const std::string colors =
         png_chunk("PLTE", std::string("\x0A\x14\x1E\x28\x32\x3C", 6)) + png_chunk("tRNS", "\x07");
     const Image palette =
-        loaded(put("p.png", png_file(3, 1, 1, 3, std::string("\0\x40", 2), colours)));
+        loaded(put("p.png", png_file(3, 1, 1, 3, std::string("\0\x40", 2), colors)));
     EXPECT_EQ(palette.channels, 4u);
     EXPECT_TRUE(palette.has_alpha);
     EXPECT_EQ(palette.data, fractions(255, 10, 20, 30, 7, 40, 50, 60, 255, 10, 20, 30, 7));
@@ -68,7 +68,7 @@ TEST_F(LoadTest, InterlacedRowsAreInTheirOrder) {
     EXPECT_EQ(image.data, fractions(255, 7, 8, 9, 4, 5, 6, 1, 2, 3));
 }
 
-TEST_F(LoadTest, WhatAFileSaysOfItsColoursChangesNothing) {
+TEST_F(LoadTest, WhatAFileSaysOfItsColorsChangesNothing) {
     const std::string chunks = png_chunk("gAMA", big_endian(100000)) +
                                png_chunk("tEXt", std::string("Software\0none", 13));
     const std::string srgb = png_chunk("sRGB", std::string(1, '\0'));

@@ -128,7 +128,7 @@ TEST_F(SaveTest, AnUnchangedFileIsLeftAlone) {
     EXPECT_EQ(loaded(path).height, 8u);
 }
 
-TEST_F(SaveTest, APngClaimsNoColourSpace) {
+TEST_F(SaveTest, APngClaimsNoColorSpace) {
     save(sample_image(3, 3, 3), "a.png", {.type = u16});
     const std::string bytes = bytes_of(folder / "a.png");
     for (const char* chunk : {"gAMA", "sRGB", "iCCP", "cHRM"})

@@ -20,7 +20,7 @@ protected:
         Diagnostics failed;
         EXPECT_TRUE(save_image(image, folder.path() / name, options, failed)) << to_text(failed);
     }
-    // One colour.
+    // One color.
     void put(const std::string& name, const std::vector<float>& texel = {0.5F, 0.5F, 0.5F}) {
         Image image = make_image(4, 4, static_cast<uint32_t>(texel.size()));
         for (size_t i = 0; i < image.data.size(); ++i)

@@ -181,7 +181,7 @@ TEST_F(RegionTest, BadRegionsArePoison) {
     EXPECT_EQ(m.end_region(std::array{f, f}, 3).region, 0u);
     ASSERT_EQ(m.problems.size(), 1u);
     EXPECT_EQ(m.problems[0].message,
-              "a loop must give a bool \"go on\" and a next state of the same types");
+              "a loop must give a bool \"continue\" and a next state of the same types");
     EXPECT_TRUE(m.apply(RegionUse{}, std::array{f}).empty());
     m.apply(line(n(2), n(1)), std::array{m.input(SurfaceInput::position_)});
     ASSERT_EQ(m.problems.size(), 2u);
@@ -200,7 +200,7 @@ TEST_F(RegionTest, NestingHasALimit) {
     for (int i = 0; i < depth; ++i)
         m.end_region(std::array{m.literal(Type::bool_, 1), f}, 2);
     EXPECT_EQ(m.depth(), 0);
-    EXPECT_EQ(m.problems[0].message, "loops and functions stand more than 16 deep in each other");
+    EXPECT_EQ(m.problems[0].message, "loops and functions are nested more than 16 deep");
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ TEST_F(RewriteTest, FieldsInFieldsHaveALimit) {
         field = {&m, sum.empty() ? u.id : sum[0]};
     }
     ASSERT_FALSE(m.problems.empty());
-    EXPECT_EQ(m.problems[0].message, "loops stand more than 16 deep in each other");
+    EXPECT_EQ(m.problems[0].message, "loops are nested more than 16 deep");
 }
 
 TEST_F(RewriteTest, BakingEqualsWritingLiterals) {
@@ -212,7 +212,7 @@ TEST_F(RewriteTest, TheVerifierFindsImplicitSamplesInRegions) {
 
 TEST_F(RewriteTest, TheVerifierFindsOutputsInsideRegions) {
     m.outputs = {{"x", WR_PORT_float, m.region_parameter(1, 0, Type::float_)}};
-    EXPECT_EQ(verify(m), "output x stands inside a region");
+    EXPECT_EQ(verify(m), "output x is inside a region");
 }
 
 TEST_F(RewriteTest, TheVerifierFindsOpenFunctions) {

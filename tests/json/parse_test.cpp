@@ -129,7 +129,7 @@ TEST(Parse, SyntaxErrorsSayWhatAndWhere) {
     EXPECT_EQ(problems("[tru]"), "g.json:1:2: error: unexpected 'tru' (expected a value)\n");
     EXPECT_EQ(problems("[1] // no"), "g.json:1:5: error: JSON has no comments (remove it)\n");
     EXPECT_EQ(problems("{'a': 1}"),
-              "g.json:1:2: error: unexpected character ' (strings stand in double quotes)\n");
+              "g.json:1:2: error: unexpected character ' (strings need double quotes)\n");
     EXPECT_EQ(problems("{\"a\": \"bc\n}"),
               "g.json:1:10: error: the string has no closing quote on its line (expected '\"', or "
               "\\n for a line break)\n");
@@ -195,8 +195,8 @@ TEST(Parse, DuplicateKeysKeepTheFirst) {
     const Value v =
         parse("{\"a\": 1,\n \"a\": {\"x\": 2, \"x\": 3}, \"b\": 4}", "g.json", diagnostics).root;
     EXPECT_EQ(to_text(diagnostics),
-              "g.json:2:16: error: key \"x\" stands twice (first at line 2, column 8)\n"
-              "g.json:2:2: error: key \"a\" stands twice (first at line 1, column 2)\n");
+              "g.json:2:16: error: key \"x\" occurs twice (first at line 2, column 8)\n"
+              "g.json:2:2: error: key \"a\" occurs twice (first at line 1, column 2)\n");
     EXPECT_EQ(one_line(v), "{ \"a\": 1, \"b\": 4 }");
     std::string keys;
     for (const Member& member : v.children())

@@ -79,6 +79,29 @@ TEST(Documents, LinksLeadToFiles) {
     EXPECT_GT(links, 150U);
 }
 
+// Below its title, each page states its kind: that of its list in the README.
+TEST(Documents, StateTheKindOfTheirList) {
+    const std::string readme = bytes_of(repository / "README.md");
+    static const std::regex link(R"(\]\(docs/([\w-]+\.md)\))");
+    size_t listed = 0;
+    for (const std::string kind : {"Tutorial", "How to", "Reference", "Explanation"}) {
+        const size_t begin = readme.find("\n" + kind + (kind == "Tutorial" ? "s:\n" : ":\n"));
+        ASSERT_NE(begin, readme.npos) << kind;
+        const size_t list = readme.find("\n* ", begin), end = readme.find("\n\n", list);
+        const std::string links = readme.substr(list, end - list);
+        for (std::sregex_iterator at(links.begin(), links.end(), link), last; at != last; ++at) {
+            const std::string text = bytes_of(repository / "docs" / (*at)[1].str());
+            const size_t title = text.find('\n');
+            EXPECT_EQ(text.substr(title, kind.size() + 6), "\n\n*" + kind + "*\n\n") << (*at)[1];
+            ++listed;
+        }
+    }
+    const auto pages = std::filesystem::directory_iterator(repository / "docs");
+    EXPECT_EQ(listed, std::ranges::count_if(pages, [](const auto& entry) {
+                  return entry.path().extension() == ".md";
+              }));
+}
+
 // Base and detail in function form take at most 36 lines: 6 of them are the result's struct and its
 // assignment, without which a further output would change the signature, 3 are named constants.
 TEST(Readme, BaseAndDetailStayShort) {

@@ -187,6 +187,7 @@ size_t occurrences(const Term& term, std::string_view block) {
     size_t count = 0;
     for (const std::string& text : term.phrases) {
         const bool first = text.starts_with('^');
+        if (first && block.starts_with(' ')) continue;  // a string that continues another
         const std::vector<std::string> phrase = split(first ? text.substr(1) : text);
         for (size_t at = 0; at < (first ? std::min<size_t>(words.size(), 1) : words.size()); ++at)
             if (!allowed[at] && matches_at(words, at, phrase)) ++count;

@@ -19,7 +19,8 @@ Prose prose_of_code(std::string_view text);
 // Paragraphs without fenced blocks, code spans and addresses.
 std::vector<std::string> prose_of_document(std::string_view text);
 
-// Phrases are words between single spaces; "^word" is the first word of a block, "word*" every
+// Phrases are words between single spaces; "^word" is the first word of a block
+// that does not begin with a space, "word*" every
 // word that begins so.
 struct Term {
     std::string name;

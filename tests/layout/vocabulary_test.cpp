@@ -1,5 +1,5 @@
-// The vocabulary of comments, documents and printed strings gets no worse: each term has the number
-// of its occurrences, which may only fall. Who lowers one writes the new number into the table.
+// The vocabulary of comments, documents and printed strings: words that are forbidden, and words
+// with a number that may only fall. A commit that lowers one writes the new number into the table.
 #include "layout/vocabulary.h"
 
 #include <gtest/gtest.h>
@@ -20,40 +20,40 @@ constexpr std::array<std::string_view, 4> medium_names{"comments", "comments of 
                                                        "strings"};
 using Counts = std::array<size_t, 4>;  // by medium
 
+// clang-format off
+const std::vector<Term> forbidden = {
+    {"stand", {"stand", "stands", "stood"}, {"stands out", "stand out"}},
+    // Exceptions: conditions and names in scripts of the editor (editor/app/script.h).
+    {"picture", {"picture", "pictures"}, {"stale picture other", "preview picture", "as picture"}},
+    {"tell", {"told", "tell", "tells"}, {"told apart", "tell apart"}},
+    {"hand", {"at hand", "the hand"}, {}},
+    {"somebody", {"nobody", "somebody", "whoever", "everybody"}, {}},
+    {"anew", {"anew"}, {}},
+    {"written out", {"written out", "opened up"}, {}},
+    {"is no", {"is no", "are no"}, {"there is no", "there are no", "is no longer", "are no longer", "is no more than", "are no more than"}},
+    {"go on", {"go on", "goes on"}, {}},
+    {"mend", {"dear", "dearer", "dearest", "mend", "mends", "heal", "heals"}, {}},
+    {"surroundings", {"surroundings"}, {}},
+    {"first word", {"^what", "^of", "^whether"}, {"of 255"}},
+};
+
 struct Row {
     Term term;
     Counts most;
 };
-
-// clang-format off
-const std::vector<Row> table = {
-    // To go altogether.
-    {{"stand", {"stand", "stands", "stood"}, {"stands out"}}, {0, 0, 29, 15}},
-    // Exception: words of conditions in scripts of the editor (editor/app/script.h).
-    {{"picture", {"picture", "pictures"}, {"stale picture other"}}, {0, 0, 58, 56}},
-    {{"tell", {"told", "tell", "tells"}, {"told apart", "tell apart"}}, {0, 0, 9, 2}},
-    {{"hand", {"at hand", "the hand"}, {}}, {0, 0, 1, 0}},
-    {{"somebody", {"nobody", "somebody", "whoever", "everybody"}, {}}, {0, 0, 3, 0}},
-    {{"anew", {"anew"}, {}}, {0, 0, 4, 6}},
-    {{"written out", {"written out", "opened up"}, {}}, {0, 0, 4, 2}},
-    {{"is no", {"is no", "are no"}, {"there is no", "there are no", "is no longer", "are no longer", "is no more than", "are no more than"}}, {0, 0, 4, 42}},
-    {{"go on", {"go on", "goes on"}, {}}, {0, 0, 10, 10}},
-    {{"mend", {"dear", "dearer", "dearest", "mend", "mends", "heal", "heals"}, {}}, {0, 0, 5, 2}},
-    {{"surroundings", {"surroundings"}, {}}, {0, 0, 0, 0}},
-    {{"first word", {"^what", "^of", "^whether", "^nothing"}, {}}, {0, 0, 43, 89}},
-    // To be used less.
-    {{"what", {"what"}, {}}, {5, 1, 213, 82}},
+const std::vector<Row> counted = {
+    {{"what", {"what"}, {}}, {5, 1, 134, 42}},
     {{"place", {"place", "places"}, {}}, {11, 4, 34, 32}},
-    {{"say", {"said", "say", "says"}, {}}, {3, 0, 60, 33}},
-    {{"ask", {"ask*"}, {}}, {2, 0, 10, 6}},
-    {{"keep", {"kept", "keep", "keeps"}, {}}, {18, 3, 40, 23}},
-    {{"whole", {"whole"}, {"whole number", "whole numbers"}}, {3, 0, 28, 7}},
-    {{"alone", {"alone"}, {}}, {0, 0, 22, 9}},
-    {{"whose", {"whose"}, {}}, {3, 1, 13, 9}},
-    {{"of its own", {"of its own"}, {}}, {4, 0, 11, 5}},
-    {{"beside", {"beside"}, {}}, {1, 1, 32, 9}},
+    {{"say", {"said", "say", "says"}, {}}, {3, 0, 46, 30}},
+    {{"ask", {"ask*"}, {}}, {2, 0, 10, 5}},
+    {{"keep", {"kept", "keep", "keeps"}, {}}, {18, 3, 39, 20}},
+    {{"whole", {"whole"}, {"whole number", "whole numbers"}}, {3, 0, 27, 6}},
+    {{"alone", {"alone"}, {}}, {0, 0, 21, 9}},
+    {{"whose", {"whose"}, {}}, {3, 1, 13, 8}},
+    {{"of its own", {"of its own"}, {}}, {4, 0, 11, 4}},
+    {{"beside", {"beside"}, {}}, {1, 1, 30, 8}},
     {{"thing", {"thing", "things"}, {}}, {0, 0, 6, 1}},
-    {{"met", {"met"}, {}}, {0, 0, 5, 1}},
+    {{"met", {"met"}, {}}, {0, 0, 5, 0}},
 };
 // clang-format on
 
@@ -81,9 +81,18 @@ std::array<std::vector<std::string>, 4> prose_of_the_tree() {
     return prose;
 }
 
+TEST(Vocabulary, OfTheTreeHasNoForbiddenWord) {
+    const auto prose = prose_of_the_tree();
+    for (const Term& term : forbidden)
+        for (size_t medium = 0; medium < prose.size(); ++medium)
+            for (const std::string& block : prose[medium])
+                EXPECT_EQ(occurrences(term, block), 0U)
+                    << "'" << term.name << "' in " << medium_names[medium] << ": " << block;
+}
+
 TEST(Vocabulary, OfTheTreeGetsNoWorse) {
     const auto prose = prose_of_the_tree();
-    for (const Row& row : table)
+    for (const Row& row : counted)
         for (size_t medium = 0; medium < prose.size(); ++medium) {
             size_t count = 0;
             for (const std::string& block : prose[medium])

@@ -129,8 +129,8 @@ TEST(LowerFunctions, DeeperThanFunctionsMayCallAreRefusedByTheLimitOfNodes) {
     EXPECT_FALSE(built.compile(options).ok);
     EXPECT_EQ(to_text(built.diagnostics),
               (built.written.folder / "g0.json").string() +
-                  ": error: the graph needs more than 10000 nodes (each use of a sub-graph that "
-                  "is written out counts by itself)\n");
+                  ": error: the graph needs more than 10000 nodes (each inlined use of a sub-graph "
+                  "counts)\n");
 }
 
 }  // namespace

@@ -359,8 +359,8 @@ TEST(Lower, ManyNodesAreRefusedByALimit) {
     lower(project, Types(project, test::registry()), options, diagnostics);
     EXPECT_EQ(to_text(diagnostics),
               (written.folder / "g0.json").string() +
-                  ": error: the graph needs more than 1000 nodes (each use of a sub-graph that "
-                  "is written out counts by itself)\n");
+                  ": error: the graph needs more than 1000 nodes (each inlined use of a sub-graph "
+                  "counts)\n");
 }
 
 }  // namespace

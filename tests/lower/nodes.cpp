@@ -45,7 +45,7 @@ Node times = node("times", "Times", "A normal of another length.")
 Node image_node = node("texture", "Texture", "Reads an image.")
                       .in<Image>("image", "It", encoding("srgb"))
                       .in<vec2>("uv", surface::uv0, "Where")
-                      .out<Color>("color", "Colour")
+                      .out<Color>("color", "Color")
                       .out<Float>("alpha", "Alpha")
                       .body([](Image image, vec2 uv) {
                           const vec4 t = image.sample(uv);

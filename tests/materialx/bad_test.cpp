@@ -90,7 +90,7 @@ TEST_F(MaterialXBad, NodesWithoutAnEquivalent) {
              "names several files");
     is_error(colored(R"(<image name="a" type="color3">
       <input name="file" type="filename" value="color.png" colorspace="acescg"/></image>)"),
-             "the colour space 'acescg'");
+             "the color space 'acescg'");
     is_warning(surface("", R"(<input name="wetness" type="float" value="0.5"/>)"),
                "input 'wetness'");
     is_warning(surface(R"(<look name="l"/>)", ""), "does not use 1 'look'");

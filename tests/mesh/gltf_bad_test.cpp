@@ -29,15 +29,15 @@ TEST(BadGltf, IsSaidWithItsRemedy) {
     const auto change = [&](const std::string& find, const std::string& replacement) {
         return with(good, find, replacement);
     };
-    expect_refused("{", "is no valid glTF");
-    expect_refused("{}", "is no valid glTF");
+    expect_refused("{", "is not valid glTF");
+    expect_refused("{}", "is not valid glTF");
     expect_refused(R"({"asset": {"version": "2.0"}})", "has no triangles");
     expect_refused(change("\"POSITION\": 0", "\"POSITION\": 9"), "there is no accessor 9");
     expect_refused(change("\"POSITION\": 0", "\"POSITION\": -1"), "there is no accessor -1");
     expect_refused(change("\"POSITION\": 0,", ""), "has no positions");
     expect_refused(change("\"POSITION\": 0", "\"POSITION\": 1"), "POSITION has 2 components");
     expect_refused(change("\"indices\": 2", "\"indices\": 1"), "holds no indices");
-    expect_refused(change("\"indices\": 2", "\"indices\": 99"), "is no valid glTF");
+    expect_refused(change("\"indices\": 2", "\"indices\": 99"), "is not valid glTF");
     expect_refused(change("\"count\": 6", "\"count\": 7"), "it leaves buffer view 2");
     expect_refused(change("\"count\": 4", "\"count\": 18446744073709551615"), "accessor 0 has");
     expect_refused(change("\"count\": 4", "\"count\": 4611686018427387904"), "accessor 0 has");
@@ -48,7 +48,7 @@ TEST(BadGltf, IsSaidWithItsRemedy) {
     expect_refused(change("\"buffer\": 0", "\"buffer\": -3"), "there is no buffer -3");
     expect_refused(change("5126", "5130"), "accessor 0 has a type");
     expect_refused(change("VEC3", "MAT4"), "accessor 0 has a type");
-    expect_refused(change("base64,", "base64,!"), "is no valid glTF");
+    expect_refused(change("base64,", "base64,!"), "is not valid glTF");
     expect_refused(change("[{\"mesh\": 0}]", "[{\"mesh\": 5}]"), "there is no mesh 5");
     expect_refused(change("\"nodes\": [0]", "\"nodes\": [4]"), "there is no node 4");
     expect_refused(change("[{\"mesh\": 0}]", "[{\"mesh\": 0, \"children\": [0]}]"),
@@ -60,7 +60,7 @@ TEST(BadGltf, IsSaidWithItsRemedy) {
     expect_refused(change("[{\"mesh\": 0}]", "[{\"mesh\": 0, \"scale\": [0, 0, 0]}]"),
                    "no triangle with an area");
     expect_refused(change("[{\"mesh\": 0}]", "[{\"mesh\": 0, \"scale\": [1e300, 1, 1]}]"),
-                   "no finite number");
+                   "not a finite number");
 }
 
 TEST(BadGltf, ValuesThatAreNoNumbers) {
@@ -68,11 +68,11 @@ TEST(BadGltf, ValuesThatAreNoNumbers) {
     GltfText gltf;
     gltf.add({0, 0, 0, 1, 0, 0, 1, infinity, 0}, "VEC3");
     gltf.attributes = R"("POSITION": 0)";
-    expect_refused(gltf.text(), "a position is no finite number");
+    expect_refused(gltf.text(), "a position is not a finite number");
     GltfText uvs = square();
     uvs.add({0, 0, 0, 0, -infinity, infinity - infinity, 0, 0}, "VEC2");
     uvs.attributes += R"(, "TEXCOORD_2": 3)";
-    expect_refused(uvs.text(), "a uv of set 2 is no finite number");
+    expect_refused(uvs.text(), "a uv of set 2 is not a finite number");
     GltfText far = square();
     far.add_indices({0, 1, 4});
     far.primitive = R"(, "indices": 3)";
@@ -111,7 +111,7 @@ TEST(BadGltf, HeadersThatLie) {
     expect_refused(change(4, "\x01"), "is glTF of version 1");
     expect_refused(change(8, "\xFF\xFF\xFF\xFF"), "is truncated: ");
     expect_refused(change(12, "\xFF\xFF\xFF\xFF"), "its JSON is longer than the file");
-    expect_refused(change(16, "JUNK"), "is no valid glTF");
+    expect_refused(change(16, "JUNK"), "is not valid glTF");
 }
 
 TEST(BadGltf, NestingAndSizeHaveLimits) {

@@ -63,14 +63,14 @@ TEST(Gltf, ReplacesTangentsAndNormalsThatAreNone) {
     const Loaded file = load(gltf.text());
     ASSERT_TRUE(file.mesh) << file.said;
     EXPECT_NE(file.said.find("2 normals are zero or no numbers"), std::string::npos) << file.said;
-    EXPECT_NE(file.said.find("tangents are no unit vectors"), std::string::npos) << file.said;
+    EXPECT_NE(file.said.find("tangents are not unit vectors"), std::string::npos) << file.said;
     for (size_t v = 0; v < 4; ++v) {
         EXPECT_EQ(file.mesh->normals[v], glm::vec3(0, 0, 1));
         EXPECT_EQ(file.mesh->tangents[v], glm::vec4(1, 0, 0, 1));
     }
 }
 
-TEST(Gltf, ReadsAllSetsColoursAndQuantisedNumbers) {
+TEST(Gltf, ReadsAllSetsColorsAndQuantisedNumbers) {
     GltfText gltf = square();
     gltf.add_bytes(std::string("\xFF\x00\x00\xFF\xFF\xFF\x00\x80", 8),
                    R"("componentType": 5121, "normalized": true, "count": 4, "type": "VEC2")");

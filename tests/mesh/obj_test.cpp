@@ -23,7 +23,7 @@ double area_from_above(const Mesh& mesh) {
     return sum;
 }
 
-TEST(Obj, ReadsPositionsUvsNormalsAndColours) {
+TEST(Obj, ReadsPositionsUvsNormalsAndColors) {
     const Loaded file = load(
         "# made by hand\nmtllib none.mtl\no thing\n"
         "v 0 0 0 1 0 0\nv 2 0 0 0 1 0\nv 2 1 0 0 0 1\n"
@@ -129,20 +129,20 @@ TEST(Obj, SaysWhatIsWrongAndWhere) {
         {corners + "f 1 2\n", "mesh.obj:5:2: error: a face of 2 corners"},
         {corners + "f 1 2 5\n", "mesh.obj:5:7: error: there is no vertex 5 here"},
         {corners + "f 1 2 -5\n", "mesh.obj:5:7: error: there is no vertex -5"},
-        {corners + "f 1 2 99999999999999999999\n", "is no index of a vertex"},
-        {corners + "f 0 1 2\n", "mesh.obj:5:3: error: '0' is no index of a vertex"},
+        {corners + "f 1 2 99999999999999999999\n", "is not an index of a vertex"},
+        {corners + "f 0 1 2\n", "mesh.obj:5:3: error: '0' is not an index of a vertex"},
         {corners + "f 1/1 2/1 3/1\n", "no texture vertex 1"},
         {corners + "f 1//1 2//1 3//1\n", "no vertex normal 1"},
         {corners + "vt 0 0\nvn 0 0 1\nf 1/1/1/1 2 3\n", "more than three indices"},
-        {corners + "f a b c\n", "'a' is no index"},
-        {"v 0 nan 0\n", "mesh.obj:1:5: error: 'nan' is no finite number (v X Y Z"},
-        {"v 0 inf 0\n", "'inf' is no finite number"},
-        {"v 0 1e999 0\n", "'1e999' is no finite number"},
-        {"v 0 1e39 0\n", "'1e39' is no finite number"},
+        {corners + "f a b c\n", "'a' is not an index"},
+        {"v 0 nan 0\n", "mesh.obj:1:5: error: 'nan' is not a finite number (v X Y Z"},
+        {"v 0 inf 0\n", "'inf' is not a finite number"},
+        {"v 0 1e999 0\n", "'1e999' is not a finite number"},
+        {"v 0 1e39 0\n", "'1e39' is not a finite number"},
         {"v 0 0\n", "2 numbers where at least 3 belong"},
-        {"v 0,5 0 0\n", "'0,5' is no finite number"},
+        {"v 0,5 0 0\n", "'0,5' is not a finite number"},
         {"v 0 0 1e16\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "beyond 1e15"},
-        {std::string("v 0 0 0\n\0\0", 10), "is no mesh file"},
+        {std::string("v 0 0 0\n\0\0", 10), "is not a mesh file"},
     };
     for (const Wrong& wrong : cases) {
         const Loaded file = load(wrong.text);

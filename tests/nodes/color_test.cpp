@@ -1,4 +1,4 @@
-// Tests of colour adjustments against numbers of other programs, and of black bodies against
+// Tests of color adjustments against numbers of other programs, and of black bodies against
 // Planck's law.
 #include <gtest/gtest.h>
 
@@ -104,7 +104,7 @@ TEST(Oklch, ChangesOneQuality) {
     EXPECT_NEAR(turned[2], -0.046271, 1e-5);
 }
 
-// The colour matching functions of CIE 1931 as sums of Gaussians (C. Wyman 2013).
+// The color matching functions of CIE 1931 as sums of Gaussians (C. Wyman 2013).
 double lobe(double x, double mean, double below, double above) {
     const double t = (x - mean) / (x < mean ? below : above);
     return std::exp(-t * t / 2);

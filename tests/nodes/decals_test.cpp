@@ -146,7 +146,7 @@ TEST(CubeNormalMap, LeadsToTheNormalsOfADisplacedSphere) {
     }
 }
 
-// Each face has one colour: no footprint may blend in a neighbouring face of the image.
+// Each face has one color: no footprint may blend in a neighbouring face of the image.
 TEST(CubeNormalMap, ReadsNoTexelOfANeighbourInThePicture) {
     for (const bool strip : {true, false}) {
         const Image picture = cube_picture(strip, [](Looked at) {

@@ -10,9 +10,9 @@ namespace wrinkle::test {
 namespace {
 
 using Lanes = std::vector<double>;
-using Colour = std::array<double, 3>;
+using Color = std::array<double, 3>;
 
-Image plain(Colour color) {
+Image plain(Color color) {
     Image image = make_image(4, 4, 3);
     for (size_t i = 0; i < image.data.size(); ++i)
         image.data[i] = static_cast<float>(color[i % 3]);

@@ -86,7 +86,7 @@ TEST(Pitfall23FlippedAxes, ProjectionsReadTheRightWayRoundOnSixSides) {
         }
 }
 
-TEST(Pitfall23FlippedAxes, TriplanarColoursReadTheRightWayRoundOnSixSides) {
+TEST(Pitfall23FlippedAxes, TriplanarColorsReadTheRightWayRoundOnSixSides) {
     const Image ramp = painted(64, [](double u, double v) { return std::array{u, v, 0.0}; });
     const Scene scene{
         R"("n": {"type": "triplanar_color", "in": {"image": {"file": "textures/weave_normal.png",

@@ -95,7 +95,7 @@ TEST(RandomRange, IsBetweenItsBounds) {
     EXPECT_LT(*most, 4);
 }
 
-// The mean that the colour fades to is that of its cells, for full and narrow ranges of hue.
+// The mean that the color fades to is that of its cells, for full and narrow ranges of hue.
 TEST(RandomColor, FadesToItsMean) {
     for (const char* hues : {"0, \"hue_high\": 1", "0.05, \"hue_high\": 0.21",
                              "0.9, \"hue_high\": 1.4", "0.3, \"hue_high\": 0.3"}) {

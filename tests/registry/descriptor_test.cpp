@@ -212,7 +212,7 @@ TEST(Descriptor, RefusesWrongPorts) {
                   s.height.default_kind = WR_DEFAULT_SURFACE;
                   s.height.default_surface = WR_SURFACE_uv0;
               }),
-              "port 'height': its default surface.uv0 is no height\n");
+              "port 'height': its default surface.uv0 is not of type height\n");
 }
 
 TEST(Descriptor, RefusesWrongFieldsImagesAndOptions) {
@@ -229,13 +229,13 @@ TEST(Descriptor, RefusesWrongFieldsImagesAndOptions) {
     EXPECT_EQ(port_refusal([](Sample& s) { s.choices[1] = nullptr; }),
               "port 'mode': the name of a choice is null\n");
     EXPECT_EQ(port_refusal([](Sample& s) { s.choices[1] = "soft"; }),
-              "port 'mode': its choice 'soft' stands there twice\n");
+              "port 'mode': its choice 'soft' occurs twice\n");
     EXPECT_EQ(port_refusal([](Sample& s) { s.choices[1] = "Very hard"; }),
               "port 'mode': its choice \"Very hard\" is not lower_snake_case\n");
     EXPECT_EQ(port_refusal([](Sample& s) { s.mode.default_value[0] = 2; }),
               "port 'mode': its default 2 is outside 0 to 1\n");
     EXPECT_EQ(port_refusal([](Sample& s) { s.octaves.default_value[0] = 0.5; }),
-              "port 'octaves': its default is no integer\n");
+              "port 'octaves': its default is not an integer\n");
     EXPECT_EQ(port_refusal([](Sample& s) { s.octaves.default_value[0] = 9; }),
               "port 'octaves': its default 9 is outside its range 1 to 8\n");
     EXPECT_EQ(port_refusal([](Sample& s) { s.flag.default_value[0] = 2; }),

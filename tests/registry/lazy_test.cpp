@@ -114,8 +114,8 @@ TEST_F(Lazy, AManifestOfAnotherBuildIsIgnoredWithAWarning) {
     EXPECT_EQ(loaded.registry.ids(), std::vector<std::string>{"smaller"});
     EXPECT_EQ(to_text(loaded.diagnostics),
               json.string() +
-                  ": warning: the manifest is ignored: the plugin was built anew since "
-                  "(`wrinkle plugins --manifest` writes it anew)\n");
+                  ": warning: the manifest is ignored: the plugin was built again since "
+                  "(`wrinkle plugins --manifest` writes it again)\n");
 }
 
 TEST_F(Lazy, ADamagedManifestIsIgnoredWithAWarning) {
@@ -135,9 +135,9 @@ TEST_F(Lazy, ADamagedManifestIsIgnoredWithAWarning) {
     std::ofstream(json) << R"({"wrinkle_plugin": 2})";
     EXPECT_EQ(to_text(list(file).diagnostics),
               json.string() +
-                  ":1:1: warning: the manifest is ignored: this is no description of a "
+                  ":1:1: warning: the manifest is ignored: this is not a description of a "
                   "plugin that this program knows (`wrinkle plugins --manifest` writes "
-                  "it anew)\n");
+                  "it again)\n");
 }
 
 // The checksum matches, but the nodes do not.
@@ -151,7 +151,7 @@ TEST_F(Lazy, AManifestThatLiesIsFoundOutBeforeItsCodeIsUsed) {
     ASSERT_TRUE(loaded.reports[0].by_manifest);
     EXPECT_EQ(why_not(loaded, "marked"),
               "its nodes are not those that its manifest lists; `wrinkle plugins --manifest` "
-              "writes it anew");
+              "writes it again");
 }
 
 TEST_F(Lazy, CodeThatCrashesBehindAManifestIsNamed) {

@@ -36,7 +36,7 @@ TEST(PluginLoader, LoadsOne) {
 
 TEST(PluginLoader, SaysWhyItRefuses) {
     EXPECT_EQ(refusal(folder + "/no_symbol.so"),
-              "it is no plugin of Wrinkle: it does not export wrinkle_plugin (end it with "
+              "it is not a plugin of Wrinkle: it does not export wrinkle_plugin (end it with "
               "WRINKLE_PLUGIN(\"id\", \"version\", nodes...), in C with WR_EXPORT const wr_plugin* "
               "wrinkle_plugin(void))");
     EXPECT_EQ(refusal(folder + "/null_result.so"), "its wrinkle_plugin() returned null");
@@ -45,7 +45,7 @@ TEST(PluginLoader, SaysWhyItRefuses) {
     EXPECT_EQ(refusal(folder + "/nowhere.so"), "there is no such plugin or folder");
     const test::TemporaryFolder temporary;
     EXPECT_EQ(refusal(temporary.put("text.so", "no shared object")),
-              "it cannot be loaded: it is no shared object");
+              "it cannot be loaded: it is not a shared object");
 }
 
 TEST(PluginLoader, TriesAFolderByNameAndGoesOn) {
@@ -148,7 +148,7 @@ TEST(PluginLoader, KeepsTheLastGoodVersionOfABrokenOne) {
         const auto calls = before.registry.find("small")->code->calls(0, numbers, reason);
         EXPECT_NE(calls, nullptr) << reason.why;
         EXPECT_EQ(after.registry.find("small")->code->calls(0, numbers, reason), calls);
-        EXPECT_TRUE(after.reports[0].why.ends_with("; what was loaded of it before is kept"))
+        EXPECT_TRUE(after.reports[0].why.ends_with("; its nodes loaded before remain"))
             << after.reports[0].why;
         EXPECT_TRUE(load({file.string()}, {.copies = true}).registry.list().empty());
     }

@@ -88,9 +88,9 @@ protected:
 
 TEST_F(DamagedFile, IsNamedByWhatItIs) {
     EXPECT_EQ(refusal(""), "it cannot be loaded: the file is empty");
-    EXPECT_EQ(refusal("no shared object"), "it cannot be loaded: it is no shared object");
+    EXPECT_EQ(refusal("no shared object"), "it cannot be loaded: it is not a shared object");
     EXPECT_EQ(refusal("\x7F"), "it cannot be loaded: the file is cut short");
-    EXPECT_EQ(refusal(std::string(4096, '\0')), "it cannot be loaded: it is no shared object");
+    EXPECT_EQ(refusal(std::string(4096, '\0')), "it cannot be loaded: it is not a shared object");
     EXPECT_EQ(refusal(with(EI_CLASS, "\x01")),
               "it cannot be loaded: it is built for 32-bit programs, or damaged");
     EXPECT_EQ(refusal(with(EI_DATA, "\x02")),
@@ -98,7 +98,7 @@ TEST_F(DamagedFile, IsNamedByWhatItIs) {
     const std::string machine = refusal(with(offsetof(Elf64_Ehdr, e_machine), {"\xF3\x00", 2}));
     EXPECT_EQ(machine.substr(0, 58), "it cannot be loaded: it is built for RISC-V, this program ");
     EXPECT_EQ(refusal(with(offsetof(Elf64_Ehdr, e_type), {"\x02\x00", 2})),
-              "it cannot be loaded: it is no shared object");
+              "it cannot be loaded: it is not a shared object");
 }
 
 TEST_F(DamagedFile, ThatIsCutShortIsRefused) {

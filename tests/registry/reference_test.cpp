@@ -35,7 +35,7 @@ Registry make_registry() {
     mode.choice_count = 2;
     static wr_port image = port(WR_KIND_INPUT, WR_PORT_image, "image", "What");
     image.encoding = "srgb";
-    static wr_port out = port(WR_KIND_OUTPUT, WR_PORT_color, "color", "The colour");
+    static wr_port out = port(WR_KIND_OUTPUT, WR_PORT_color, "color", "The color");
     static const wr_port* const ports[] = {&scale, &uv, &mode, &image, &out};
     static const wr_node node = {sizeof node, 1, "picture", "Picture", "Reads an image.", "images",
                                  ports,       5, nullptr,   0,         build_nothing};
@@ -64,7 +64,7 @@ TEST(Reference, Text) {
               "    image            image        What (required, a bare path is srgb)\n"
               "\n"
               "  out\n"
-              "    color            color        The colour\n");
+              "    color            color        The color\n");
 }
 
 TEST(Reference, Json) {
@@ -82,7 +82,7 @@ TEST(Reference, Json) {
         "  {\"name\": \"image\", \"kind\": \"input\", \"type\": \"image\", \"doc\": \"What\", "
         "\"required\": true, \"encoding\": \"srgb\"},\n"
         "  {\"name\": \"color\", \"kind\": \"output\", \"type\": \"color\", \"doc\": \"The "
-        "colour\"}]}\n"
+        "color\"}]}\n"
         "]}\n");
 }
 

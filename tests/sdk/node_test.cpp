@@ -43,7 +43,7 @@ constinit Node everything = node("everything", "Everything", "One port of each k
                                 .count("octaves", 4, 1, 8, "How many")
                                 .flag("invert", true, "Which way")
                                 .field<Float>("relief", surface::uv0, "The relief")
-                                .out<Color>("color", "The colour")
+                                .out<Color>("color", "The color")
                                 .in<Image>("image", "The picture", encoding("srgb"))
                                 .out<Float>("count", "The count")
                                 .body([](Everything in) {

@@ -38,14 +38,14 @@ constexpr const char* description = "Description";  // keyword of the PNG specif
 // The header after png_set_expand(). libpng itself reports it only after it has allocated rows, and
 // the caller has not checked the width yet.
 WrinkleImageHeader header_of(png_structp png, png_infop info) {
-    const int colour = png_get_color_type(png, info);
+    const int color = png_get_color_type(png, info);
     const bool alpha =
-        (colour & PNG_COLOR_MASK_ALPHA) || png_get_valid(png, info, PNG_INFO_tRNS) != 0;
+        (color & PNG_COLOR_MASK_ALPHA) || png_get_valid(png, info, PNG_INFO_tRNS) != 0;
     const bool u16 = png_get_bit_depth(png, info) == 16;
     WrinkleImageHeader header = {};
     header.width = png_get_image_width(png, info);
     header.height = png_get_image_height(png, info);
-    header.channels = (colour & PNG_COLOR_MASK_COLOR ? 3 : 1) + (alpha ? 1 : 0);
+    header.channels = (color & PNG_COLOR_MASK_COLOR ? 3 : 1) + (alpha ? 1 : 0);
     header.has_alpha = alpha;
     header.type = static_cast<uint32_t>(u16 ? PixelType::u16 : PixelType::u8);
     return header;
@@ -127,8 +127,8 @@ int32_t number(const char* path, const char*, uint32_t, const char* name, float*
 }
 
 void declare(Session& session, const WriterOptions& options) {
-    constexpr int colour_types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
-                                    PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
+    constexpr int color_types[] = {PNG_COLOR_TYPE_GRAY, PNG_COLOR_TYPE_GRAY_ALPHA,
+                                   PNG_COLOR_TYPE_RGB, PNG_COLOR_TYPE_RGB_ALPHA};
     std::string numbers = codec::numbers_as_text(options.numbers), key = description;
     png_text text = {};
     text.compression = PNG_TEXT_COMPRESSION_NONE;
@@ -137,7 +137,7 @@ void declare(Session& session, const WriterOptions& options) {
     session.call([&](png_structp png, png_infop info) {
         png_set_IHDR(png, info, options.width, options.height,
                      options.type == PixelType::u16 ? 16 : 8,
-                     colour_types[options.channels.size() - 1], PNG_INTERLACE_NONE,
+                     color_types[options.channels.size() - 1], PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         if (!options.numbers.empty()) png_set_text(png, info, &text, 1);
         png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);  // much smaller files

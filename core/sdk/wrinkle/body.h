@@ -184,7 +184,7 @@ void build(const wr_builder* b) noexcept {
     } catch (const std::exception& problem) {
         fail(problem.what());
     } catch (...) {
-        fail("the node's body threw something that is no std::exception");
+        fail("the node's body threw something other than a std::exception");
     }
     write_poison(Outputs{});
 }

@@ -1,6 +1,6 @@
 // Images and fields: what a body may read at places of its own choice.
 //
-// Image  an image of the graph, decoded by its encoding: colours are linear, normals and
+// Image  an image of the graph, decoded by its encoding: colors are linear, normals and
 //        derivatives in [-1, 1] with green up. `sample` filters by the changes of uv between
 //        pixels; in a region the host takes those from outside.
 // Field  the expression at a port, read where its domain (uv or position) has another value.

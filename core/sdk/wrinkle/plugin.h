@@ -14,7 +14,7 @@
  *                       it may be repeated, also in another process that only reads descriptors
  *              [build]  during a build(), on the thread that called it
  *            Several builds may run at once on several threads, each with a builder of its own, of
- *            one node too. So build() keeps no state; a constant table is no state.
+ *            one node too. So build() keeps no state; a constant table is not state.
  * Errors     A call that makes no sense records a diagnostic on the node and returns WR_POISON.
  *            Poison passes through every operation silently, so a body needs no checks.
  *            Exceptions must not leave build(); the C++ face sees to that. The host throws none.
@@ -270,7 +270,7 @@ extern "C" {
     /* as from_normal; one that points inward is reversed */ \
     X(gradient_from_outward_normal, 140, 1, special, "", 0, 2) \
     /* gradient -> float: the trace of the covariance of its unit normal within a pixel, from the \
-     * pictures that its slopes are read from and from with_covariance */ \
+     * images that its slopes are read from and from with_covariance */ \
     X(normal_variance,          141, 1, special, "",    0,  2) \
     /* a record of channels; extra: the host's own number of it */ \
     X(material,                 142, 0, leaf,    "",    0,  2) \
@@ -339,7 +339,7 @@ typedef uint32_t wr_region; /* a loop body or a function; 0 is none */
 
 /* Kinds of regions */
 #define WR_REGION_FUNCTION 1u /* results: the outputs; captured values become parameters */
-#define WR_REGION_LOOP 2u /* parameters: the state; results: bool "go on", then the next state */
+#define WR_REGION_LOOP 2u /* parameters: the state; results: bool "continue", then the next state */
 
 /* What a node's build() works with. Made and owned by the host, valid during that build(). Members
  * are called as b->emit(b, ...), all of them [build]. Arrays and strings that they are given are

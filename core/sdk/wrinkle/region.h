@@ -145,9 +145,10 @@ auto function(const char* name, Body body) {
 template <class... State, class Body>
 std::tuple<State...> loop(const char* name, uint32_t max, std::tuple<State...> initial, Body body) {
     using Next = std::tuple<Bool, State...>;
-    static_assert(std::is_convertible_v<std::invoke_result_t<Body, State...>, Next>,
-                  "a loop's body takes the state and returns a tuple of Bool (go on) and the next "
-                  "state");
+    static_assert(
+        std::is_convertible_v<std::invoke_result_t<Body, State...>, Next>,
+        "a loop's body takes the state and returns a tuple of Bool (continue) and the next "
+        "state");
     const uint32_t types[] = {State::type...};
     wr_value ids[sizeof...(State)] = {};
     detail::Recording recording(WR_REGION_LOOP, name, types, sizeof...(State), ids);

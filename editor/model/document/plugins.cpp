@@ -44,7 +44,7 @@ void reload_plugins(Session& session) {
     session.is_synced = false;
     session.status =
         session.plugins.problems.list().empty()
-            ? "Plugins are loaded anew: " + counted(from_plugins(*session.registry), "node") +
+            ? "Plugins are reloaded: " + counted(from_plugins(*session.registry), "node") +
                   " from them."
             : first_trouble(session.plugins);
 }

@@ -98,14 +98,14 @@ void distribute(State& state) {
 
 constexpr Command node_table[] = {
     {"add-node", "Add node", "Space", always, add_node},
-    {"add-picture", "Add picture", "I", always, choose_image},
+    {"add-picture", "Add image", "I", always, choose_image},
     {"edit-values", "Edit values, or open the sub-graph", "Enter", no_values,
      [](State& s) { selected_group(s) ? open_selected_group(s) : edit_values(s); }},
     {"expose", "Expose as an input of the graph", "E", no_exposable, expose_pointed},
     {"context-menu", "Menu of the selected node", "Shift+F10", wants_selection,
      open_selection_menu},
     {"mute", "Mute", "M", wants_selection, mute_selected},
-    {"picture", "Picture of what it makes", "V", wants_selection, turn_pictures},
+    {"picture", "Thumbnail", "V", wants_selection, turn_pictures},
     {"ports", "All ports of a long card", "U", no_folded, turn_ports},
     {"swap-inputs", "Swap inputs", "Alt+S", wants_selection, swap_selected},
     {"frame", "Frame", "C", always, frame_selected},

@@ -104,8 +104,8 @@ constexpr Command preview_table[] = {
      [](const State& s) { return s.view.flat.on; }},
     {"bump-angle", "Angle of the bump", "", always, show<gpu::View::difference>,
      shown<gpu::View::difference>},
-    {"save-picture", "Save picture...", "", why_no_image, save_picture<false>},
-    {"export-picture", "Export picture in a size...", "", why_no_image, save_picture<true>},
+    {"save-picture", "Save image...", "", why_no_image, save_picture<false>},
+    {"export-picture", "Export image in a size...", "", why_no_image, save_picture<true>},
     {"displaced", "Displaced", "", always, displaced,
      [](const State& s) { return s.view.preview_view.displaced; }},
     {"frame-preview", "Show all of the object", "Shift+F", always, frame},
@@ -113,7 +113,7 @@ constexpr Command preview_table[] = {
      compares<CompareView::Mode::split>},
     {"compare-flip", "Compare: turn to the other side", "X", always, flip,
      compares<CompareView::Mode::flip>},
-    {"compare-difference", "Compare: degrees or picture", "Shift+X", always, difference,
+    {"compare-difference", "Compare: degrees or image", "Shift+X", always, difference,
      [](const State& s) { return s.view.compare.difference; }},
 };
 

@@ -82,7 +82,7 @@ constexpr Command view_table[] = {
      [](const State& s) { return s.view.tracing; }},
     {"heat", "Tint costs", "H", always, [](State& s) { s.view.heat = !s.view.heat; },
      [](const State& s) { return s.view.heat; }},
-    {"pictures", "Pictures on nodes", "Shift+V", always,
+    {"pictures", "Thumbnails on nodes", "Shift+V", always,
      [](State& s) {
          s.view.node_previews = !s.view.node_previews;
          s.layout_stale = true;

@@ -81,7 +81,7 @@ NewNode with_source(const State& state, const NewImage& image, ImVec2 at) {
 void add_on_wire(State& state, const NewImage& image, const Wire& wire) {
     const NewNode made = with_source(state, image, image.at + ImVec2(-336, 96));
     const Port* bump = bump_of(*image.type);
-    std::string why = image.file + " is a picture of colours, so there is no bump to add";
+    std::string why = image.file + " is an image of colors, so there is no bump to add";
     std::optional<Document> document;
     if (bump)
         document = with_bump_on_wire(state, made.document, wire, {made.id, bump->name},

@@ -144,7 +144,7 @@ void open_selected_group(State& state) {
 
 void group_selected(State& state) {
     if (state.path.empty()) {
-        state.status = "Save the graph first; the group stands in a file beside it.";
+        state.status = "Save the graph first; the group becomes a file in the same folder.";
         return;
     }
     const std::string file = free_file(state.folder());

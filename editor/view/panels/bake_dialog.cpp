@@ -70,7 +70,7 @@ void draw_copy_button(State& state) {
     ImGui::EndDisabled();
     const bool hovered = ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
     const About about = last_item();
-    if (!any && hovered) show_tooltip(about, "Of a graph that has a file, when a map is chosen");
+    if (!any && hovered) show_tooltip(about, "Needs a saved graph and a chosen map");
     if (!any || (!copy && !hovered)) return;
     BakeChoices choices = dialog.choices;
     choices.into = fs::absolute(place_of(state, choices)).lexically_normal();

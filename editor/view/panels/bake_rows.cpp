@@ -86,10 +86,10 @@ void draw_ways(Interface& interface, const Item& off, const Item& on, bool& way)
 
 void draw_normal_rows(State& state) {
     BakeChoices& choices = state.bake_dialog.choices;
-    begin_control(state.fonts, "Space", "Of normals");
+    begin_control(state.fonts, "Space", "Space of normals");
     draw_ways(state, {"Tangent", "bake:tangent", "The frame of the mesh's uvs"},
               {"Object", "bake:object", "The mesh's own axes"}, choices.object_space);
-    begin_control(state.fonts, "Green", "Of normals", right_half);
+    begin_control(state.fonts, "Green", "Green of normals", right_half);
     draw_ways(state, {"Up (gl)", "bake:gl", "OpenGL, Blender, Unity, glTF"},
               {"Down (dx)", "bake:dx", "DirectX, Unreal"}, choices.green_down);
 }

@@ -55,7 +55,7 @@ const PurposeInfo& info(Purpose purpose) {
         {"Save the graph as", save_chosen, {".json"}, ".json", true},
         {"Export GLSL", [](State& s, const fs::path& file) { start_code_export(s, file); },
          text_extensions(), "", true},
-        {"Save the picture of the preview",
+        {"Save the image of the preview",
          take_export_image,
          {".png", ".jpg", ".jpeg", ".tif", ".tiff"},
          ".png",

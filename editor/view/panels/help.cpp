@@ -26,8 +26,8 @@ constexpr GestureHelp table[] = {
     {"Drag from pin to pin", "connects; from a connected input takes the wire off"},
     {"Drag a pin into the open", "searches what fits there"},
     {"Drag a value", "changes it; Ctrl fine, Shift coarse"},
-    {"Click a value", "opens its list, its colour or its pictures"},
-    {"Double-click a value", "types it; Tab goes on to the next"},
+    {"Click a value", "opens its list, its color or its images"},
+    {"Double-click a value", "types it; Tab moves to the next"},
     {"Double-click a name", "renames the node"},
     {"Double-click a sub-graph", "opens it"},
     {"Drag empty ground", "selects what the box touches"},
@@ -35,7 +35,7 @@ constexpr GestureHelp table[] = {
     {"Wheel", "zooms at the pointer"},
     {"Right-click empty ground", "searches nodes"},
     {"Right-click a card, a value, a wire, a frame", "opens its menu"},
-    {"Drop a picture", "adds it as a source, on a wire as a layer"},
+    {"Drop an image", "adds it as a source, on a wire as a layer"},
 };
 
 std::string default_text(const Port& port) {

@@ -22,7 +22,7 @@ constexpr Hint<Gestures> gesture_hints[] = {
     {Gestures::lasso, "Shift adds to the selection   Ctrl takes away"},
     {Gestures::cut, "Wires under the stroke are cut when the button is let go   Esc keeps them"},
     {Gestures::reroute, "Wires under the stroke get a reroute when the button is let go"},
-    {Gestures::lazy, "Let go on a node to connect what fits best   Esc to drop the wire"},
+    {Gestures::lazy, "Release on a node to connect the best fit   Esc to drop the wire"},
     {Gestures::resize, "Esc gives the size back"},
     {Gestures::pan, "Let go where it shall stay"},
 };
@@ -44,7 +44,7 @@ std::string_view find_hint(std::span<const Hint<Kind>> hints, Kind kind) {
 // By Popup::Kind.
 constexpr std::string_view popup_hints[] = {
     "",
-    "Enter takes it   Tab goes on to the next value   Esc leaves it",
+    "Enter takes it   Tab moves to the next value   Esc leaves it",
     "Enter renames   Esc leaves the name",
     "Up and Down choose   Enter takes it   Esc leaves it",
     "Type to narrow the list   Enter takes it   Esc leaves it",

@@ -94,7 +94,7 @@ void draw_compare(State& state, ImVec2 at, float width) {
     choose_other(state, std::max(left * 0.55F, 60.0F));
     ImGui::SameLine(0, 8);
     word(state.fonts, "as");
-    static const Item as[] = {{"Picture", "as:picture"}, {"Difference", "as:difference"}};
+    static const Item as[] = {{"Image", "as:picture"}, {"Difference", "as:difference"}};
     const int picked = choose(state, "compare:as", as[compare.difference ? 1 : 0].label, as,
                               std::max(left * 0.45F, 60.0F));
     if (picked >= 0) compare.difference = picked == 1;

@@ -175,7 +175,7 @@ std::string why_stale(const State& state, const PreviewImage& image) {
     if (!state.preview_stale)
         return state.preview_problems.has_errors() ? first_reason(state)
                                                    : state.built.why_not_shown;
-    return (image.texture ? "Showing the last good picture. " : "No picture yet. ") +
+    return (image.texture ? "Showing the last good image. " : "No image yet. ") +
            first_reason(state);
 }
 

@@ -76,7 +76,7 @@ Sheet running_sheet(const Session& session) {
     const Task* task = session.tasks.running.get();
     return {task ? task->order().name + " is not done yet." : "All is done.",
             task ? "To quit stops it. Nothing of it is written." : "",
-            {{"Quit", "answer:stop", answer_stop}, {"Go on", "answer:cancel", cancel}}};
+            {{"Quit", "answer:stop", answer_stop}, {"Continue", "answer:cancel", cancel}}};
 }
 
 // Prompt for a graph that is saved to a folder that its files are not below.

@@ -187,7 +187,7 @@ Diagnostic at_node(const Diagnostic& refusal, const Reflection& reflection,
     }
     result.message = "The graphics driver refused the shader at line " + std::to_string(line) +
                      (result.node.empty() ? "" : " (" + result.node + ")") +
-                     ". The last good picture is shown.";
+                     ". The last good image is shown.";
     result.expected = refusal.message;
     return result;
 }

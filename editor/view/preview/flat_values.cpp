@@ -111,7 +111,7 @@ bool evaluate_outputs(const Model& model, const Document& document, const FlatAr
                       TextureStore& textures, std::vector<Evaluated>& result) {
     MaterialOptions options;
     options.given_differentials = true;
-    options.runs_calls = "the pictures";
+    options.runs_calls = "the 2D view";
     Diagnostics problems;
     const Project project = project_to_compile(model, document, problems);
     const Compiled compiled = compile_material(project, *model.registry, options, problems);

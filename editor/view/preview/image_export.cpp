@@ -60,7 +60,7 @@ fs::path usual_image_path(const State& state) {
 }
 
 std::string_view why_no_image(const State& state) {
-    return state.preview && state.preview->shown().texture ? "" : "There is no picture yet.";
+    return state.preview && state.preview->shown().texture ? "" : "There is no image yet.";
 }
 
 }  // namespace wrinkle::editor

@@ -47,12 +47,12 @@ WrinkleMaterial_blend wrinkle_blend(WrinkleSurface_blend s) {
     float turn_result = fract(stripes_result);  // turn: Fraction
     vec2 duv0_dx = dFdx(s.uv0);  // the surface point
     vec2 duv0_dy = dFdy(s.uv0);
-    float top_greatest = max(length(vec2(duv0_dx.y, duv0_dy.y) * 9.0), 1e-05);  // top: Colour ramp
+    float top_greatest = max(length(vec2(duv0_dx.y, duv0_dy.y) * 9.0), 1e-05);  // top: Color ramp
     float top_segment = wrinkle_blend_linear_segment(turn_result, top_greatest, 0.0, 0.5);
     vec3 top_sum = vec3(0.1, 0.02, 0.02) + vec3(0.7, 0.28, 0.08) * top_segment;
     float top_segment_2 = wrinkle_blend_linear_segment(turn_result, top_greatest, 0.5, 0.5);
     vec3 top_color = top_sum + vec3(0.1, 0.5, 0.8) * top_segment_2;
-    float base_greatest = max(length(vec2(duv0_dx.x, duv0_dy.x)), 1e-05);  // base: Colour ramp
+    float base_greatest = max(length(vec2(duv0_dx.x, duv0_dy.x)), 1e-05);  // base: Color ramp
     float base_segment = wrinkle_blend_linear_segment(s.uv0.x, base_greatest, 0.0, 0.5);
     vec3 base_sum = vec3(0.02, 0.05, 0.2) + vec3(0.18, 0.55, 0.1) * base_segment;
     float base_segment_2 = wrinkle_blend_linear_segment(s.uv0.x, base_greatest, 0.5, 0.5);

@@ -256,7 +256,7 @@ WrinkleMaterial_splatter wrinkle_splatter(WrinkleSurface_splatter s) {
             rib_greatest_2;
     vec2 rib_choice = rib_magnitude.x < rib_negated_2 ? vec2(0.0) : rib_vector_3;
     vec2 rib_choice_2 = rib_sum_9 < max(rib_magnitude.x, rib_negated_2) ? vec2(0.0) : rib_choice;
-    float ramp_least = min(max(leaves_detail, 0.0), 1.0);  // ramp: Colour ramp
+    float ramp_least = min(max(leaves_detail, 0.0), 1.0);  // ramp: Color ramp
     float ramp_factor = mix(0.5, leaves_random.x, ramp_least);
     float ramp_greatest = max(max(0.0, 1.0 - ramp_least), 1e-05);
     float ramp_segment = wrinkle_splatter_linear_segment(ramp_factor, ramp_greatest, 0.0, 0.5);

@@ -125,7 +125,7 @@ WrinkleMaterial_voronoi wrinkle_voronoi(WrinkleSurface_voronoi s) {
     float normal_product = sign(screen_area) / max(abs(screen_area), voronoi_min_area) * 0.02;
     vec2 normal_per_area = -cells_choice_3 * cells_detail * normal_product;
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
-    float mud_least = min(max(cells_detail, 0.0), 1.0);  // mud: Colour ramp
+    float mud_least = min(max(cells_detail, 0.0), 1.0);  // mud: Color ramp
     float mud_factor = mix(0.5, cells_random.x, mud_least);
     float mud_segment = wrinkle_voronoi_linear_segment(mud_factor,
             max(max(0.0, 1.0 - mud_least), 1e-05), 0.0, 1.0);

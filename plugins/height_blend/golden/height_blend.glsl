@@ -143,6 +143,6 @@ WrinkleMaterial_height_blend wrinkle_height_blend(WrinkleSurface_height_blend s)
     vec3 normal_gradient = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
     WrinkleMaterial_height_blend m;
     m.normal = normalize(normal_product - (normal_gradient + both_gradient));
-    m.color = mix(vec3(0.3, 0.32, 0.36), vec3(0.75, 0.6, 0.38), both_weight);  // colour: Mix vec3
+    m.color = mix(vec3(0.3, 0.32, 0.36), vec3(0.75, 0.6, 0.38), both_weight);  // color: Mix vec3
     return m;
 }

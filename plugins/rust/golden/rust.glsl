@@ -119,6 +119,6 @@ WrinkleMaterial_rust wrinkle_rust(WrinkleSurface_rust s) {
     WrinkleMaterial_rust m;
     // normal: Resolve
     m.normal = normalize(normal * (s.facing + dot(normal, old_gradient)) - old_gradient);
-    m.color = mix(vec3(0.55, 0.56, 0.58), vec3(0.33, 0.11, 0.03), old_mask);  // colour: Mix vec3
+    m.color = mix(vec3(0.55, 0.56, 0.58), vec3(0.33, 0.11, 0.03), old_mask);  // color: Mix vec3
     return m;
 }

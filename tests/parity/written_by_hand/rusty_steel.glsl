@@ -278,7 +278,7 @@ WrinkleMaterial_rusty_steel wrinkle_rusty_steel(WrinkleSurface_rusty_steel s) {
     vec2 per_area = dusty_slope * sign(area) / max(abs(area), min_area);
     vec3 gradient = cross(normal, s.position_dx * per_area.y - s.position_dy * per_area.x);
 
-    // Colours
+    // Colors
     float tone = (bends.w + 0.6) / 1.2;
     vec3 steel_color = mix(vec3(0.45, 0.46, 0.48), vec3(0.6, 0.6, 0.62), tone);
     float rust_tone = (grain.w + 1.0) / 2.0;

@@ -19,8 +19,8 @@
     X(exit_while_loading, std::exit(0), "it ended the program while it was loaded, with exit code 0") \
     X(exit_7_while_loading, _exit(7), "it ended the program while it was loaded, with exit code 7") \
     X(throw_while_loading, throw std::runtime_error("no licence"), "it threw an exception that nothing caught: no licence") \
-    X(throw_5_while_loading, throw 5, "it threw an exception that nothing caught: something that is no std::exception") \
-    X(lies_while_loading, say("fine\n{}"); _exit(0), "this is no description of a plugin that this program knows") \
+    X(throw_5_while_loading, throw 5, "it threw an exception that nothing caught: something other than a std::exception") \
+    X(lies_while_loading, say("fine\n{}"); _exit(0), "this is not a description of a plugin that this program knows") \
     X(babbles_while_loading, say("stage nowhere\n\xFF\xFE"); _exit(0), "it ended the program while its descriptors were read, with exit code 0")
 
 // In wrinkle_plugin()
@@ -30,7 +30,7 @@
     X(abort_in_entry, std::abort(), "it crashed in its wrinkle_plugin(): SIGABRT (Aborted)") \
     X(exit_in_entry, std::exit(3), "it ended the program in its wrinkle_plugin(), with exit code 3") \
     X(throw_in_entry, throw std::logic_error("not today"), "its wrinkle_plugin() threw an exception: not today") \
-    X(throw_text_in_entry, throw "text", "its wrinkle_plugin() threw an exception: something that is no std::exception") \
+    X(throw_text_in_entry, throw "text", "its wrinkle_plugin() threw an exception: something other than a std::exception") \
     X(null_in_entry, result = nullptr, "its wrinkle_plugin() returned null") \
     X(wild_in_entry, result = nowhere<wr_plugin>(), "it crashed while its descriptors were read: SIGSEGV (Segmentation fault)")
 
@@ -108,7 +108,7 @@
     X(default_infinite, input.default_value[0] = INFINITY, "node 'broken': port 'value': its default is not finite") \
     X(default_outside, input.default_value[0] = 2, "node 'broken': port 'value': its default 2 is outside its range 0 to 1") \
     X(default_surface_99, input.default_kind = WR_DEFAULT_SURFACE; input.default_surface = 99, "node 'broken': port 'value': its surface property 99 does not exist") \
-    X(default_surface_wide, input.default_kind = WR_DEFAULT_SURFACE, "node 'broken': port 'value': its default surface.position is no float") \
+    X(default_surface_wide, input.default_kind = WR_DEFAULT_SURFACE, "node 'broken': port 'value': its default surface.position is not of type float") \
     X(default_of_gradient, input.type = WR_PORT_gradient, "node 'broken': port 'value': a default of type gradient cannot be") \
     X(range_backwards, input.hard_min = 3, "node 'broken': port 'value': a range ends before it begins") \
     X(range_nan, input.soft_max = NAN, "node 'broken': port 'value': a range ends before it begins") \
@@ -117,9 +117,9 @@
     X(choices_most, mode.choice_count = ~0u, "node 'broken': port 'mode': it claims 4294967295 choices (at most 256)") \
     X(choice_null, choices[0] = nullptr, "node 'broken': port 'mode': the name of a choice is null") \
     X(choice_upper, choices[0] = "Soft", "node 'broken': port 'mode': its choice \"Soft\" is not lower_snake_case") \
-    X(choice_twice, choices[0] = "hard", "node 'broken': port 'mode': its choice 'hard' stands there twice") \
+    X(choice_twice, choices[0] = "hard", "node 'broken': port 'mode': its choice 'hard' occurs twice") \
     X(choice_outside, mode.default_value[0] = 2, "node 'broken': port 'mode': its default 2 is outside 0 to 1") \
-    X(choice_half, mode.default_value[0] = 0.5, "node 'broken': port 'mode': its default is no integer") \
+    X(choice_half, mode.default_value[0] = 0.5, "node 'broken': port 'mode': its default is not an integer") \
     X(image_encoding, image.encoding = "jpeg", "node 'broken': port 'image': its encoding \"jpeg\" does not exist") \
     X(field_of_image, field.type = WR_PORT_image, "node 'broken': port 'shape': a field of image cannot be") \
     X(field_domain, field.default_surface = 10, "node 'broken': port 'shape': its surface property 10 does not exist")
