@@ -118,6 +118,22 @@ TEST_F(Headless, AColorIsPickedInOneStep) {
     play("key Ctrl+Z\nassert clean\nassert value c.color default");
 }
 
+// Half the height of the picker's square is 0.5 as displayed, 0.214 linear.
+TEST_F(Headless, AColorIsPickedInDisplayValuesAndStoredLinear) {
+    static const Registry registry = with_color_node();
+    state.registry = &registry;
+    open(R"({ "wrinkle": 1, "nodes": { "c": { "type": "tint", "in": { "color": [1, 0, 0] } } } })");
+    play("click field:c.color.0");
+    const auto picker = *state.targets.find("color");
+    const float square = 188, middle = (square - (picker.y1 - picker.y0)) / 2;
+    play("click color+-30," + std::to_string(static_cast<int>(middle)));
+    const json::Value color = state.document().find("c")->find("color")->value;
+    double value = 0;
+    for (size_t i = 0; i < 3; ++i)
+        value = std::max(value, color.at(i).as_number());
+    EXPECT_NEAR(value, 0.214, 0.04);
+}
+
 const char* const broken_graph = R"({
   "wrinkle": 1,
   "nodes": {

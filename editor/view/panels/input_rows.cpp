@@ -105,15 +105,15 @@ void draw_number(State& state, const InputRow& row, float width) {
     if (changed) set_input(state, row, number_literal(row, values));
 }
 
-// The picker shows display values; the input is linear.
 void draw_input_color(State& state, const InputRow& row, float width) {
-    float color[3];
-    std::transform(row.numbers.begin(), row.numbers.begin() + 3, color,
+    std::array<float, 3> color, shown;
+    std::transform(row.numbers.begin(), row.numbers.begin() + 3, color.begin(),
+                   [](double linear) { return static_cast<float>(linear); });
+    std::transform(row.numbers.begin(), row.numbers.begin() + 3, shown.begin(),
                    [](double linear) { return static_cast<float>(srgb_from_linear(linear)); });
-    constexpr ImGuiColorEditFlags shared =
-        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoAlpha;
-    if (ImGui::ColorButton("##value", {color[0], color[1], color[2], 1},
-                           shared | ImGuiColorEditFlags_NoTooltip,
+    if (ImGui::ColorButton("##value", {shown[0], shown[1], shown[2], 1},
+                           ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
+                               ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoTooltip,
                            {width, ImGui::GetFrameHeight()})) {
         begin_step(state, row);
         ImGui::OpenPopup("##picker");
@@ -122,15 +122,8 @@ void draw_input_color(State& state, const InputRow& row, float width) {
     const PanelPopup popup("##picker");
     if (!popup) return;
     if (popup.is_left()) return state.history.cancel(state.inputs_panel.merge);
-    ImGui::SetNextItemWidth(220);
-    const bool changed =
-        ImGui::ColorPicker3("##color", color,
-                            shared | ImGuiColorEditFlags_NoSidePreview |
-                                ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHex);
-    name_item(state, row.target() + ":picker");
+    const bool changed = pick_color(state, row.target() + ":picker", color);
     note_held(state);
-    for (float& each : color)
-        each = static_cast<float>(linear_from_srgb(static_cast<double>(each)));
     if (changed) set_input(state, row, number_literal(row, color));
 }
 

@@ -3,6 +3,7 @@
 // table of panels.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -142,6 +143,10 @@ int segments(Interface& interface, std::span<const Item> items, int chosen, floa
 // Combo box with the current label, `shown`. Returns the index of the item that was picked, or -1.
 int choose(Interface& interface, const std::string& target, const std::string& shown,
            std::span<const Item> items, float width);
+
+// Color picker with hex code. It shows display values (sRGB) of the color, which is linear. Returns
+// true if the color changed.
+bool pick_color(Interface& interface, const std::string& target, std::array<float, 3>& linear);
 
 // Requests keyboard focus for the text field that is drawn next; call note_field() after drawing
 // it. ImGui focuses a field some frames after the request; the input queue holds back typed keys

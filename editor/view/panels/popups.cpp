@@ -172,21 +172,16 @@ bool draw_color(State& state) {
     const Node* node = state.document().find(state.popup.node);
     if (!port || !node) return true;
     const auto numbers = numbers_at(*node, *port);
-    float color[3];
+    std::array<float, 3> color;
     for (size_t i = 0; i < 3; ++i)
         color[i] = static_cast<float>(numbers[i]);
-    ImGui::SetNextItemWidth(220);
-    constexpr ImGuiColorEditFlags flags = ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
-                                          ImGuiColorEditFlags_NoSidePreview |
-                                          ImGuiColorEditFlags_DisplayRGB;
-    const bool changed = ImGui::ColorPicker3("##color", color, flags);
-    name_item(state, "color");
+    const bool changed = pick_color(state, "color", color);
     note_held(state);
     if (changed) {
         Document document = state.document();
         for (int i = 0; i < 3; ++i)
-            document =
-                with_number(document, state.popup.node, *port, i, static_cast<double>(color[i]));
+            document = with_number(document, state.popup.node, *port, i,
+                                   static_cast<double>(color[static_cast<size_t>(i)]));
         state.commit(state.popup.node + ": " + port->name, document, state.popup.merge);
     }
     if (is_pressed(ImGuiKey_Tab, false)) state.popup.next = 1;

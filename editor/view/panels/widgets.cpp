@@ -1,6 +1,8 @@
 // Widgets shared by all panels.
+#include <algorithm>
 #include <cmath>
 
+#include "base/srgb.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
@@ -196,6 +198,25 @@ int choose(Interface& interface, const std::string& target, const std::string& s
     }
     ImGui::EndCombo();
     return picked;
+}
+
+bool pick_color(Interface& interface, const std::string& target, std::array<float, 3>& linear) {
+    std::array<float, 3> shown;
+    std::ranges::transform(linear, shown.begin(), [](float each) {
+        return static_cast<float>(srgb_from_linear(static_cast<double>(each)));
+    });
+    ImGui::SetNextItemWidth(220);
+    const bool changed =
+        ImGui::ColorPicker3("##color", shown.data(),
+                            ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR |
+                                ImGuiColorEditFlags_NoAlpha | ImGuiColorEditFlags_NoSidePreview |
+                                ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHex);
+    name_item(interface, target);
+    if (changed)
+        std::ranges::transform(shown, linear.begin(), [](float each) {
+            return static_cast<float>(linear_from_srgb(static_cast<double>(each)));
+        });
+    return changed;
 }
 
 void focus_field(Dialogs& dialogs) {
