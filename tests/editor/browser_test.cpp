@@ -135,25 +135,27 @@ TEST_F(Headless, OfAHugeFolderOnlyWhatIsSeenIsDrawn) {
 }
 
 TEST(Samples, AreListedByName) {
-    const auto samples = list_samples(fs::path(WRINKLE_SOURCE_DIR) / "graphs");
-    EXPECT_GT(samples.size(), 20U);
-    for (const Sample& sample : samples) {
-        EXPECT_FALSE(sample.name.empty());
-        EXPECT_GT(sample.nodes, 0U);
-        EXPECT_TRUE(fs::exists(sample.image)) << sample.image;
+    for (const char* folder : {"graphs", "graphs/materials"}) {
+        const auto samples = list_samples(fs::path(WRINKLE_SOURCE_DIR) / folder);
+        EXPECT_GE(samples.size(), 20U);
+        for (const Sample& sample : samples) {
+            EXPECT_FALSE(sample.name.empty());
+            EXPECT_GT(sample.nodes, 0U);
+            EXPECT_TRUE(fs::exists(sample.image)) << sample.image;
+        }
     }
     EXPECT_TRUE(list_samples("/no/such/folder").empty());
 }
 
 TEST_F(Headless, TheStartPageOpensASampleInOneClick) {
     state.start.read = true;  // use the samples of this test
-    state.start.samples = list_samples(fs::path(WRINKLE_SOURCE_DIR) / "graphs");
+    state.start.techniques = list_samples(fs::path(WRINKLE_SOURCE_DIR) / "graphs");
     state.path.clear();
     frame();
     frame();
     ASSERT_TRUE(is_at_start(state));
     play("assert target start:drop\nclick sample:" +
-         state.start.samples.front().file.stem().string() + "\nassert no-target start:drop");
+         state.start.techniques.front().file.stem().string() + "\nassert no-target start:drop");
     EXPECT_FALSE(state.document().nodes.empty());
 }
 

@@ -25,7 +25,8 @@ bool apart(const TargetRect& a, const TargetRect& b) {
 
 TEST_F(Headless, TheStartPageHasOneLeftAndOneRightEdge) {
     state.start.read = true;
-    state.start.samples = list_samples(fs::path(WRINKLE_SOURCE_DIR) / "graphs");
+    state.start.techniques = list_samples(fs::path(WRINKLE_SOURCE_DIR) / "graphs");
+    state.start.materials = list_samples(fs::path(WRINKLE_SOURCE_DIR) / "graphs/materials");
     new_file(state);
     for (const float scale : {1.0F, 1.5F, 2.0F, 3.0F})
         for (const ImVec2 window : {ImVec2(1280, 720), ImVec2(1920, 1080), ImVec2(800, 500)}) {
@@ -42,12 +43,12 @@ TEST_F(Headless, TheStartPageHasOneLeftAndOneRightEdge) {
             std::vector<TargetRect> cards;
             for (const auto& [name, rect] : state.targets.all())
                 if (name.starts_with("sample:")) cards.push_back(rect);
-            ASSERT_EQ(cards.size(), state.start.samples.size());
+            ASSERT_EQ(cards.size(), state.start.techniques.size() + state.start.materials.size());
             for (size_t i = 0; i < cards.size(); ++i) {
                 left = std::min(left, cards[i].x0);
                 right = std::max(right, cards[i].x1);
                 EXPECT_NEAR(cards[i].x1 - cards[i].x0, 168, 0.01F);
-                EXPECT_NEAR(cards[i].y1 - cards[i].y0, 140, 0.01F);
+                EXPECT_NEAR(cards[i].y1 - cards[i].y0, 178, 0.01F);
                 for (size_t j = 0; j < i; ++j)
                     EXPECT_TRUE(apart(cards[i], cards[j]));
             }
@@ -59,10 +60,11 @@ TEST_F(Headless, TheStartPageHasOneLeftAndOneRightEdge) {
 
 TEST_F(Headless, TheNamesOfTheSamplesFitTheirCards) {
     ImFont* font = state.fonts.bold(14);
-    for (const Sample& sample : list_samples(fs::path(WRINKLE_SOURCE_DIR) / "graphs")) {
-        const auto lines = wrapped(font, 14, sample.name, 148, 4);
-        EXPECT_FALSE(lines.back().ends_with("...")) << sample.name;
-    }
+    for (const char* folder : {"graphs", "graphs/materials"})
+        for (const Sample& sample : list_samples(fs::path(WRINKLE_SOURCE_DIR) / folder)) {
+            const auto lines = wrapped(font, 14, sample.name, 148, 3);
+            EXPECT_FALSE(lines.back().ends_with("...")) << sample.name;
+        }
 }
 
 TEST_F(Headless, WrappedTextIsCutBetweenWordsAndNoLineIsTooLong) {

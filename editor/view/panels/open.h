@@ -85,7 +85,7 @@ struct Sample {
 struct Start {
     bool left = false;  // the user requested an empty graph
     bool read = false;
-    std::vector<Sample> samples;
+    std::vector<Sample> materials, techniques;
 };
 
 // Help window: the page of a node's type, or the list of shortcuts.

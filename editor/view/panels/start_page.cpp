@@ -1,4 +1,5 @@
-// Start page, shown while there is no graph: drop area for images, buttons, recent files, samples.
+// Start page, shown while there is no graph: drop area for images, buttons, recent files, and the
+// samples: materials and techniques.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,10 +20,10 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr float drop_tall = 160, recent_tall = 24;
-constexpr float card_width = 168, card_tall = 140, gap = 16, thumbnail_tall = 72;
+constexpr float card_width = 168, card_tall = 178, gap = 16, thumbnail_tall = 122;
 constexpr int most_columns = 4;
-constexpr size_t recent_shown = 5, name_lines = 4;
-constexpr ImU32 thumbnail_ground = theme::rgb(0x282A2D), on_thumbnail = theme::rgb(0xB0B8C4);
+constexpr size_t recent_shown = 5, name_lines = 3;
+constexpr ImU32 thumbnail_ground = theme::rgb(0x282A2D);
 
 void dash(ImDrawList& list, ImVec2 from, ImVec2 to) {
     const ImVec2 whole = to - from;
@@ -108,7 +109,7 @@ void draw_thumbnail(Interface& interface, ImDrawList& list, ImVec2 at, const Sam
     list.AddRectFilled(low, high, thumbnail_ground, 6, ImDrawFlags_RoundCornersTop);
     const uint32_t thumbnail = ImGui::IsItemVisible() ? interface.thumbnails.of(sample.image) : 0;
     if (!thumbnail) return;
-    const float side = thumbnail_tall - 1, left = 10;  // the node count is next to it
+    const float side = thumbnail_tall - 1, left = std::floor((card_width - side) / 2);
     list.AddImage(texture_id(thumbnail), at + ImVec2(left, 1),
                   at + ImVec2(left + side, thumbnail_tall), {0, 1}, {1, 0});
 }
@@ -127,26 +128,32 @@ bool draw_card(Interface& interface, const Sample& sample) {
         draw_text(list, bold, 14, at + ImVec2(10, y), theme::text, line);
         y += 15;
     }
-    draw_text(list, interface.fonts.regular(14), 14,
-              at + ImVec2(card_width - 8, thumbnail_tall - 17), on_thumbnail,
-              counted(sample.nodes, "node"), true);
-    if (hovered) show_tooltip({at, end}, sample.name);
+    if (hovered) show_tooltip({at, end}, sample.name + ": " + counted(sample.nodes, "node"));
     return clicked;
 }
 
-void draw_samples(State& state, int columns) {
-    if (!state.start.read) {
-        state.start.samples = list_samples(samples_folder());
-        state.start.read = true;
-    }
-    const std::vector<Sample>& samples = state.start.samples;
-    if (samples.empty()) return;
-    write_wrapped(state.fonts, "Samples", theme::text, true, 18);
+// Draws the cards of the samples below a title; returns the file of the card that was clicked.
+std::filesystem::path draw_cards(Interface& interface, const char* title,
+                                 const std::vector<Sample>& samples, int columns) {
     std::filesystem::path taken;
+    if (samples.empty()) return taken;
+    write_wrapped(interface.fonts, title, theme::text, true, 18);
     for (size_t i = 0; i < samples.size(); ++i) {
         if (static_cast<int>(i) % columns != 0) ImGui::SameLine(0, gap);
-        if (draw_card(state, samples[i])) taken = samples[i].file;
+        if (draw_card(interface, samples[i])) taken = samples[i].file;
     }
+    return taken;
+}
+
+void draw_samples(State& state, int columns) {
+    Start& start = state.start;
+    if (!std::exchange(start.read, true)) {
+        start.materials = list_samples(samples_folder() / "materials");
+        start.techniques = list_samples(samples_folder());
+    }
+    std::filesystem::path taken = draw_cards(state, "Materials", start.materials, columns);
+    if (auto other = draw_cards(state, "Techniques", start.techniques, columns); taken.empty())
+        taken = std::move(other);
     if (!taken.empty()) open_chosen(state, taken);
 }
 

@@ -1,4 +1,4 @@
-// Rock from noise alone.
+// Noise rock.
 struct WrinkleSurface_noise_rock {
     vec3 position;
     vec3 position_dx;  // to the next pixel in x
