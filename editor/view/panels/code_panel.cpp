@@ -16,7 +16,6 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr float code_head = 38, line_height = 17, number_right = 32, text_left = 44;
-constexpr float narrow = 520;  // below this width the options are in a menu
 
 // By Token; pointers, because the theme changes the colors.
 const ImU32* const token_colors[] = {&theme::code_text,   &theme::code_keyword,
@@ -110,11 +109,13 @@ void draw_head(State& state) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(at, at + ImVec2(width, code_head), theme::panel);
     const float left = draw_side_titles(state);
-    draw_text(list, state.fonts.regular(14), 14, at + ImVec2(left, 13), theme::text_dim,
-              counted(state.code.text.starts.size(), "line"));
-    const bool wide = width >= narrow;
-    constexpr float choice = 108, buttons = 60, menu = 32;
-    ImGui::SetCursorPos({width - buttons - (wide ? 3 * choice + 8 : menu) - 12, 7});
+    const std::string lines = counted(state.code.text.starts.size(), "line");
+    ImFont* small = state.fonts.regular(14);
+    draw_text(list, small, 14, at + ImVec2(left, 13), theme::text_dim, lines);
+    constexpr float choice = 108, choices = 3 * choice + 8, buttons = 60, menu = 32;
+    const float room = width - left - text_width(small, 14, lines) - 8;
+    const bool wide = room >= choices + buttons + 12;
+    ImGui::SetCursorPos({width - buttons - (wide ? choices : menu) - 12, 7});
     if (wide) {
         draw_options(state, choice);
     } else {
