@@ -1,5 +1,6 @@
-"""Exports graphs to Godot 3 and draws them under Xvfb: normals, colors and roughness are those of
-`wrinkle eval` at the points of the pixels, with the pixels' own differentials.
+"""Exports graphs to Godot 3 and to glTF, and draws both in Godot under Xvfb: normals, colors and
+roughness are those of `wrinkle eval` at the points of the pixels, for shaders with the pixels' own
+differentials.
 
 Godot draws the exported files; only the end of fragment() is replaced, by one that shows NORMAL,
 ALBEDO or ROUGHNESS. 24 bits of a value come in three images: Godot's buffer of half floats cuts off
@@ -10,8 +11,10 @@ import math
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
+import time
 
 import graphs
 import judge
@@ -23,9 +26,25 @@ SCENE = """[gd_scene load_steps=2 format=2]
 [node name="Read" type="Spatial"]
 script = ExtResource( 1 )
 """
+UV = ["uv0.x", "uv0.y"]
+# Compressed uvs are half floats, which are as coarse as the texels.
+IMPORT = """[remap]
+importer="scene"
+type="PackedScene"
+[params]
+meshes/compress=false
+"""
+FAULTS = {"scaled": "imported materials lack Ensure Correct Normals"}  # in Godot's inspector
+FAULT = "16-bit normals are cut to 8 bits, and z is computed from x and y"
+PROJECT = "config_version=4\n[rendering]\nquality/filters/msaa=0\n"
 # Values in [0, 1], and the parts of 255 times a value that an image shows in 1/255.
 VALUES = {"normal": "0.5 + 0.5 * (CAMERA_MATRIX * vec4(NORMAL, 0.0)).xyz",
           "color": "clamp(ALBEDO, 0.0, 1.0)", "roughness": "vec3(clamp(ROUGHNESS, 0.0, 1.0))"}
+# Godot applies a material's normal map after fragment(), by this formula (its scene.glsl).
+MAPPED = """    vec2 slope = NORMALMAP.xy * 2.0 - 1.0;
+    NORMAL = normalize(mix(NORMAL, TANGENT * slope.x + BINORMAL * slope.y +
+        NORMAL * sqrt(max(0.0, 1.0 - dot(slope, slope))), NORMALMAP_DEPTH));
+"""
 PARTS = ("floor(shown)", "floor(fract(shown) * 255.0)", "fract(fract(shown) * 255.0) * 254.0")
 
 
@@ -34,52 +53,49 @@ def version():
     return "Godot " + ".".join(text.split(".")[:3])
 
 
-def export(wrinkle, graph, host, folder, mesh):
-    subprocess.run([wrinkle, "export", graph, "--to", host, "--mesh", mesh, "-o", folder],
+def export(wrinkle, graph, host, folder, mesh, *options):
+    subprocess.run([wrinkle, "export", graph, "--to", host, "--mesh", mesh, "-o", folder, *options],
                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
-def shader_of(text, value, part, back):
-    """The exported shader, which shows a part of a value instead of light; 0.3, because the buffer
-    truncates."""
-    body, _ = text.rstrip().rsplit("}", 1)
-    mode = "render_mode unshaded, " + ("cull_front, " if back else "")
-    return (body.replace("render_mode ", mode, 1) +
-            f"    vec3 shown = ({VALUES[value]}) * 255.0;\n"
+def end_of(value, part):
+    """The end of fragment() that shows a part of a value; 0.3, because the buffer truncates."""
+    return (f"    vec3 shown = ({VALUES[value]}) * 255.0;\n"
             f"    ALBEDO = ({PARTS[part]} + 0.3) / 255.0;\n}}\n")
 
 
-def jobs_of(folder, name):
-    """Writes the shaders of all objects, values and parts; returns the jobs for read.gd."""
-    text = (folder / f"{name}/{name}.shader").read_text()
+def jobs_of(objects, first):
+    """The jobs for read.gd: all objects, values and parts; `first` is put before the end."""
     jobs = []
-    for object_name, columns in pixels.OBJECTS.items():
+    for object_name in objects:
+        columns = pixels.OBJECTS[object_name]
         camera = pixels.Camera(columns)
+        modes = "unshaded, " + ("cull_front, " if object_name == "back" else "")
         for value in VALUES:
             for part in range(len(PARTS)):
-                job = f"{object_name}_{value}{part}"
-                (folder / (job + ".txt")).write_text(
-                    shader_of(text, value, part, object_name == "back"))
-                jobs.append({"name": job, "columns": columns, "eye": camera.eye,
-                             "target": camera.target})
+                jobs.append({"name": f"{object_name}_{value}{part}", "columns": columns,
+                             "eye": camera.eye, "target": camera.target, "modes": modes,
+                             "end": first + end_of(value, part)})
     return jobs
 
 
-def drawn(folder, name):
-    """The bytes of the images of all jobs by their names."""
-    jobs = jobs_of(folder, name)
+def godot(folder, *words):
+    """Runs Godot in a project and returns its log."""
+    return subprocess.run(["timeout", "300", "xvfb-run", "-a", "-s", "-screen 0 640x640x24",
+                           "godot3", "--path", folder, "--audio-driver", "Dummy", *words],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                          env=os.environ | {"HOME": str(folder)}).stdout
+
+
+def drawn(folder, objects, files, first=""):
+    """The bytes of the images of all jobs by their names; `files` names a material or a scene."""
+    jobs = jobs_of(objects, first)
     shutil.copy(HERE / "read.gd", folder)
     (folder / "read.tscn").write_text(SCENE)
     (folder / "jobs.json").write_text(json.dumps({
-        "jobs": jobs, "field_of_view": math.degrees(pixels.FIELD_OF_VIEW),
-        "material": f"res://{name}/{name}_material.tres"}))
-    project = folder / "project.godot"
-    project.write_text(project.read_text().replace("msaa=2", "msaa=0"))
+        "jobs": jobs, "field_of_view": math.degrees(pixels.FIELD_OF_VIEW)} | files))
     size = f"{pixels.SIZE}x{pixels.SIZE}"
-    log = subprocess.run(["timeout", "300", "xvfb-run", "-a", "-s", "-screen 0 640x640x24", "godot3",
-                          "--path", folder, "--audio-driver", "Dummy", "--resolution", size,
-                          "read.tscn"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                         env=os.environ | {"HOME": str(folder)}).stdout
+    log = godot(folder, "--resolution", size, "read.tscn")
     assert "SHADER ERROR" not in log and "SCRIPT ERROR" not in log, log
     return {job["name"]: (folder / (job["name"] + ".bin")).read_bytes() for job in jobs}
 
@@ -100,19 +116,66 @@ def point_of(images, object_name, at):
             "color": color, "roughness": roughness[:1]}
 
 
+def seen(images, mesh, object_name):
+    """The points of the pixels that show the object, and the values drawn there."""
+    side = -1 if object_name == "back" else 1
+    surface = pixels.Pixels(*mesh, pixels.OBJECTS[object_name], side).rows
+    points = {at: point_of(images, object_name, at) for at in surface}
+    drawn_at = [at for at, point in points.items() if point]
+    assert len(drawn_at) > 1000 and len(drawn_at) > 0.99 * len(points), (object_name, len(drawn_at))
+    return [surface[at] for at in drawn_at], [points[at] for at in drawn_at]
+
+
+def imported(folder):
+    """Has Godot's editor import the files of a project; the editor does not end by itself."""
+    editor = subprocess.Popen(["timeout", "120", "xvfb-run", "-a", "godot3", "--editor", "--path",
+                               folder, "--audio-driver", "Dummy"], stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL, env=os.environ | {"HOME": str(folder)},
+                              start_new_session=True)
+    while editor.poll() is None and not list(folder.glob(".import/*.md5")):
+        time.sleep(0.2)
+    os.killpg(editor.pid, signal.SIGTERM)
+    assert list(folder.glob(".import/*.md5")), folder
+
+
 def compare(proof, graph, mesh, host):
     name = pathlib.Path(graph).name
     folder = proof.work / name
     export(proof.wrinkle, proof.graphs / (graph + ".json"), "godot3", folder,
            proof.work / "torus.glb")
-    images = drawn(folder, name)
-    for object_name, columns in pixels.OBJECTS.items():
-        surface = pixels.Pixels(*mesh, columns, -1 if object_name == "back" else 1).rows
-        points = {at: point_of(images, object_name, at) for at in surface}
-        seen = [at for at, point in points.items() if point]
-        assert len(seen) > 1000 and len(seen) > 0.99 * len(points), (name, object_name, len(seen))
-        proof.compare(graph, host, object_name, [], pixels.COLUMNS, [surface[at] for at in seen],
-                      [points[at] for at in seen])
+    project = folder / "project.godot"
+    project.write_text(project.read_text().replace("msaa=2", "msaa=0"))
+    images = drawn(folder, pixels.OBJECTS,
+                   {"scene": "", "material": f"res://{name}/{name}_material.tres"})
+    for object_name in pixels.OBJECTS:
+        surface, points = seen(images, mesh, object_name)
+        proof.compare(graph, host, object_name, [], pixels.COLUMNS, surface, points)
+
+
+def compare_gltf(proof, graph, mesh, host):
+    """Draws the imported file with the material that Godot makes of it."""
+    name = pathlib.Path(graph).name
+    folder = proof.work / "gltf" / name
+    values = [word for value in graphs.OF_MAPS[graph] for word in ("--set", value)]
+    torus, options = proof.work / "torus.glb", [*values, "--size", "2048"]
+    export(proof.wrinkle, proof.graphs / (graph + ".json"), "gltf", folder, torus, *options)
+    (folder / "project.godot").write_text(PROJECT)
+    (folder / (name + ".glb.import")).write_text(IMPORT)
+    imported(folder)
+    objects = ["plain", "mirrored", "scaled"]
+    images = drawn(folder, objects, {"scene": f"res://{name}.glb"}, MAPPED)
+    for object_name in objects:
+        surface, points = seen(images, mesh, object_name)
+        at = [pixels.COLUMNS.index(column) for column in UV]
+        proof.compare(graph, host, object_name, [*options, "--mesh", "torus.glb"], UV,
+                      [[row[i] for i in at] for row in surface], points,
+                      FAULTS.get(object_name, FAULT))
+
+
+def limits(made):
+    if "glTF" not in made["host"]:
+        return judge.shader_limits(made)
+    return judge.map_limits(8) if made["unit"] == "degrees" else {"p90": 2}
 
 
 def main():
@@ -128,8 +191,9 @@ def main():
     host = version()
     for graph in graphs.ALL:
         compare(proof, graph, mesh, host)
-    sys.exit(1 if judge.end(proof, judge.shader_limits, "godot", "tests/hosts/proof/godot_test.py",
-                            build) else 0)
+    for graph in graphs.OF_MAPS:
+        compare_gltf(proof, graph, mesh, host + ", glTF")
+    sys.exit(1 if judge.end(proof, limits, "godot", "tests/hosts/proof/godot_test.py", build) else 0)
 
 
 main()
