@@ -287,5 +287,26 @@ TEST_F(Headless, AMeshIsLeftForThePreviewAndAGraphIsOpened) {
     EXPECT_EQ(state.path.filename(), "other.json");
 }
 
+TEST_F(Headless, AGraphDroppedOnAGraphOfItsFolderIsANodeOrOpened) {
+    folder.write("other.json", small_graph);
+    open(small_graph);
+    play("click node:number\ndrop other.json canvas\nkey Delete\nassert nodes 4");
+    play("key Escape\nassert nodes 4\nassert clean");
+    play("drop other.json canvas\nkey Enter\nassert nodes 5\nassert errors 0");
+    ASSERT_TRUE(state.document().find("other"));
+    EXPECT_EQ(state.document().find("other")->type, "graph:other.json");
+    play("key Ctrl+Z\ndrop other.json canvas\nclick graph:node\nassert nodes 5\nkey Ctrl+Z");
+    play("drop other.json canvas\nclick graph:open\nassert nodes 4");
+    EXPECT_EQ(state.path.filename(), "other.json");
+}
+
+TEST_F(Headless, AGraphFromElsewhereIsOpened) {
+    const TemporaryFolder elsewhere;
+    elsewhere.write("other.json", small_graph);
+    open(small_graph);
+    play("drop " + (elsewhere.path() / "other.json").string() + " canvas");
+    EXPECT_EQ(state.path.filename(), "other.json");
+}
+
 }  // namespace
 }  // namespace wrinkle::editor

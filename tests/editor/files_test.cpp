@@ -99,6 +99,17 @@ TEST_F(Headless, ImageFilesAreThoseNearTheGraph) {
     EXPECT_EQ(image_files(folder.path() / "none"), Names{});
 }
 
+TEST_F(Headless, GraphFilesAreNeitherTestsNorPresetsNorHidden) {
+    namespace fs = std::filesystem;
+    fs::create_directories(folder.path() / "parts");
+    fs::create_directories(folder.path() / ".wrinkle");
+    for (const char* name : {"a.json", "parts/b.json", "a.test.json", "a.preset.json",
+                             ".wrinkle/c.json", ".hidden.json", "a.txt"})
+        folder.write(name, small_graph);
+    folder.write("package.json", R"({ "name": "none" })");
+    EXPECT_EQ(graph_files(folder.path()), (std::vector<std::string>{"a.json", "parts/b.json"}));
+}
+
 // The list is read once when it opens: the folder is not walked on every frame.
 TEST_F(Headless, ImagesAreListedOnceWhenTheListOpens) {
     std::string graph = small_graph;

@@ -4,6 +4,7 @@
 
 #include "editor/view/commands/commands.h"
 #include "editor/view/panels/palette.h"
+#include "graph/write.h"
 #include "headless.h"
 
 namespace wrinkle::editor {
@@ -93,7 +94,7 @@ TEST_F(Headless, WhatWasUsedLatelyComesFirst) {
     state.palette = {};
     EXPECT_EQ(palette_rows(state).front().type->id, "weave");
     play("key Ctrl+P\ntype tidy\nkey Enter");
-    state.palette.commands = true;
+    state.palette.list = Palette::List::commands;
     EXPECT_EQ(palette_rows(state).front().title, "Tidy");
 }
 
@@ -136,9 +137,85 @@ TEST_F(Headless, ACommandThatCannotBeRunSaysWhy) {
         assert clean)");
 }
 
+TEST_F(Headless, TheHistoryReturnsToAnyStep) {
+    open(small_graph);
+    play("key Ctrl+H");
+    EXPECT_FALSE(state.palette.open);
+    const std::string before = canonical_text(state.document());
+    play(R"(
+        key Space
+        type weave
+        key Enter
+        click canvas+0,300
+        key Space
+        type cosine
+        key Enter
+        assert nodes 6)");
+    const std::string after = canonical_text(state.document());
+    play("key Ctrl+H");
+    EXPECT_EQ(palette_rows(state)[0].key, "now");
+    play("key Down\nkey Down\nkey Enter\nassert nodes 4\nassert status Back at the start");
+    EXPECT_EQ(canonical_text(state.document()), before);
+    play("key Ctrl+H");
+    EXPECT_EQ(state.palette.chosen, 2);
+    EXPECT_EQ(palette_rows(state)[0].doc, "undone");
+    play("click palette:step1\nassert nodes 5\nassert status Back at: Add Weave");
+    play("key Ctrl+H\ntype cosine\nkey Enter\nassert nodes 6");
+    EXPECT_EQ(canonical_text(state.document()), after);
+}
+
+const char* const scaled_graph = R"({
+  "wrinkle": 1,
+  "inputs": { "bump": { "type": "gradient" } },
+  "nodes": { "half": { "type": "gradient_scale", "in": { "gradient": { "from": "input.bump" }, "amount": 0.5 } } },
+  "outputs": { "bump": { "from": "half.gradient" } }
+}
+)";
+
+TEST_F(Headless, AGraphOfTheFolderBecomesANode) {
+    std::filesystem::create_directories(folder.path() / "parts");
+    folder.write("parts/half-bump.json", scaled_graph);
+    open(small_graph);
+    play("key Space\ntype half\nkey Enter\nassert nodes 5\nassert errors 0");
+    const Node* node = state.document().find("half_bump");
+    ASSERT_TRUE(node);
+    EXPECT_EQ(node->type, "graph:parts/half-bump.json");
+    play(R"(
+        drag out:softer.gradient canvas+0,330
+        type half-bump
+        key Enter
+        assert nodes 6
+        assert wire softer.gradient half_bump2.bump
+        assert errors 0)");
+}
+
+TEST_F(Headless, AGraphThatCannotBeASubgraphSaysWhy) {
+    open(small_graph);
+    folder.write("broken.json", R"({ "wrinkle": 1, "nodes": 5)");
+    const std::string user = R"({ "wrinkle": 1, "nodes": { "a": { "type": "graph:)" +
+                             file.filename().string() + R"(" } } })";
+    folder.write("user.json", user);
+    play("key Space\ntype broken\nkey Enter\nassert nodes 4\nassert status broken.json: ");
+    play("key Space\ntype user\nkey Enter\nassert nodes 4\nassert status contains itself");
+    play("key Space");
+    for (const PaletteRow& row : palette_rows(state))
+        EXPECT_NE(row.graph, file.filename().string());
+}
+
+TEST_F(Headless, AGraphWithoutAPortForTheWireSaysSo) {
+    folder.write("other.json", small_graph);
+    open(small_graph);
+    play(R"(
+        drag out:softer.gradient canvas+0,330
+        type other
+        key Enter
+        assert nodes 5
+        assert status other.json has no port for gradient)");
+}
+
 TEST_F(Headless, EveryCommandIsInThePaletteAndInAMenu) {
     open(small_graph);
-    state.palette.commands = true;
+    state.palette.list = Palette::List::commands;
     const auto rows = palette_rows(state);
     for (const Command& command : commands()) {
         const auto is_it = [&](const PaletteRow& row) { return row.command == &command; };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "graph/edit.h"
 #include "graph/order.h"
 #include "lower/reachable.h"
 
@@ -68,6 +69,27 @@ Model make_model(const Document& document, const std::filesystem::path& folder,
         load_project(document, folder, {root, {}}, model.project_problems));
     model.types = std::make_shared<const Types>(*model.project, registry);
     return model;
+}
+
+std::optional<NodeType> subgraph_type(const Model& model, const std::string& file,
+                                      std::string& why) {
+    const Project& project = *model.project;
+    Node node;
+    node.id = "graph";
+    node.type = "graph:" + file;
+    Document document;
+    document.file = project.top().file;  // so that a cycle of files is found
+    const Model probe = make_model(add_node(document, node), project.files[0].path.parent_path(),
+                                   *model.registry, project.root);
+    const NodeType* type = probe.type_of(node.id);
+    if (!type || probe.project_problems.has_errors()) {
+        const std::vector<Diagnostic>& problems = probe.project_problems.list();
+        why = file + (problems.empty() ? " cannot be used" : ": " + problems.front().message) + ".";
+        return std::nullopt;
+    }
+    NodeType found = *type;
+    found.id = node.type;
+    return found;
 }
 
 Project project_with(const Model& model, const Document& document) {

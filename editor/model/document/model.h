@@ -36,6 +36,11 @@ const Port* first_output(const NodeType* type, std::initializer_list<PortType> w
 Model make_model(const Document& document, const std::filesystem::path& folder,
                  const Registry& registry, const std::filesystem::path& root = {});
 
+// Returns the type of a node with the sub-graph `file`, a path as written in the document, as
+// Node::type names it; std::nullopt and a sentence in `why` if the document cannot use that file.
+std::optional<NodeType> subgraph_type(const Model& model, const std::string& file,
+                                      std::string& why);
+
 // Returns the same project with another top document, for compilation.
 Project project_with(const Model& model, const Document& document);
 // Reports ports, outputs and keys of the graph's inputs that could not be read: check() assumes

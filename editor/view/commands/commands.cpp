@@ -61,7 +61,7 @@ bool run_command(State& state, std::string_view id) {
 void run_keys(State& state) {
     if (is_typing() || state.palette.open || state.help.open || state.offer.open ||
         state.box_text.open || state.context_menu.open || state.question.open() ||
-        state.bake_dialog.open || state.host_dialog.open ||
+        state.bake_dialog.open || state.host_dialog.open || state.dropped.has_question() ||
         state.browser.purpose != Browser::Purpose::none || state.popup.kind != Popup::Kind::none ||
         state.gesture.kind != Gesture::Kind::none)
         return;

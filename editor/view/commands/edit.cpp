@@ -1,6 +1,5 @@
 #include "graph/edit.h"
 #include "editor/model/document/wiring.h"
-#include "editor/view/canvas/arrange.h"
 #include "editor/view/canvas/boxes.h"
 #include "editor/view/commands/groups.h"
 #include "editor/view/edit/clipboard.h"
@@ -25,23 +24,25 @@ std::string_view no_part(const State& state) {
 
 void undo(State& state) {
     const std::string name = state.history.undo_name();
-    const uint64_t serial = state.history.serial();
-    state.history.undo();
-    follow_step(state, serial, true);
+    undo_step(state);
     state.status = "Undid: " + name;
 }
 
 void redo(State& state) {
     const std::string name = state.history.redo_name();
-    state.history.redo();
-    follow_step(state, state.history.serial(), false);
+    redo_step(state);
     state.status = "Redid: " + name;
 }
 
-void find(State& state) {
-    const View& view = state.view;
-    open_palette(state, {view.corner.x + view.extent.x / 2 - 144, view.corner.y + 64}, {});
-    state.palette.find = true;
+std::string_view no_steps(const State& state) {
+    return state.history.size() > 1 ? "" : "Nothing has been done yet.";
+}
+
+// Lists the steps with the current one chosen.
+void list_steps(State& state) {
+    open_list(state, Palette::List::steps);
+    state.palette.chosen = static_cast<int>(state.history.size() - 1 - state.history.at());
+    state.palette.first = state.palette.chosen;
 }
 
 void select_all(State& state) {
@@ -59,6 +60,7 @@ void select_reachable(State& state) {
 constexpr Command edit_table[] = {
     {"undo", "Undo", "Ctrl+Z", no_undo, undo},
     {"redo", "Redo", "Ctrl+Shift+Z", no_redo, redo},
+    {"history", "Undo history", "Ctrl+H", no_steps, list_steps},
     {"delete", "Delete", "Delete", no_delete, delete_selected},
     {"delete-with-wires", "Delete with wires", "Shift+Delete", no_delete,
      delete_selected_with_wires},
@@ -68,7 +70,8 @@ constexpr Command edit_table[] = {
     {"duplicate", "Duplicate", "Ctrl+D", no_part, [](State& s) { duplicate_selected(s); }},
     {"duplicate-alone", "Duplicate without inputs", "Ctrl+Shift+D", no_part,
      [](State& s) { duplicate_selected(s, false); }},
-    {"find", "Find in graph", "Ctrl+F", always, find},
+    {"find", "Find in graph", "Ctrl+F", always,
+     [](State& s) { open_list(s, Palette::List::nodes); }},
     {"select-all", "Select all", "Ctrl+A", always, select_all},
     {"select-upstream", "Select what feeds it", "L", wants_selection,
      select_reachable<Direction::upstream>},

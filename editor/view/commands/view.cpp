@@ -7,12 +7,6 @@
 namespace wrinkle::editor {
 namespace {
 
-void show_commands(State& state) {
-    const View& view = state.view;
-    open_palette(state, {view.corner.x + view.extent.x / 2 - 144, view.corner.y + 64}, {});
-    state.palette.commands = true;
-}
-
 template <int Step>
 void zoom(State& state) {
     const View& view = state.view;
@@ -70,7 +64,8 @@ bool is_maximised(const State& state) {
 }
 
 constexpr Command view_table[] = {
-    {"commands", "Search commands", "Ctrl+P", always, show_commands},
+    {"commands", "Search commands", "Ctrl+P", always,
+     [](State& s) { open_list(s, Palette::List::commands); }},
     {"fit", "Show all", "Home", always, [](State& s) { fit(s.view, s.layout, false); }},
     {"fit-selection", "Show selection", "F", wants_selection,
      [](State& s) { fit(s.view, s.layout, true); }},

@@ -224,7 +224,7 @@ void handle(State& state, const FileDrop& drop) {
         }
         if (file.ends_with(preset_suffix)) return load_preset(state, file);
         const Kind kind = kind_of_name(file);
-        if (kind == Kind::graph) return request_action(state, {PendingAction::Kind::open, file});
+        if (kind == Kind::graph) return take_graph(state, {drop.x, drop.y, {file}});
         PreviewView& preview = state.view.preview_view;
         if (kind == Kind::mesh) {
             preview.mesh = file;

@@ -12,7 +12,8 @@ namespace wrinkle::editor {
 //   an image on a node with one   replaces the node's image
 //   an HDR image on the preview   becomes its environment
 //   a mesh, anywhere              becomes the preview's mesh
-//   a graph                       is opened
+//   a graph                       is opened; below the folder of an open graph that has nodes, a
+//                                 dialog offers to use it as a node instead
 //   a preset file                 becomes a preset of the graph, and is chosen
 //   a folder                      its textures become a new graph (document/texture_import.h)
 //
@@ -30,6 +31,9 @@ std::filesystem::path image_folder(const Session& session);
 
 // Adds images of the graph's folder at the drop position.
 void add_images(State& state, const FileDrop& drop, const std::vector<std::string>& files);
+
+// Handles a dropped graph, the first file of `drop`.
+void take_graph(State& state, const FileDrop& drop);
 
 // Adds an image chosen by name, a path as written in the graph: layered over the selected wire or
 // over the bump that the output `normal` shows, else as a source on empty canvas.

@@ -21,8 +21,11 @@ struct DropEvent {
 };
 
 struct DropState {
+    bool has_question() const { return !outside.files.empty() || !graph.files.empty(); }
+
     std::vector<FileDrop> arrived;  // since the last frame
     FileDrop outside;      // not empty: some files are outside the graph's folder. Copy them?
+    FileDrop graph;        // not empty: a graph to open or to use as a node
     bool by_name = false;  // chosen by name for `node` and `port`, "" for a new node
     std::string node, port;
     std::vector<DropEvent> waiting;  // the first one is added first

@@ -1,6 +1,7 @@
 // Adds nodes: loose, at the end of a wire, in a wire, after the selection.
 #include <algorithm>
 
+#include "base/text.h"
 #include "editor/model/document/wiring.h"
 #include "editor/view/canvas/arrange.h"
 #include "editor/view/canvas/layout.h"
@@ -10,6 +11,7 @@
 #include "graph/edit.h"
 
 namespace wrinkle::editor {
+namespace fs = std::filesystem;
 namespace {
 
 // Returns the first port of an equal type, else the first that converts; nullptr if none fits. An
@@ -87,8 +89,11 @@ int distance(const NodeType& type, const Passage& through, PortType from, PortTy
 }  // namespace
 
 Node node_of_type(const Document& document, const NodeType& type) {
-    Node node = new_node(document, type.id, type.id);
-    node.version = static_cast<int>(type.version);
+    Node node;
+    node.type = type.id;
+    const auto file = node.subgraph();
+    node.id = free_id(document, file ? identifier(fs::path(*file).stem().string()) : type.id);
+    if (!file) node.version = static_cast<int>(type.version);
     return node;
 }
 

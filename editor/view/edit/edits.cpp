@@ -6,6 +6,7 @@
 #include "editor/model/document/field.h"
 #include "editor/model/document/wiring.h"
 #include "editor/model/words.h"
+#include "editor/view/canvas/arrange.h"
 #include "editor/view/canvas/boxes.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/canvas/new_cards.h"
@@ -87,11 +88,38 @@ void find_loops(const Document& document, Gesture& wire) {
                                   : reachable(document, {wire.node}, Direction::downstream);
 }
 
-void open_palette(Dialogs& dialogs, ImVec2 at, const Gesture& wire) {
-    dialogs.palette = {};
-    dialogs.palette.open = dialogs.palette.opening = true;
-    dialogs.palette.at = at;
-    dialogs.palette.wire = wire;
+void open_palette(State& state, ImVec2 at, const Gesture& wire) {
+    Palette& palette = state.palette;
+    palette = {};
+    palette.open = palette.opening = true;
+    palette.at = at;
+    palette.wire = wire;
+    palette.graphs = graph_files(state.folder());
+    std::erase(palette.graphs, state.path.filename().string());
+}
+
+void open_list(State& state, Palette::List list) {
+    const View& view = state.view;
+    open_palette(state, {view.corner.x + view.extent.x / 2 - 144, view.corner.y + 64}, {});
+    state.palette.list = list;
+}
+
+void undo_step(State& state) {
+    const uint64_t serial = state.history.serial();
+    state.history.undo();
+    follow_step(state, serial, true);
+}
+
+void redo_step(State& state) {
+    state.history.redo();
+    follow_step(state, state.history.serial(), false);
+}
+
+void go_to_step(State& state, size_t step) {
+    while (state.history.at() > step)
+        undo_step(state);
+    while (state.history.at() < step && state.history.can_redo())
+        redo_step(state);
 }
 
 void delete_selected(State& state) {

@@ -8,7 +8,7 @@
 
 namespace wrinkle::editor {
 
-// Returns a node of the type with a new id derived from it.
+// Returns a node of the type with a new id derived from it, for a sub-graph from its file's name.
 Node node_of_type(const Document& document, const NodeType& type);
 // Adds a node of a type near `at` (canvas units), with an id derived from the type, and connects it
 // to the loose end of `wire` by the first port that fits.
@@ -32,6 +32,11 @@ void edit_box_text(State& state, const BoxId& id);
 void accept_box_text(State& state);
 void mute_selected(State& state);
 
+// Undo and redo, with the positions of the surface and outputs cards.
+void undo_step(State& state);
+void redo_step(State& state);
+void go_to_step(State& state, size_t step);  // an index of History
+
 // Makes an input of the graph of the value or input under the pointer; otherwise of a value of the
 // selected node, chosen in a list if it has several (document/expose.h).
 void expose_pointed(State& state);
@@ -46,7 +51,9 @@ void commit_connection(State& state, const Connection& to, const std::string& me
 // Returns the reason why a wire may not end at this pin; "" if it may.
 std::string why_not(const State& state, const Gesture& wire, const Card& card, const Pin& pin);
 
-void open_palette(Dialogs& dialogs, ImVec2 at, const Gesture& wire);
+void open_palette(State& state, ImVec2 at, const Gesture& wire);
+// Opens the palette with that list in the upper middle of the canvas.
+void open_list(State& state, Palette::List list);
 
 // Returns the selected node if exactly one is selected; otherwise nullptr.
 const Node* selected_node(const State& state);

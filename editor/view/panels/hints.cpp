@@ -53,14 +53,20 @@ constexpr std::string_view popup_hints[] = {
 };
 static_assert(std::size(popup_hints) == static_cast<size_t>(Popup::Kind::expose) + 1);
 
+constexpr Hint<Palette::List> list_hints[] = {
+    {Palette::List::nodes, "Enter shows the node   Esc closes"},
+    {Palette::List::commands, "Enter runs it   Esc closes"},
+    {Palette::List::steps, "Enter returns to the step   Esc closes"},
+};
+
 std::string_view hint_of_gesture(const Gesture& gesture) {
     if (gesture.under_wire) return "Let go to put it in this wire   Esc puts it back";
     return find_hint<Gestures>(gesture_hints, gesture.kind);
 }
 
 std::string_view hint_of_open(const Dialogs& open) {
-    if (open.palette.open && open.palette.commands) return "Enter runs it   Esc closes";
-    if (open.palette.open && open.palette.find) return "Enter shows the node   Esc closes";
+    if (open.palette.open && open.palette.list != Palette::List::types)
+        return find_hint<Palette::List>(list_hints, open.palette.list);
     if (open.palette.open && open.palette.wire.kind == Gestures::wire)
         return "Pick a node to place it on the wire   Esc to drop the wire";
     if (open.palette.open) return "Pick a node to place it   Esc closes";

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <deque>
+#include <fstream>
 #include <set>
 #include "editor/view/panels/search.h"
 
@@ -13,6 +14,45 @@ namespace {
 bool has_extension(const std::string& name, std::span<const std::string> extensions) {
     const std::string own = lower_case(fs::path(name).extension().string());
     return extensions.empty() || std::ranges::find(extensions, own) != extensions.end();
+}
+
+bool is_image(const fs::path& file) {
+    constexpr std::string_view known[] = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr"};
+    return std::ranges::find(known, file.extension().string()) != std::end(known);
+}
+
+bool is_graph(const fs::path& file) {
+    if (file.extension() != ".json" || file.stem().has_extension()) return false;
+    char start[512] = "";
+    std::ifstream(file, std::ios::binary).read(start, sizeof start - 1);
+    return std::string_view(start).find("\"wrinkle\"") != std::string_view::npos;
+}
+
+// Breadth-first, so that the limits drop the files deepest below `folder`.
+std::vector<std::string> files_below(const fs::path& folder, bool (*wanted)(const fs::path&),
+                                     size_t limit, size_t max_entries) {
+    std::vector<std::string> files;
+    std::deque<fs::path> folders{folder};
+    size_t entries = 0;
+    for (; !folders.empty() && files.size() < limit && entries < max_entries; folders.pop_front()) {
+        std::set<fs::path> inner, found;
+        std::error_code error, ignored;
+        for (fs::directory_iterator at(folders.front(), error), end; !error && at != end;
+             at.increment(error)) {
+            if (++entries > max_entries) break;
+            if (at->path().filename().native().starts_with('.')) continue;
+            if (at->is_directory(ignored) && !at->is_symlink(ignored))
+                inner.insert(at->path());
+            else if (wanted(at->path()))
+                found.insert(at->path());
+        }
+        folders.insert(folders.end(), inner.begin(), inner.end());
+        for (const fs::path& file : found)
+            if (files.size() < limit)
+                files.push_back(file.lexically_relative(folder).generic_string());
+    }
+    std::ranges::sort(files);
+    return files;
 }
 
 }  // namespace
@@ -47,31 +87,12 @@ std::vector<size_t> filtered(const Listing& listing, std::string_view query) {
     return find_matches(listing.entries, &Entry::name, query);
 }
 
-// Breadth-first, so that the limits drop the files deepest below `folder`.
 std::vector<std::string> image_files(const fs::path& folder, size_t limit, size_t max_entries) {
-    constexpr std::string_view known[] = {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr"};
-    std::vector<std::string> files;
-    std::deque<fs::path> folders{folder};
-    size_t entries = 0;
-    for (; !folders.empty() && files.size() < limit && entries < max_entries; folders.pop_front()) {
-        std::set<fs::path> inner, images;
-        std::error_code error, ignored;
-        for (fs::directory_iterator at(folders.front(), error), end; !error && at != end;
-             at.increment(error)) {
-            if (++entries > max_entries) break;
-            const std::string extension = at->path().extension().string();
-            if (at->is_directory(ignored) && !at->is_symlink(ignored))
-                inner.insert(at->path());
-            else if (std::ranges::find(known, extension) != std::end(known))
-                images.insert(at->path());
-        }
-        folders.insert(folders.end(), inner.begin(), inner.end());
-        for (const fs::path& image : images)
-            if (files.size() < limit)
-                files.push_back(image.lexically_relative(folder).generic_string());
-    }
-    std::ranges::sort(files);
-    return files;
+    return files_below(folder, is_image, limit, max_entries);
+}
+
+std::vector<std::string> graph_files(const fs::path& folder, size_t limit, size_t max_entries) {
+    return files_below(folder, is_graph, limit, max_entries);
 }
 
 }  // namespace wrinkle::editor

@@ -31,9 +31,12 @@ std::vector<size_t> filtered(const Listing& listing, std::string_view query);
 // Natural order (strverscmp), case-insensitive: "wood2" before "wood10".
 bool name_before(std::string_view a, std::string_view b);
 
-// Returns the image files below `folder`, relative to it, sorted: at most `limit`. The search stops
-// after `max_entries` files and folders.
+// Return the image files, or the graphs, below `folder`, relative to it, sorted: at most `limit`.
+// The search stops after `max_entries` files and folders; hidden ones are skipped. A graph is a
+// file NAME.json, not NAME.test.json or NAME.preset.json, with "wrinkle" in its first 512 bytes.
 std::vector<std::string> image_files(const std::filesystem::path& folder, size_t limit = 500,
                                      size_t max_entries = 20'000);
+std::vector<std::string> graph_files(const std::filesystem::path& folder, size_t limit = 200,
+                                     size_t max_entries = 2'000);
 
 }  // namespace wrinkle::editor

@@ -19,13 +19,15 @@
 
 namespace wrinkle::editor {
 
-// Search that adds a node, optionally at the end of a wire.
+// Search in a list: it adds a node, optionally at the end of a wire, shows a node, runs a command
+// or returns to a step of the undo history.
 struct Palette {
+    enum class List : uint8_t { types, nodes, commands, steps };
+    List list = List::types;
     bool open = false, opening = false;
-    bool find = false;      // lists the nodes of the graph instead
-    bool commands = false;  // lists commands instead
-    ImVec2 at{0, 0};        // screen
+    ImVec2 at{0, 0};  // screen
     std::string query;
+    std::vector<std::string> graphs;  // files that can be sub-graphs, as written in the graph
     int chosen = 0;
     int first = 0;              // first row that is drawn
     bool all_types = false;     // also types that do not fit the wire

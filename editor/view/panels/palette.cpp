@@ -17,11 +17,39 @@ namespace {
 constexpr float padding = 8, query_tall = 30, footer_tall = 30;
 constexpr int rows_shown = 8;
 
+// Words about a list: a row of it, the hint of the empty query, and the action of Enter.
+struct Words {
+    const char *row, *hint, *enter;
+};
+constexpr Words list_words[] = {{"node", "Search nodes", "place"},
+                                {"node", "Search nodes", "show"},
+                                {"command", "Search commands", "run"},
+                                {"step", "Search steps", "return"}};
+const Words& words_of(const Palette& palette) {
+    return list_words[static_cast<size_t>(palette.list)];
+}
+
+bool has_single_lines(const Palette& palette) {
+    return palette.list == Palette::List::commands || palette.list == Palette::List::steps;
+}
 float width_of(const Palette& palette) {
-    return palette.commands ? 480 : 288;
+    return has_single_lines(palette) ? 480 : 288;
 }
 float row_tall(const Palette& palette) {
-    return palette.commands ? 32 : 46;
+    return has_single_lines(palette) ? 32 : 46;
+}
+
+void add_chosen(State& state, const NodeType& type, ImVec2 at, const Palette& palette) {
+    if (palette.at_selection) return add_node_to_selection(state, type, at);
+    add_node_of_type(state, type, at, palette.wire);
+}
+
+void add_subgraph(State& state, const std::string& file, ImVec2 at, const Palette& palette) {
+    const std::optional<NodeType> type = subgraph_type(state.model, file, state.status);
+    if (!type) return;
+    add_chosen(state, *type, at, palette);
+    if (!type_fits(*type, palette.wire))
+        state.status = file + " has no port for " + std::string(name_of(palette.wire.type)) + ".";
 }
 
 void choose(State& state, const PaletteRow& row) {
@@ -35,14 +63,18 @@ void choose(State& state, const PaletteRow& row) {
         state.view.selected = {row.node};
         return fit(state.view, state.layout, true);
     }
+    if (row.step) {
+        state.status = (*row.step == 0 ? "Back at the start" : "Back at: " + row.title);
+        return go_to_step(state, *row.step);
+    }
     if (row.command) {
         note_use(state.recent.commands, row.command->id);
         return row.command->run(state);
     }
-    note_use(state.recent.nodes, row.type->id);
     const ImVec2 at = to_canvas(state.view, palette.at);
-    if (palette.at_selection) return add_node_to_selection(state, *row.type, at);
-    add_node_of_type(state, *row.type, at, palette.wire);
+    if (!row.graph.empty()) return add_subgraph(state, row.graph, at, palette);
+    note_use(state.recent.nodes, row.type->id);
+    add_chosen(state, *row.type, at, palette);
 }
 
 // Highlights the letters that match the query.
@@ -57,7 +89,8 @@ void draw_title(const Fonts& fonts, ImDrawList& list, ImVec2 at, const PaletteRo
             if (matched) ++next;
             ++end;
         }
-        ImFont* font = matched || row.type ? fonts.bold(16) : fonts.regular(16);
+        ImFont* font =
+            matched || row.type || !row.graph.empty() ? fonts.bold(16) : fonts.regular(16);
         const ImU32 color = !row.off.empty() ? theme::text_off
                             : matched        ? theme::accent
                                              : theme::text;
@@ -67,8 +100,8 @@ void draw_title(const Fonts& fonts, ImDrawList& list, ImVec2 at, const PaletteRo
     }
 }
 
-void draw_output(ImDrawList& list, const NodeType& type, ImVec2 at, bool chosen) {
-    const Port* port = first_output(&type);
+void draw_output(ImDrawList& list, const NodeType* type, ImVec2 at, bool chosen) {
+    const Port* port = first_output(type);
     if (!port) return;
     if (chosen) list.AddCircleFilled(at, 11, theme::panel);
     draw_pin(list, port->type, at, 6, theme::of(port->type), true,
@@ -79,10 +112,11 @@ void draw_row(const Fonts& fonts, const PaletteRow& row, ImVec2 low, ImVec2 high
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (chosen) list.AddRectFilled(low, high, theme::accent_soft, 4);
     ImFont* small = fonts.regular(14);
-    const std::string right = row.type ? (chosen ? "Enter" : "") : row.key;
+    const bool is_node = row.type || !row.graph.empty();
+    const std::string right = is_node ? (chosen ? "Enter" : "") : row.key;
     const float right_edge = high.x - 10;
-    if (row.type) {
-        draw_output(list, *row.type, {low.x + 18, (low.y + high.y) / 2}, chosen);
+    if (is_node) {
+        draw_output(list, row.type, {low.x + 18, (low.y + high.y) / 2}, chosen);
         draw_title(fonts, list, low + ImVec2(38, 5), row);
         draw_text(list, small, 14, low + ImVec2(38, 24), theme::text_dim,
                   fitting(small, 14, row.doc, high.x - low.x - 48));
@@ -126,7 +160,7 @@ int draw_palette_rows(State& state, const std::vector<PaletteRow>& rows) {
 
 // Returns the active filter: "takes gradient"; "" if there is none.
 std::string filter_of(const Palette& palette) {
-    if (palette.commands || palette.wire.kind != Gesture::Kind::wire) return {};
+    if (palette.list != Palette::List::types || palette.wire.kind != Gesture::Kind::wire) return {};
     if (palette.all_types) return "all types";
     return (palette.wire.from_output ? "takes " : "gives ") +
            std::string(name_of(palette.wire.type));
@@ -161,7 +195,7 @@ bool draw_query(State& state) {
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(6, 7));
     const std::string before = palette.query;
     const bool enter = ImGui::InputTextWithHint(
-        "##query", palette.commands ? "Search commands" : "Search nodes", &palette.query,
+        "##query", words_of(palette).hint, &palette.query,
         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackCompletion, on_query_tab,
         &palette);
     note_field(state);
@@ -175,8 +209,8 @@ bool draw_query(State& state) {
 void draw_nothing(const State& state) {
     const Palette& palette = state.palette;
     const bool filtered = !filter_of(palette).empty() && !palette.all_types;
-    const std::string text = std::string("No ") + (palette.commands ? "command" : "node") +
-                             " matches \"" + palette.query + "\". Backspace to widen" +
+    const std::string text = std::string("No ") + words_of(palette).row + " matches \"" +
+                             palette.query + "\". Backspace to widen" +
                              (filtered ? ", or Tab to search all types." : ".");
     write_paragraph(theme::text_dim, text, width_of(palette) - padding);
 }
@@ -188,7 +222,7 @@ void draw_footer(const State& state) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine(at, at + ImVec2(width, 0), theme::border);
     const std::string words =
-        std::string("\u2191\u2193 choose   Enter ") + (palette.commands ? "run" : "place") +
+        std::string("\u2191\u2193 choose   Enter ") + words_of(palette).enter +
         (palette.wire.kind == Gesture::Kind::wire ? "   Tab all" : "") + "   Esc close";
     draw_text(list, state.fonts.regular(14), 14, at + ImVec2(4, 9), theme::text_dim, words);
     ImGui::Dummy({width, footer_tall - 4});
@@ -198,7 +232,7 @@ ImVec2 place_of(const Palette& palette) {
     const ImVec2 room = ImGui::GetIO().DisplaySize;
     const float width = width_of(palette);
     const float tall = query_tall + footer_tall + 24 + row_tall(palette) * rows_shown;
-    if (palette.commands) return {std::max((room.x - width) / 2, 0.0F), 96};
+    if (has_single_lines(palette)) return {std::max((room.x - width) / 2, 0.0F), 96};
     return {std::clamp(palette.at.x, 0.0F, std::max(room.x - width, 0.0F)),
             std::clamp(palette.at.y, 0.0F, std::max(room.y - tall, 0.0F))};
 }

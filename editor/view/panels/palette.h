@@ -1,5 +1,6 @@
-// Search box that adds a node, runs a command or finds a node: type, choose with the arrow keys or
-// the mouse, Enter accepts. For a wire it lists types with a matching port; Tab lists all types.
+// Search box that adds or shows a node, runs a command or returns to an undo step: type, choose
+// with the arrow keys or the mouse, Enter accepts. For a wire it lists types with a matching port,
+// and all graphs of the folder: their ports are read when one is chosen. Tab lists all types.
 #pragma once
 
 #include "editor/view/panels/search.h"
@@ -15,11 +16,13 @@ struct PaletteRow {
     std::vector<size_t> letters = {};
     const NodeType* type = nullptr;
     const struct Command* command = nullptr;
-    std::string node = {};  // id of a node of the graph to show
+    std::string node = {};         // id of a node of the graph to show
+    std::string graph = {};        // file of a sub-graph to add
+    std::optional<size_t> step{};  // index in the history
 };
 // Returns the rows that match the query, best first. Sort keys of node types: the rank of search.h,
 // no conversion on the wire before a conversion, most recently used first, shorter title first. For
-// an empty query, the last key is the family instead: images, gradients, noises, then the rest.
+// an empty query, the last key is the family instead: images, gradients, noises, the rest, graphs.
 std::vector<PaletteRow> palette_rows(const State& state);
 
 // Moves the id to the front of the recently used ids; stores at most 8.

@@ -1,4 +1,4 @@
-// Rows of the palette: matching node types, commands or nodes of the graph.
+// Rows of the palette: matching node types, commands, nodes of the graph or undo steps.
 #include <algorithm>
 #include <tuple>
 
@@ -7,6 +7,7 @@
 #include "editor/view/panels/palette.h"
 
 namespace wrinkle::editor {
+namespace fs = std::filesystem;
 namespace {
 
 constexpr size_t max_recent = 8;
@@ -23,25 +24,44 @@ size_t order_of_use(const std::vector<std::string>& recent, std::string_view id)
     return static_cast<size_t>(std::ranges::find(recent, id) - recent.begin());
 }
 
-// Matching node types, best first (palette.h).
+using NodeKey = std::tuple<int, bool, size_t, size_t>;
+using NodeRows = std::vector<std::pair<NodeKey, PaletteRow>>;
+
+// Appends the graphs of the folder that match.
+void add_graph_rows(const State& state, const std::string& wanted, NodeRows& found) {
+    for (const std::string& file : state.palette.graphs) {
+        const std::string title = fs::path(file).stem().string();
+        auto matched = match(title, file, "", wanted);
+        if (!matched) continue;
+        const NodeKey key{matched->rank, true, max_recent,
+                          wanted.empty() ? SIZE_MAX : title.size()};
+        found.emplace_back(key, PaletteRow{.title = title,
+                                           .doc = "Graph in " + file,
+                                           .target = "palette:" + file,
+                                           .letters = std::move(matched->letters),
+                                           .graph = file});
+    }
+}
+
+// Matching node types and graphs, best first (palette.h).
 std::vector<PaletteRow> node_rows(const State& state) {
     const std::string wanted = lower_case(state.palette.query);
     const Gesture wire = state.palette.all_types ? Gesture() : state.palette.wire;
-    using Key = std::tuple<int, bool, size_t, size_t>;
-    std::vector<std::pair<Key, PaletteRow>> found;
+    NodeRows found;
     for (const NodeType& type : state.registry->list()) {
         if (!type_fits(type, wire)) continue;
         auto matched = match(type.title, type.id, type.doc, wanted);
         if (!matched) continue;
         const size_t last = wanted.empty() ? order_of_family(type.family) : type.title.size();
-        const Key key{matched->rank, !type_matches(type, wire),
-                      order_of_use(state.recent.nodes, type.id), last};
+        const NodeKey key{matched->rank, !type_matches(type, wire),
+                          order_of_use(state.recent.nodes, type.id), last};
         found.emplace_back(key, PaletteRow{.title = type.title,
                                            .doc = type.doc,
                                            .target = "palette:" + type.id,
                                            .letters = std::move(matched->letters),
                                            .type = &type});
     }
+    add_graph_rows(state, wanted, found);
     return best_first(std::move(found));
 }
 
@@ -84,11 +104,38 @@ std::vector<PaletteRow> graph_rows(const State& state) {
     return best_first(std::move(found));
 }
 
+// Returns the steps of the undo history that match the query, the newest first.
+std::vector<PaletteRow> step_rows(const State& state) {
+    std::vector<PaletteRow> found;
+    const std::string query = lower_case(state.palette.query);
+    const History& history = state.history;
+    for (size_t i = history.size(); i-- > 0;) {
+        auto matched = match(history.name(i), "", "", query);
+        if (!matched) continue;
+        found.push_back({.title = history.name(i),
+                         .doc = i > history.at() ? "undone" : "",
+                         .key = i == history.at() ? "now" : "",
+                         .target = "palette:step" + std::to_string(i),
+                         .letters = std::move(matched->letters),
+                         .step = i});
+    }
+    return found;
+}
+
 }  // namespace
 
 std::vector<PaletteRow> palette_rows(const State& state) {
-    if (state.palette.find) return graph_rows(state);
-    return state.palette.commands ? command_rows(state) : node_rows(state);
+    switch (state.palette.list) {
+        case Palette::List::nodes:
+            return graph_rows(state);
+        case Palette::List::commands:
+            return command_rows(state);
+        case Palette::List::steps:
+            return step_rows(state);
+        case Palette::List::types:
+            break;
+    }
+    return node_rows(state);
 }
 
 void note_use(std::vector<std::string>& recent, std::string_view id) {

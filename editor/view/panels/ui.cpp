@@ -34,6 +34,7 @@ void draw_browser(State& state);
 void draw_help(State& state);
 void draw_hover_docs(State& state);
 void draw_copy_question(State& state);
+void draw_graph_question(State& state);
 void draw_question(State& state);
 
 namespace {
@@ -70,9 +71,9 @@ constexpr ImGuiWindowFlags docked_flags =
 
 // Open their own windows and popups above the others while they are shown, in this order.
 constexpr void (*floating_panels[])(State&) = {
-    draw_overlays, draw_splitters,    draw_palette,       draw_offer,       draw_box_text,
-    draw_popup,    draw_context_menu, draw_bake_dialog,   draw_host_dialog, draw_browser,
-    draw_help,     draw_hover_docs,   draw_copy_question, draw_question,
+    draw_overlays, draw_splitters,    draw_palette,       draw_offer,          draw_box_text,
+    draw_popup,    draw_context_menu, draw_bake_dialog,   draw_host_dialog,    draw_browser,
+    draw_help,     draw_hover_docs,   draw_copy_question, draw_graph_question, draw_question,
 };
 
 void draw_panels(State& state) {
