@@ -76,6 +76,28 @@ TEST(NodePreviews, EveryNodeThatMakesSomethingHasOne) {
     EXPECT_EQ(pictures.texels.size(), 5U * 4 * NodePreviews::width * NodePreviews::height);
 }
 
+TEST(NodePreviews, AFineBumpIsMagnified) {
+    const TemporaryFolder folder;
+    const std::filesystem::path weave =
+        std::filesystem::path(WRINKLE_SOURCE_DIR) / "graphs/textures/weave_normal.png";
+    std::filesystem::copy_file(weave, folder.path() / "weave.png");
+    const auto woven = [&](const std::string& tiles) {
+        return pictures_of(R"(
+"tile": { "type": "uv_transform", "in": { "scale": )" +
+                               tiles + R"( } },
+"weave": { "type": "tangent_normal_map", "in": { "image": "weave.png", "uv": { "from": "tile.uv" } } },
+"level": { "type": "add", "in": { "a": 0.25, "b": 0.25 } })",
+                           folder.path());
+    };
+    const NodePreviews coarse = woven("[1, 1]"), fine = woven("[8, 8]");
+    EXPECT_TRUE(coarse.magnified.empty());
+    EXPECT_EQ(fine.magnified, (std::set<std::string, std::less<>>{"weave"}));
+    for (const uint32_t x : {3U, 50U, 100U}) {
+        const Texel texel = texel_of(coarse, "weave", x, 20);  // one tile is one unit in both
+        expect_texel(texel_of(fine, "weave", x, 20), texel.r, texel.g, texel.b);
+    }
+}
+
 TEST(NodePreviews, WhatIsNotFiniteIsMagenta) {
     const NodePreviews pictures = pictures_of(std::string(ramp) + R"(,
 "large": { "type": "multiply", "in": { "a": { "from": "split.x" }, "b": 3e38 } },

@@ -120,6 +120,14 @@ ImU32 plain_color(const Painter& p, const Card& card) {
     return price ? heat_color(p.heat(*price)).ground : theme::header;
 }
 
+// "8x" in the lower right corner of a magnified preview.
+void draw_magnification(const Painter& p, ImVec2 corner) {
+    const std::string words = std::to_string(NodePreviews::magnification) + "\u00d7";
+    const ImVec2 low = corner - ImVec2(26, 19) * p.zoom;
+    p.list.AddRectFilled(low, corner, theme::with_alpha(theme::node, 0.8F), 3 * p.zoom);
+    p.text(corner - ImVec2(5, 17) * p.zoom, card_text::small_right, theme::text, words);
+}
+
 // The node preview, cropped to the card's width; at half opacity if the current graph has no
 // running shader and the preview is of an earlier graph.
 void draw_node_preview(const Painter& p, const Card& card, ImVec2 low, ImVec2 high) {
@@ -138,6 +146,7 @@ void draw_node_preview(const Painter& p, const Card& card, ImVec2 low, ImVec2 hi
                                {at.u1 - u, at.v0 + v}, tint, 3 * p.zoom);
     }
     p.list.AddRect(from, to, theme::border, 3 * p.zoom);
+    if (feed.previews.magnified.contains(card.id)) draw_magnification(p, to);
 }
 
 // The last row: cost of the node, if known.

@@ -1,8 +1,34 @@
 #include "editor/view/preview/node_previews.h"
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "editor/view/preview/flat_values.h"
 
 namespace wrinkle::editor {
+namespace {
+
+FlatArea patch(uint32_t magnification) {
+    return {0, 0, 1.0 / (NodePreviews::height * magnification), NodePreviews::width,
+            NodePreviews::height};
+}
+
+std::vector<uint8_t> texels_of(const FlatValues& drawn) {
+    std::vector<uint8_t> texels;
+    const Range range = range_of_values(drawn.values);
+    for (size_t i = 0; i < drawn.values.size(); i += drawn.lanes)
+        append_texel(texels, flat_color(drawn.type, drawn.values.data() + i, range));
+    return texels;
+}
+
+// Differences below 4 of 255 count as none: they are hardly visible.
+bool has_one_color(const std::vector<uint8_t>& texels) {
+    for (size_t i = 4; i < texels.size(); ++i)
+        if (std::abs(texels[i] - texels[i % 4]) >= 4) return false;
+    return true;
+}
+
+}  // namespace
 
 NodePreviews NodePainter::operator()(const NodePreviewJob& job) {
     NodePreviews previews;
@@ -27,17 +53,32 @@ NodePreviews NodePainter::operator()(const NodePreviewJob& job) {
 
 bool NodePainter::draw_group(const NodePreviewJob& job, const std::vector<std::string>& nodes,
                              NodePreviews& previews) {
-    constexpr FlatArea patch{0, 0, 1.0 / NodePreviews::height, NodePreviews::width,
-                             NodePreviews::height};
     std::vector<FlatValues> drawn;
-    if (!evaluate_flat(job.model, job.document, nodes, patch, textures_, drawn)) return false;
+    if (!evaluate_flat(job.model, job.document, nodes, patch(1), textures_, drawn)) return false;
+    std::vector<std::string> uniform;
     for (const FlatValues& each : drawn) {
         previews.places[each.node] = static_cast<uint32_t>(previews.places.size());
-        const Range range = range_of_values(each.values);
-        for (size_t i = 0; i < each.values.size(); i += each.lanes)
-            append_texel(previews.texels, flat_color(each.type, each.values.data() + i, range));
+        const std::vector<uint8_t> texels = texels_of(each);
+        if (has_one_color(texels)) uniform.push_back(each.node);
+        previews.texels.insert(previews.texels.end(), texels.begin(), texels.end());
     }
+    magnify(job, uniform, previews);
     return true;
+}
+
+void NodePainter::magnify(const NodePreviewJob& job, const std::vector<std::string>& nodes,
+                          NodePreviews& previews) {
+    std::vector<FlatValues> drawn;
+    evaluate_flat(job.model, job.document, nodes, patch(NodePreviews::magnification), textures_,
+                  drawn);
+    for (const FlatValues& each : drawn) {
+        const std::vector<uint8_t> texels = texels_of(each);
+        if (has_one_color(texels)) continue;
+        previews.magnified.insert(each.node);
+        std::ranges::copy(
+            texels, previews.texels.begin() +
+                        static_cast<std::ptrdiff_t>(previews.places[each.node] * texels.size()));
+    }
 }
 
 }  // namespace wrinkle::editor
