@@ -21,6 +21,7 @@
 #include "editor/model/document/used_files.h"
 #include "editor/model/document/watch.h"
 #include "editor/model/document/wiring.h"
+#include "editor/model/hosts/host_choices.h"
 #include "editor/model/images/images.h"
 #include "editor/model/tasks/task.h"
 
@@ -45,6 +46,7 @@ struct OpenGraph {
     DiskCopy disk;
     RecoveryFile recovery_file;
     uint64_t recovery_serial = 0;  // serial of the state in the recovery file, if there is one
+    KeptExports kept_exports;
 
     const Document& document() const { return history.now(); }
     bool dirty() const { return history.serial() != saved_serial; }

@@ -1,6 +1,8 @@
 // Tests of exports to hosts from the editor: the files equal those of `wrinkle export`.
 #include "editor/model/hosts/host_export.h"
 #include "baking.h"
+#include "editor/model/document/files.h"
+#include "editor/model/hosts/kept_exports.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -19,6 +21,46 @@ TEST_F(EditorHostExport, TheDialogWritesTheFilesOfTheProgram) {
                    (folder.path() / "theirs").string());
     expect_same("graph_gltf/graph.glb", "theirs/graph.glb");
     expect_same("graph_gltf/README.txt", "theirs/README.txt");
+}
+
+TEST_F(EditorHostExport, AnExportIsRepeatedAtEverySave) {
+    open(rock);
+    const fs::path into = folder.path() / "graph_gltf";
+    play(
+        "assert no-target status:exported\nkey Ctrl+Shift+E\nclick host:to\nclick host:to:gltf\n"
+        "click host:size\nclick host:size:256\nclick host:repeat\nclick host:start\nfinish");
+    fs::remove_all(into);
+    play("key Space\ntype weave\nkey Enter\nfinish");
+    EXPECT_FALSE(fs::exists(into));
+    play("key Ctrl+S\nwait 2\nfinish\nassert target status:exported");
+    EXPECT_TRUE(fs::exists(into / "graph.glb"));
+    EXPECT_EQ(state_of_kept(state), KeptState::written);
+    EXPECT_TRUE(words_on_kept(state).starts_with("Exported ")) << words_on_kept(state);
+
+    fs::remove_all(into);
+    folder.write("graph_gltf", "a file in place of the folder");
+    play("key Ctrl+Z\nkey Ctrl+S\nwait 2\nfinish");
+    EXPECT_EQ(words_on_kept(state), "Not exported");
+    EXPECT_NE(state.tasks.failed.find("No file was exported. "), std::string::npos);
+
+    fs::remove_all(into);
+    play("key Ctrl+Shift+E\nclick host:repeat\nclick host:start\nfinish");
+    fs::remove_all(into);
+    play("key Ctrl+Shift+Z\nkey Ctrl+S\nwait 2\nfinish");
+    EXPECT_FALSE(fs::exists(into));
+}
+
+TEST_F(EditorHostExport, RepeatedExportsEndWithTheirGraph) {
+    folder.write("other.json", rock);
+    open(rock);
+    HostChoices chosen;
+    chosen.into = "out";
+    keep_exported(state, chosen, true);
+    EXPECT_TRUE(find_kept_export(state, *chosen.host));
+    open_file(state, file);
+    EXPECT_TRUE(find_kept_export(state, *chosen.host));
+    open_file(state, folder.path() / "other.json");
+    EXPECT_FALSE(find_kept_export(state, *chosen.host));
 }
 
 TEST_F(EditorHostExport, EveryHostIsOffered) {

@@ -45,7 +45,8 @@ TaskOutcome export_to_host(const HostJob& job, const Registry& registry, TaskPro
     }
 }
 
-void start_host_export(Session& session, const HostChoices& choices) {
+void start_host_export(Session& session, const HostChoices& choices,
+                       const std::function<void(Session&)>& then) {
     HostJob job{session.model,
                 with_preset_as_defaults(session.model, session.document(), choices.preset),
                 session.path.empty() ? session.file_name() : session.path.string(), choices};
@@ -53,8 +54,11 @@ void start_host_export(Session& session, const HostChoices& choices) {
     const auto work = [job = std::move(job), registry = session.registry](TaskProgress& progress) {
         return export_to_host(job, *registry, progress);
     };
-    start_task(session, {"Exporting to " + std::string(choices.host->label), work,
-                         [&session, choices] { start_host_export(session, choices); }});
+    start_task(session, {"Exporting to " + std::string(choices.host->label),
+                         work,
+                         [&session, choices, then] { start_host_export(session, choices, then); },
+                         {},
+                         then});
 }
 
 fs::path usual_folder(const Session& session, const Host& host) {

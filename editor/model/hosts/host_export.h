@@ -3,22 +3,13 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
+#include "editor/model/hosts/host_choices.h"
 #include "editor/model/session.h"
-#include "export/export.h"
 
 namespace wrinkle::editor {
-
-inline constexpr uint32_t host_sizes[] = {256, 512, 1024, 2048, 4096, max_export_size};
-
-struct HostChoices {
-    const Host* host = &hosts().front();
-    std::string mesh;    // a shape's name, or the path of an OBJ or glTF file
-    std::string preset;  // name in the graph; "": the defaults of its inputs
-    uint32_t size = 1024;
-    std::filesystem::path into;  // a folder
-};
 
 struct HostJob {
     Model model;
@@ -28,8 +19,9 @@ struct HostJob {
 };
 TaskOutcome export_to_host(const HostJob& job, const Registry& registry, TaskProgress& progress);
 
-// Exports the current document as a task.
-void start_host_export(Session& session, const HostChoices& choices);
+// Exports the current document as a task; `then` is called after success.
+void start_host_export(Session& session, const HostChoices& choices,
+                       const std::function<void(Session&)>& then = {});
 
 // Returns the folder that is proposed for a host, next to the graph: "strap_three".
 std::filesystem::path usual_folder(const Session& session, const Host& host);

@@ -2,6 +2,8 @@
 
 #include <imgui_stdlib.h>
 
+#include "editor/model/hosts/host_export.h"
+#include "editor/model/hosts/kept_exports.h"
 #include "editor/model/words.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
@@ -16,8 +18,18 @@ namespace {
 constexpr float host_wide = 560, host_padding = 24;
 constexpr float host_control_wide = host_wide - 2 * host_padding - label_wide;
 
+// Chooses the host, with the choices of its export that is repeated if there is one.
+void choose_host(State& state, const Host& host) {
+    HostDialog& dialog = state.host_dialog;
+    const HostChoices* kept = find_kept_export(state, host);
+    dialog.repeat = kept != nullptr;
+    if (kept) dialog.choices = *kept;
+    dialog.choices.host = &host;
+    if (!kept) dialog.choices.into = usual_folder(state, host);
+}
+
 void draw_host_row(State& state) {
-    HostChoices& choices = state.host_dialog.choices;
+    const HostChoices& choices = state.host_dialog.choices;
     begin_control(state.fonts, "Host");
     std::vector<Item> items;
     for (const Host& host : hosts())
@@ -25,8 +37,7 @@ void draw_host_row(State& state) {
     const int picked =
         choose(state, "host:to", std::string(choices.host->label), items, host_control_wide);
     if (picked < 0) return;
-    choices.host = &hosts()[static_cast<size_t>(picked)];
-    choices.into = usual_folder(state, *choices.host);
+    choose_host(state, hosts()[static_cast<size_t>(picked)]);
 }
 
 // Returns true on Enter.
@@ -60,7 +71,10 @@ bool draw_host_buttons(State& state, bool entered) {
     go |= enter && ready && !state.host_dialog.opening;
     ImGui::SameLine();
     const bool cancel = button(state, "Cancel", "host:cancel", false, {104, 28});
-    if (go) start_host_export(state, state.host_dialog.choices);
+    if (go) {
+        keep_exported(state, state.host_dialog.choices, state.host_dialog.repeat);
+        start_host_export(state, state.host_dialog.choices);
+    }
     return go || cancel || (on_top && is_pressed(ImGuiKey_Escape, false));
 }
 
@@ -76,6 +90,10 @@ bool draw_host_rows(State& state) {
     draw_numbers(state, "host:size", host_sizes, choices.size, host_control_wide,
                  [](uint32_t texels) { return grouped(texels) + " px"; });
     const bool entered = draw_into_row(state);
+    begin_control(state.fonts, "Repeat", "Until another graph is opened");
+    draw_control(state, "host:repeat", 0, [&] {
+        return ImGui::Checkbox("Export again at every save", &state.host_dialog.repeat);
+    });
     constexpr float wrap = host_wide - host_padding;
     const std::string why = why_no_host_export(state);
     write_paragraph(why.empty() ? theme::text_dim : theme::warn,
@@ -100,10 +118,9 @@ void open_host_dialog(State& state) {
     const Host* last = state.host_dialog.choices.host;
     state.host_dialog = {};
     HostChoices& choices = state.host_dialog.choices;
-    choices.host = last;
     choices.mesh = state.view.preview_view.mesh;
     choices.preset = state.view.preview_request.preset;
-    choices.into = usual_folder(state, *last);
+    choose_host(state, *last);
     state.host_dialog.open = state.host_dialog.opening = true;
 }
 

@@ -12,7 +12,7 @@
 #include "editor/model/bake/choices.h"
 #include "editor/model/document/intent.h"
 #include "editor/model/document/wiring.h"
-#include "editor/model/hosts/host_export.h"
+#include "editor/model/hosts/host_choices.h"
 #include "editor/view/canvas/gesture.h"
 #include "editor/view/panels/listing.h"
 #include "registry/registry.h"
@@ -73,6 +73,7 @@ struct BakeDialog {
 struct HostDialog {
     bool open = false, opening = false;
     HostChoices choices;
+    bool repeat = false;  // at every save
 };
 
 // Sample graph that is installed with the program.

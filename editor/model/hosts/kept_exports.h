@@ -1,0 +1,25 @@
+// Exports to hosts that are repeated at every save of the graph, one task after the other, until
+// another graph is opened.
+#pragma once
+
+#include <string>
+
+#include "editor/model/session.h"
+
+namespace wrinkle::editor {
+
+// Repeats the export at every save, instead of an earlier one to the same host, or no longer.
+void keep_exported(Session& session, const HostChoices& choices, bool kept);
+
+// Returns the choices of the export to the host that is repeated; nullptr if there is none.
+const HostChoices* find_kept_export(const Session& session, const Host& host);
+
+// Called once a frame: starts the next export that is due, while no other task runs.
+void poll_kept_exports(Session& session);
+
+enum class KeptState : uint8_t { none, waiting, written, failed };
+KeptState state_of_kept(const Session& session);
+// Returns words for the status bar: "Exported 14:02", "Exporting", "Not exported"; "" for none.
+std::string words_on_kept(const Session& session);
+
+}  // namespace wrinkle::editor
