@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "editor/model/document/ramp.h"
 #include "editor/model/document/wiring.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/edit/edits.h"
@@ -19,11 +20,12 @@ const Port* port_of_type(const NodeType& type, PortType wanted) {
     return nullptr;
 }
 
-// Not for a material: nodes with one have more ports, which a wire would snap to.
+// Not for a material: nodes with one have more ports, which a wire would snap to. Not a color ramp:
+// its card has no pins for stops without wires.
 const NodeType* type_with(PortType wanted) {
     if (wanted == PortType::material_) return nullptr;
     for (const NodeType& type : built_in_registry().list())
-        if (port_of_type(type, wanted)) return &type;
+        if (port_of_type(type, wanted) && !is_ramp(&type)) return &type;
     return nullptr;
 }
 

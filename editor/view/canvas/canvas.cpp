@@ -55,7 +55,8 @@ void double_click(State& state, const Hit& hit) {
         open_selected_group(state);
     } else if (hit.kind == Hit::Kind::header && card.kind == Card::Kind::node) {
         open_popup(state, card, nullptr, Popup::Kind::rename);
-    } else if (hit.kind == Hit::Kind::field && card.fields[hit.part].lanes > 0) {
+    } else if (hit.kind == Hit::Kind::field && card.fields[hit.part].lanes > 0 &&
+               !card.fields[hit.part].ramp) {
         open_popup(state, card, &card.fields[hit.part], Popup::Kind::text);
     }
 }

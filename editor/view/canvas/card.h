@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,6 +68,7 @@ struct Field {
     std::string name, value;  // as shown, truncated to fit
     float part = -1;          // filled fraction of the slider, 0 to 1; below 0: no slider
     bool listed = false;      // a click opens a list
+    bool ramp = false;        // shows Card::strip; a click opens the editor of the ramp
 };
 struct Card {
     enum class Kind : uint8_t { node, surface, inputs, outputs };
@@ -82,10 +84,11 @@ struct Card {
     ImVec2 at{0, 0}, size{0, 0};
     std::vector<Pin> pins;
     std::vector<Field> fields;
-    float more_y = -1;      // top of the row that shows all ports or fewer; -1: none
-    std::string more;       // text of that row: "37 more inputs"
-    bool unfolded = false;  // a long card with all ports
-    float preview_y = -1;   // top of the node preview; -1: none
+    std::vector<glm::dvec3> strip;  // display colors of a color ramp, from 0 to 1
+    float more_y = -1;              // top of the row that shows all ports or fewer; -1: none
+    std::string more;               // text of that row: "37 more inputs"
+    bool unfolded = false;          // a long card with all ports
+    float preview_y = -1;           // top of the node preview; -1: none
     // The header's texts as shown, truncated to fit; title may be "".
     std::string name, title;
     float name_width = 0;

@@ -8,6 +8,7 @@
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
+#include "editor/view/preview/ramp_strip.h"
 #include "lower/mute.h"
 
 namespace wrinkle::editor {
@@ -42,6 +43,7 @@ void draw_field(const Painter& p, const Card& card, const Field& field, bool hov
         p.list.AddRectFilled({low.x + 3 * z, high.y - 2 * z}, {std::max(x, low.x + 3 * z), high.y},
                              theme::accent);
     }
+    if (field.ramp) draw_strip(p.list, low, high, card.strip);
     if (fault)
         p.list.AddRect(low, high, color_of(*fault), 4 * z, 0, 1.6F);
     else

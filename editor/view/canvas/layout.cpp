@@ -3,10 +3,12 @@
 #include <algorithm>
 
 #include "editor/model/document/change.h"
+#include "editor/model/document/ramp.h"
 #include "editor/model/document/wiring.h"
 #include "editor/view/canvas/columns.h"
 #include "editor/view/canvas/make_card.h"
 #include "editor/view/look/draw.h"
+#include "editor/view/preview/ramp_strip.h"
 #include "graph/edit.h"
 #include "graph/order.h"
 
@@ -181,6 +183,7 @@ Layout lay_out(State& state) {
         auto card = reused_card(old, i, node, type, readers.key[i], shown);
         if (!card) {
             card = make_card(state.fonts, *node, type, readers.ports[i], shown);
+            if (is_ramp(type)) card->strip = ramp_strip(*node, *state.registry);
             ++layout.made;
         }
         layout.cards.push_back(std::move(*card));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/model/document/field.h"
+#include "editor/model/document/ramp.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/look/magnified.h"
 
@@ -49,6 +50,11 @@ private:
         return std::ranges::find(read_, port) != read_.end();
     }
 
+    bool is_wired(const std::string& port) const {
+        const Input* input = node_.find(port);
+        return input && input->kind == Input::Kind::link;
+    }
+
     float wanted_width() const {
         const float label = std::min(width(card_text::small, card.label), 80.0F);
         float wanted = name_left + width(card_text::bold, card.id) + 16 + label + 10;
@@ -70,6 +76,8 @@ private:
 
     // A single number has its name inside the field, left of its value.
     void write_field(Field& field, const Port& port) const {
+        field.ramp = port.name == "stops" && is_ramp(card.type);
+        if (field.ramp) return;
         field.listed = port.kind == Port::Kind::choice || port.type == PortType::image_;
         const double value = numbers_at(node_, port)[static_cast<size_t>(field.lane)];
         if (field.lanes > 0 && port.has_soft_range())
@@ -119,9 +127,13 @@ private:
         bool folds_output = false, folds_input = false;
         for (uint32_t i = 0; i < ports.size(); ++i) {
             const bool output = ports[i].kind == Port::Kind::output;
-            const bool first = (output ? outputs : inputs)++ < first_rows;
-            if (first || (output ? is_read(ports[i].name) : node_.find(ports[i].name) != nullptr))
-                continue;
+            if (!output && is_stop_port(*card.type, ports[i].name)) {
+                if (is_wired(ports[i].name)) continue;
+            } else {
+                const bool first = (output ? outputs : inputs)++ < first_rows;
+                const bool set = node_.find(ports[i].name) != nullptr;
+                if (first || (output ? is_read(ports[i].name) : set)) continue;
+            }
             folded_.insert(i);
             (output ? folds_output : folds_input) = true;
         }
@@ -145,8 +157,7 @@ private:
         for (uint32_t i = 0; i < card.type->ports.size(); ++i) {
             const Port& port = card.type->ports[i];
             if (port.kind == Port::Kind::output || folded_.contains(i)) continue;
-            const Input* input = node_.find(port.name);
-            const bool connected = input && input->kind == Input::Kind::link;
+            const bool connected = is_wired(port.name);
             const bool field = !connected && shows_field(port);
             if (port.is_value() || connected) {
                 add_pin(port.name, port.type, true, false, connected, y);

@@ -50,8 +50,9 @@ constexpr std::string_view popup_hints[] = {
     "Type to narrow the list   Enter takes it   Esc leaves it",
     "Drag in the field   Esc closes",
     "Up and Down choose   Enter exposes it   Esc closes",
+    "Click the strip to add   Left and Right select   Shift moves   Del removes   Esc closes",
 };
-static_assert(std::size(popup_hints) == static_cast<size_t>(Popup::Kind::expose) + 1);
+static_assert(std::size(popup_hints) == static_cast<size_t>(Popup::Kind::ramp) + 1);
 
 constexpr Hint<Palette::List> list_hints[] = {
     {Palette::List::nodes, "Enter shows the node   Esc closes"},

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "editor/model/document/field.h"
+#include "editor/model/document/ramp.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
@@ -23,7 +24,7 @@ void click_field(State& state, const Card& card, const Field& field) {
     if (port.kind == Port::Kind::flag) {
         const bool on = numbers_at(*document.find(card.id), port)[0] != 0;
         state.commit(card.id + ": " + port.name, with_flag(document, card.id, port, !on));
-    } else if (port.kind == Port::Kind::choice ||
+    } else if (field.ramp || port.kind == Port::Kind::choice ||
                (port.is_value() &&
                 (port.type == PortType::image_ || port.type == PortType::color_))) {
         open_field(state, card, field);
@@ -68,7 +69,7 @@ void drag_value(State& state, ImVec2 delta) {
     const NodeType* type = state.type_of(g.node);
     if (!type) return;
     const Port& port = type->ports[g.port_index];
-    if (lanes_of_field(port) == 0) return;
+    if (lanes_of_field(port) == 0 || (port.name == "stops" && is_ramp(type))) return;
     const ImGuiIO& io = ImGui::GetIO();
     const double value = dragged(g.start_value, delta.x, g.width, port, io.KeyCtrl, io.KeyShift);
     state.commit(g.node + ": " + port.name,

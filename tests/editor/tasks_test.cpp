@@ -1,0 +1,88 @@
+// Tests of everyday tasks, with the most actions that each may take: a click, a drag, a drop, a key
+// outside text, or a typed text. Layering.TakesThreeActionsByDropping has base and detail.
+#include <fstream>
+
+#include "editor/model/document/ramp.h"
+#include "headless.h"
+
+namespace wrinkle::editor {
+namespace {
+
+using Tasks = Headless;
+
+TEST_F(Tasks, ARampToFourStopsTakesFour) {
+    open(R"({ "wrinkle": 1, "nodes": { "paint": { "type": "ramp" } },
+              "outputs": { "color": { "from": "paint.color" } } })");
+    play(R"(
+        click field:paint.stops
+        click ramp:strip
+        click ramp:add
+        key Escape
+        assert actions 4)");
+    EXPECT_EQ(stops_of(*state.document().find("paint"), *state.type_of("paint")).size(), 4U);
+}
+
+TEST_F(Tasks, AGroupUsedTwiceTakesThree) {
+    open(small_graph);
+    play(R"(
+        click node:softer
+        key Ctrl+G
+        key Ctrl+D
+        assert nodes 5
+        assert errors 0
+        assert actions 3)");
+    EXPECT_EQ(state.document().find("group")->type, state.document().find("group2")->type);
+}
+
+TEST_F(Tasks, AGraphOfTheFolderUsedTwiceTakesFour) {
+    folder.write("other.json", small_graph);
+    open(small_graph);
+    play(R"(
+        key Space
+        type other
+        key Enter
+        key Space
+        type other
+        key Enter
+        assert nodes 6
+        assert errors 0
+        assert actions 4)");
+}
+
+TEST_F(Tasks, AMasksPixelsTakeTwo) {
+    open(small_graph);
+    play(R"(
+        click node:noise
+        key 7
+        assert target flat
+        assert actions 2)");
+}
+
+TEST_F(Tasks, AnotherMeshAndLightTakeTwo) {
+    folder.write("ball.obj", "v 0 0 0\n");
+    folder.write("sky.hdr", "none");
+    open(small_graph);
+    play("drop ball.obj preview\ndrop sky.hdr preview\nassert actions 2");
+    EXPECT_TRUE(state.view.preview_view.mesh.ends_with("ball.obj"));
+    EXPECT_TRUE(state.view.preview_view.environment.ends_with("sky.hdr"));
+}
+
+TEST_F(Tasks, ANaiveBlendBesideTakesOne) {
+    open(small_graph);
+    play("click compare:split\nassert actions 1");
+}
+
+TEST_F(Tasks, AnExportForThreeTakesFour) {
+    open(small_graph);
+    play(R"(
+        key Ctrl+Shift+E
+        click host:to
+        click host:to:three
+        key Enter
+        finish
+        assert actions 4)");
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "graph_three/index.html"));
+}
+
+}  // namespace
+}  // namespace wrinkle::editor
