@@ -1,4 +1,6 @@
 // Tests of the files that the editor reads and writes: graphs and the images near them.
+#include <sys/stat.h>
+
 #include "editor/view/panels/panels.h"
 #include "graph/edit.h"
 #include "headless.h"
@@ -107,6 +109,7 @@ TEST_F(Headless, GraphFilesAreNeitherTestsNorPresetsNorHidden) {
                              ".wrinkle/c.json", ".hidden.json", "a.txt"})
         folder.write(name, small_graph);
     folder.write("package.json", R"({ "name": "none" })");
+    ASSERT_EQ(mkfifo((folder.path() / "pipe.json").c_str(), 0600), 0);
     EXPECT_EQ(graph_files(folder.path()), (std::vector<std::string>{"a.json", "parts/b.json"}));
 }
 

@@ -92,6 +92,20 @@ TEST(Ramps, HaveTwoToTenStops) {
     EXPECT_EQ(ramp.positions().size(), 2U);
 }
 
+TEST(Ramps, ACountOutOfRangeIsReadAsTheDefault) {
+    for (const int count : {-3, 0, 99}) {
+        const Document document =
+            parsed(R"({ "wrinkle": 1, "nodes": { "rust": { "type": "ramp", "in": { "stops": )" +
+                   std::to_string(count) + " } } } }");
+        const NodeType& type = *built_in_registry().find("ramp");
+        const Node& node = *document.find("rust");
+        EXPECT_EQ(stops_of(node, type).size(), 2U);
+        EXPECT_TRUE(ramp_strip(node, built_in_registry()).empty());
+        EXPECT_LE(stops_of(*with_stop(document, node, type, {0.5, {}}).find("rust"), type).size(),
+                  max_stops(type));
+    }
+}
+
 TEST(Ramps, AStopStaysBetweenItsNeighbours) {
     RampDocument ramp;
     ramp.document = with_stop_at(ramp.document, ramp.node(), ramp.type, 0, 0.8);

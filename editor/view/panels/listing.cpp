@@ -22,7 +22,9 @@ bool is_image(const fs::path& file) {
 }
 
 bool is_graph(const fs::path& file) {
+    std::error_code ignored;
     if (file.extension() != ".json" || file.stem().has_extension()) return false;
+    if (!fs::is_regular_file(file, ignored)) return false;  // reading a pipe would wait
     char start[512] = "";
     std::ifstream(file, std::ios::binary).read(start, sizeof start - 1);
     return std::string_view(start).find("\"wrinkle\"") != std::string_view::npos;
