@@ -41,6 +41,7 @@ struct Settings {
     float scale = 1;                            // interface scale
     std::vector<std::filesystem::path> recent;  // absolute, the latest first
     BakeSettings bake;
+    std::string host = "gltf";  // of the last export (export/export.h)
     // Dismissed remarks about images, by their marks (images/remarks.h).
     std::vector<std::string> dismissed;  // the latest last
 

@@ -72,6 +72,7 @@ bool draw_host_buttons(State& state, bool entered) {
     ImGui::SameLine();
     const bool cancel = button(state, "Cancel", "host:cancel", false, {104, 28});
     if (go) {
+        state.keeping.settings.host = state.host_dialog.choices.host->name;
         keep_exported(state, state.host_dialog.choices, state.host_dialog.repeat);
         start_host_export(state, state.host_dialog.choices);
     }
@@ -115,12 +116,12 @@ std::string why_no_host_export(const State& state) {
 }
 
 void open_host_dialog(State& state) {
-    const Host* last = state.host_dialog.choices.host;
+    const Host* last = find_host(state.keeping.settings.host);
     state.host_dialog = {};
     HostChoices& choices = state.host_dialog.choices;
     choices.mesh = state.view.preview_view.mesh;
     choices.preset = state.view.preview_request.preset;
-    choose_host(state, *last);
+    choose_host(state, last ? *last : hosts().front());
     state.host_dialog.open = state.host_dialog.opening = true;
 }
 
