@@ -2,7 +2,7 @@
 #include "editor/model/document/ramp.h"
 
 #include "base/srgb.h"
-#include "editor/view/preview/ramp_strip.h"
+#include "editor/view/preview/knot_values.h"
 #include "headless.h"
 
 namespace wrinkle::editor {
@@ -43,7 +43,7 @@ struct RampDocument {
     }
     // The end of the wire to the color of a stop; "" for a value.
     std::string wire(size_t stop) const {
-        const Input* input = node().find(color_port(stop));
+        const Input* input = node().find(repeated_name("color", stop));
         return input && input->kind == Input::Kind::link ? input->link.text() : "";
     }
 };
@@ -72,10 +72,10 @@ TEST(Ramps, RemovingAnAddedStopRestoresTheRamp) {
     RampDocument ramp;
     const auto before = ramp.node().inputs.size();
     for (const double position : {0.0, 0.25, 0.5, 0.75, 1.0}) {
-        const size_t index = index_of_stop(stops_of(ramp.node(), ramp.type), position);
+        const size_t index = index_after(ramp.positions(), position);
         ramp.document = with_stop(ramp.document, ramp.node(), ramp.type, {position, {0, 1, 0}});
         ASSERT_EQ(ramp.positions().size(), 4U);
-        ramp.document = without_stop(ramp.document, ramp.node(), ramp.type, index);
+        ramp.document = without_item(ramp.document, ramp.node(), ramp_ports(&ramp.type), index);
         EXPECT_EQ(ramp.positions(), (Positions{0, 0.5, 1})) << position;
         EXPECT_EQ(ramp.wire(1), "tint.color") << position;
     }
@@ -86,9 +86,9 @@ TEST(Ramps, HaveTwoToTenStops) {
     RampDocument ramp;
     for (int i = 0; i < 20; ++i)
         ramp.document = with_stop(ramp.document, ramp.node(), ramp.type, {0.3, {}});
-    EXPECT_EQ(ramp.positions().size(), max_stops(ramp.type));
+    EXPECT_EQ(ramp.positions().size(), ramp_ports(&ramp.type).most());
     for (int i = 0; i < 20; ++i)
-        ramp.document = without_stop(ramp.document, ramp.node(), ramp.type, 0);
+        ramp.document = without_item(ramp.document, ramp.node(), ramp_ports(&ramp.type), 0);
     EXPECT_EQ(ramp.positions().size(), 2U);
 }
 
@@ -100,9 +100,9 @@ TEST(Ramps, ACountOutOfRangeIsReadAsTheDefault) {
         const NodeType& type = *built_in_registry().find("ramp");
         const Node& node = *document.find("rust");
         EXPECT_EQ(stops_of(node, type).size(), 2U);
-        EXPECT_TRUE(ramp_strip(node, built_in_registry()).empty());
+        EXPECT_TRUE(ramp_colors(node, built_in_registry()).empty());
         EXPECT_LE(stops_of(*with_stop(document, node, type, {0.5, {}}).find("rust"), type).size(),
-                  max_stops(type));
+                  ramp_ports(&type).most());
     }
 }
 
@@ -118,7 +118,7 @@ TEST(Ramps, AStopStaysBetweenItsNeighbours) {
 TEST(Ramps, TheStripHasTheColorsOfTheNode) {
     RampDocument ramp;
     Document document = ramp.document;
-    const auto strip = ramp_strip(ramp.node(), built_in_registry());
+    const auto strip = ramp_colors(ramp.node(), built_in_registry());
     ASSERT_GT(strip.size(), 20U);
     for (size_t i = 0; i < strip.size(); ++i) {
         const double u = (static_cast<double>(i) + 0.5) / static_cast<double>(strip.size());
@@ -126,6 +126,72 @@ TEST(Ramps, TheStripHasTheColorsOfTheNode) {
         const double red = u < 0.5 ? 1 + (middle - 1) * 2 * u : middle * (2 - 2 * u);
         EXPECT_NEAR(strip[i].r, srgb_from_linear(red), 0.02) << u;
     }
+}
+
+const char* const curve_graph = R"({
+  "wrinkle": 1,
+  "nodes": {
+    "noise": { "type": "gradient_noise" },
+    "shape": { "type": "curve", "in": { "value": { "from": "noise.value" }, "points": 3,
+                                        "point_2": [0.5, 0.25] } }
+  },
+  "outputs": { "roughness": { "from": "shape.value" } },
+  "layout": { "noise": [0, 0], "shape": [272, 0] }
+}
+)";
+
+TEST(Curves, AreKnownByTheirPorts) {
+    for (const NodeType& type : built_in_registry().list())
+        EXPECT_EQ(is_curve(&type), type.id == "curve") << type.id;
+}
+
+TEST(Curves, GoThroughTheirPoints) {
+    const Document document = parsed(curve_graph);
+    const Node& node = *document.find("shape");
+    const auto points = points_of(node, *built_in_registry().find("curve"));
+    ASSERT_EQ(points.size(), 3U);
+    const auto values = curve_values(node, built_in_registry());
+    ASSERT_GT(values.size(), 20U);
+    EXPECT_NEAR(values.front(), points[0].y, 0.02);
+    EXPECT_NEAR(values[values.size() / 2], 0.25, 0.02);
+    EXPECT_NEAR(values.back(), points[2].y, 0.02);
+}
+
+TEST(Curves, APointIsAddedInOrderAndStaysBetweenItsNeighbours) {
+    Document document = parsed(curve_graph);
+    const NodeType& type = *built_in_registry().find("curve");
+    document = with_point(document, *document.find("shape"), type, {0.25, 0.75});
+    const auto added = points_of(*document.find("shape"), type);
+    ASSERT_EQ(added.size(), 4U);
+    EXPECT_EQ(added[1], glm::dvec2(0.25, 0.75));
+    EXPECT_EQ(added[2], glm::dvec2(0.5, 0.25));
+    document = with_point_at(document, *document.find("shape"), type, 1, {0.9, -1});
+    EXPECT_EQ(points_of(*document.find("shape"), type)[1], glm::dvec2(0.5, -1));
+    document = without_item(document, *document.find("shape"), curve_ports(&type), 1);
+    EXPECT_EQ(positions_of(points_of(*document.find("shape"), type)), (Positions{0, 0.5, 1}));
+}
+
+TEST_F(Headless, ACurveIsEditedInItsPopup) {
+    open(curve_graph);
+    EXPECT_EQ(state.layout.find("shape")->more, "8 more inputs");
+    const auto points = [&] {
+        return points_of(*state.document().find("shape"), *state.type_of("shape"));
+    };
+    play("click field:shape.points\nclick curve:plot+80,-40");
+    ASSERT_EQ(points().size(), 4U);
+    const glm::dvec2 added = points()[2];
+    EXPECT_NEAR(added.x, 0.75, 0.02);
+    EXPECT_NEAR(added.y, 0.5 + 40 / 220.0, 0.02);
+    play("drag curve:point3 curve:point3+0,44");
+    EXPECT_NEAR(points()[2].y, added.y - 0.2, 0.02);
+    play("key Left\nkey Shift+Up\nkey Shift+Right");
+    EXPECT_NEAR(points()[1].x, 0.51, 1e-6);
+    EXPECT_NEAR(points()[1].y, 0.26, 1e-6);
+    play("key Delete\nkey Insert\nkey Tab\nkey Escape\nassert no-target curve:plot");
+    EXPECT_EQ(points().size(), 4U);
+    for (int i = 0; i < 6; ++i)
+        play("key Ctrl+Z");
+    play("assert clean");
 }
 
 class RampEditor : public Headless {

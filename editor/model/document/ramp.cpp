@@ -4,130 +4,114 @@
 
 #include "editor/model/document/field.h"
 #include "editor/model/document/model.h"
-#include "graph/edit.h"
 
 namespace wrinkle::editor {
 namespace {
 
-const Port* count_port(const NodeType& type) {
-    const Port* port = input_port(&type, "stops");
-    return port && port->kind == Port::Kind::count ? port : nullptr;
-}
-
-Document with_numbers(Document document, const std::string& node, const Port& port,
-                      const std::array<double, 4>& numbers) {
-    for (int lane = 0; lane < lanes_of_field(port); ++lane)
-        document = with_number(document, node, port, lane, numbers[static_cast<size_t>(lane)]);
-    return document;
-}
-
-// Gives the port `to` the wire or the value of the port `from` of `node`.
-Document with_moved(const Document& document, const Node& node, const NodeType& type,
-                    const std::string& from, const std::string& to) {
-    const Input* input = node.find(from);
-    if (input && input->kind == Input::Kind::link)
-        return connect(document, input->link, node.id, to);
-    return with_numbers(reset_value(document, node.id, to), node.id, *input_port(&type, to),
-                        numbers_at(node, *input_port(&type, from)));
-}
-
-Document with_stop_moved(const Document& document, const Node& node, const NodeType& type,
-                         size_t from, size_t to) {
-    return with_moved(with_moved(document, node, type, position_port(from), position_port(to)),
-                      node, type, color_port(from), color_port(to));
-}
-
-Document with_stop_reset(const Document& document, const Node& node, size_t stop) {
-    return reset_value(reset_value(document, node.id, position_port(stop)), node.id,
-                       color_port(stop));
-}
-
-Document with_count(const Document& document, const Node& node, const NodeType& type,
-                    size_t count) {
-    return with_number(document, node.id, *count_port(type), 0, static_cast<double>(count));
+// Returns the position between those of the neighbours.
+double between(const std::vector<double>& positions, size_t index, double position) {
+    const double low = index == 0 ? 0 : positions[index - 1];
+    const double high = index + 1 == positions.size() ? 1 : positions[index + 1];
+    return std::clamp(position, low, std::max(low, high));
 }
 
 }  // namespace
 
-std::string position_port(size_t stop) {
-    return "position_" + std::to_string(stop + 1);
+RepeatedPorts ramp_ports(const NodeType* type) {
+    if (!input_port(type, "factor")) return {};
+    return find_repeated(type, "stops",
+                         {{"position", PortType::float_}, {"color", PortType::color_}});
 }
 
-std::string color_port(size_t stop) {
-    return "color_" + std::to_string(stop + 1);
+RepeatedPorts curve_ports(const NodeType* type) {
+    if (!input_port(type, "value")) return {};
+    return find_repeated(type, "points", {{"point", PortType::vec2_}});
 }
 
-bool is_ramp(const NodeType* type) {
-    if (!type || !count_port(*type) || !input_port(type, "factor")) return false;
-    for (size_t i = 0; i < max_stops(*type); ++i) {
-        const Port* position = input_port(type, position_port(i));
-        const Port* color = input_port(type, color_port(i));
-        if (!position || position->type != PortType::float_) return false;
-        if (!color || color->type != PortType::color_) return false;
-    }
-    return true;
+bool is_knot_port(const NodeType& type, std::string_view port) {
+    if (port.starts_with("position_") || port.starts_with("color_")) return is_ramp(&type);
+    return port.starts_with("point_") && is_curve(&type);
 }
 
-bool is_stop_port(const NodeType& type, std::string_view port) {
-    return is_ramp(&type) && (port.starts_with("position_") || port.starts_with("color_"));
-}
-
-size_t max_stops(const NodeType& type) {
-    return static_cast<size_t>(count_port(type)->hard_max);
+std::string_view mapped_port(const NodeType& type) {
+    return is_ramp(&type) ? "factor" : "value";
 }
 
 std::vector<RampStop> stops_of(const Node& node, const NodeType& type) {
-    std::vector<RampStop> stops(static_cast<size_t>(numbers_at(node, *count_port(type))[0]));
+    const RepeatedPorts ports = ramp_ports(&type);
+    std::vector<RampStop> stops(ports.count_in(node));
     for (size_t i = 0; i < stops.size(); ++i) {
-        const auto color = numbers_at(node, *input_port(&type, color_port(i)));
-        stops[i].position = numbers_at(node, *input_port(&type, position_port(i)))[0];
+        const auto color = numbers_at(node, ports.port("color", i));
+        stops[i].position = numbers_at(node, ports.port("position", i))[0];
         std::copy_n(color.begin(), 3, stops[i].color.begin());
     }
     return stops;
 }
 
-size_t index_of_stop(const std::vector<RampStop>& stops, double position) {
-    const auto next =
-        std::ranges::find_if(stops, [&](const RampStop& each) { return each.position > position; });
-    return static_cast<size_t>(next - stops.begin());
+std::vector<glm::dvec2> points_of(const Node& node, const NodeType& type) {
+    const RepeatedPorts ports = curve_ports(&type);
+    std::vector<glm::dvec2> points(ports.count_in(node));
+    for (size_t i = 0; i < points.size(); ++i) {
+        const auto numbers = numbers_at(node, ports.port("point", i));
+        points[i] = {numbers[0], numbers[1]};
+    }
+    return points;
+}
+
+std::vector<double> positions_of(const std::vector<RampStop>& stops) {
+    std::vector<double> positions;
+    for (const RampStop& stop : stops)
+        positions.push_back(stop.position);
+    return positions;
+}
+
+std::vector<double> positions_of(const std::vector<glm::dvec2>& points) {
+    std::vector<double> positions;
+    for (const glm::dvec2& point : points)
+        positions.push_back(point.x);
+    return positions;
+}
+
+size_t index_after(const std::vector<double>& positions, double position) {
+    const auto next = std::ranges::find_if(positions, [&](double each) { return each > position; });
+    return static_cast<size_t>(next - positions.begin());
 }
 
 Document with_stop(const Document& document, const Node& node, const NodeType& type,
                    const RampStop& stop) {
-    const std::vector<RampStop> stops = stops_of(node, type);
-    if (stops.size() >= max_stops(type)) return document;
-    const size_t index = index_of_stop(stops, stop.position);
-    Document result = with_count(document, node, type, stops.size() + 1);
-    for (size_t i = stops.size(); i-- > index;)
-        result = with_stop_moved(result, node, type, i, i + 1);
-    result = with_stop_reset(result, node, index);
-    result = with_numbers(result, node.id, *input_port(&type, position_port(index)),
-                          {stop.position, 0, 0, 0});
+    const RepeatedPorts ports = ramp_ports(&type);
+    if (ports.count_in(node) >= ports.most()) return document;
+    const size_t index = index_after(positions_of(stops_of(node, type)), stop.position);
+    const Document result = with_numbers(with_item(document, node, ports, index), node.id,
+                                         ports.port("position", index), {stop.position, 0, 0, 0});
     return with_stop_color(result, node, type, index, stop.color);
 }
 
-Document without_stop(const Document& document, const Node& node, const NodeType& type,
-                      size_t stop) {
-    const size_t count = stops_of(node, type).size();
-    if (stop >= count || static_cast<double>(count) <= count_port(type)->hard_min) return document;
-    Document result = document;
-    for (size_t i = stop; i + 1 < count; ++i)
-        result = with_stop_moved(result, node, type, i + 1, i);
-    return with_count(with_stop_reset(result, node, count - 1), node, type, count - 1);
+Document with_point(const Document& document, const Node& node, const NodeType& type,
+                    glm::dvec2 point) {
+    const RepeatedPorts ports = curve_ports(&type);
+    if (ports.count_in(node) >= ports.most()) return document;
+    const size_t index = index_after(positions_of(points_of(node, type)), point.x);
+    return with_numbers(with_item(document, node, ports, index), node.id,
+                        ports.port("point", index), {point.x, point.y, 0, 0});
 }
 
 Document with_stop_at(const Document& document, const Node& node, const NodeType& type, size_t stop,
                       double position) {
-    const std::vector<RampStop> stops = stops_of(node, type);
-    const double low = stop == 0 ? 0 : stops[stop - 1].position;
-    const double high = stop + 1 == stops.size() ? 1 : stops[stop + 1].position;
-    return with_number(document, node.id, *input_port(&type, position_port(stop)), 0,
-                       std::clamp(position, low, std::max(low, high)));
+    const double to = between(positions_of(stops_of(node, type)), stop, position);
+    return with_numbers(document, node.id, ramp_ports(&type).port("position", stop), {to, 0, 0, 0});
+}
+
+Document with_point_at(const Document& document, const Node& node, const NodeType& type,
+                       size_t point, glm::dvec2 to) {
+    const double x = between(positions_of(points_of(node, type)), point, to.x);
+    return with_numbers(document, node.id, curve_ports(&type).port("point", point),
+                        {x, to.y, 0, 0});
 }
 
 Document with_stop_color(const Document& document, const Node& node, const NodeType& type,
                          size_t stop, const std::array<double, 3>& color) {
-    return with_numbers(document, node.id, *input_port(&type, color_port(stop)),
+    return with_numbers(document, node.id, ramp_ports(&type).port("color", stop),
                         {color[0], color[1], color[2], 0});
 }
 

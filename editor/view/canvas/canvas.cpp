@@ -56,7 +56,7 @@ void double_click(State& state, const Hit& hit) {
     } else if (hit.kind == Hit::Kind::header && card.kind == Card::Kind::node) {
         open_popup(state, card, nullptr, Popup::Kind::rename);
     } else if (hit.kind == Hit::Kind::field && card.fields[hit.part].lanes > 0 &&
-               !card.fields[hit.part].ramp) {
+               card.fields[hit.part].shows == Field::Shows::value) {
         open_popup(state, card, &card.fields[hit.part], Popup::Kind::text);
     }
 }

@@ -68,7 +68,9 @@ struct Field {
     std::string name, value;  // as shown, truncated to fit
     float part = -1;          // filled fraction of the slider, 0 to 1; below 0: no slider
     bool listed = false;      // a click opens a list
-    bool ramp = false;        // shows Card::strip; a click opens the editor of the ramp
+    // Shows its value, or `strip` or `values` of the card; a click on these opens an editor.
+    enum class Shows : uint8_t { value, strip, curve };
+    Shows shows = Shows::value;
 };
 struct Card {
     enum class Kind : uint8_t { node, surface, inputs, outputs };
@@ -84,7 +86,8 @@ struct Card {
     ImVec2 at{0, 0}, size{0, 0};
     std::vector<Pin> pins;
     std::vector<Field> fields;
-    std::vector<glm::dvec3> strip;  // display colors of a color ramp, from 0 to 1
+    std::vector<glm::dvec3> strip;  // of a color ramp: display colors from 0 to 1
+    std::vector<double> values;     // of a curve: values from 0 to 1
     float more_y = -1;              // top of the row that shows all ports or fewer; -1: none
     std::string more;               // text of that row: "37 more inputs"
     bool unfolded = false;          // a long card with all ports

@@ -8,7 +8,7 @@
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
-#include "editor/view/preview/ramp_strip.h"
+#include "editor/view/preview/knot_values.h"
 #include "lower/mute.h"
 
 namespace wrinkle::editor {
@@ -43,7 +43,10 @@ void draw_field(const Painter& p, const Card& card, const Field& field, bool hov
         p.list.AddRectFilled({low.x + 3 * z, high.y - 2 * z}, {std::max(x, low.x + 3 * z), high.y},
                              theme::accent);
     }
-    if (field.ramp) draw_strip(p.list, low, high, card.strip);
+    if (field.shows == Field::Shows::strip) draw_ramp_colors(p.list, low, high, card.strip);
+    if (field.shows == Field::Shows::curve)
+        draw_curve_values(p.list, low + ImVec2(0, 3) * z, high - ImVec2(0, 3) * z, card.values,
+                          range_of_curve(card.values, {}), theme::accent);
     if (fault)
         p.list.AddRect(low, high, color_of(*fault), 4 * z, 0, 1.6F);
     else

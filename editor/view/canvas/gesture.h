@@ -75,7 +75,8 @@ struct Gesture {
 
     // Value.
     uint32_t port_index = 0;
-    int lane = 0;  // component of the value
+    int lane = 0;       // component of the value
+    bool drags = true;  // a drag changes the value
     double start_value = 0;
     float width = 0;  // width of the field, in screen pixels
 };

@@ -8,7 +8,7 @@
 #include "editor/view/canvas/columns.h"
 #include "editor/view/canvas/make_card.h"
 #include "editor/view/look/draw.h"
-#include "editor/view/preview/ramp_strip.h"
+#include "editor/view/preview/knot_values.h"
 #include "graph/edit.h"
 #include "graph/order.h"
 
@@ -183,7 +183,8 @@ Layout lay_out(State& state) {
         auto card = reused_card(old, i, node, type, readers.key[i], shown);
         if (!card) {
             card = make_card(state.fonts, *node, type, readers.ports[i], shown);
-            if (is_ramp(type)) card->strip = ramp_strip(*node, *state.registry);
+            if (is_ramp(type)) card->strip = ramp_colors(*node, *state.registry);
+            if (is_curve(type)) card->values = curve_values(*node, *state.registry);
             ++layout.made;
         }
         layout.cards.push_back(std::move(*card));

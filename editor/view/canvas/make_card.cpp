@@ -16,6 +16,12 @@ bool shows_field(const Port& port) {
            (port.is_value() && port.type == PortType::image_);
 }
 
+Field::Shows shown_in_field(const NodeType& type, const Port& port) {
+    if (port.kind != Port::Kind::count) return Field::Shows::value;
+    if (ramp_ports(&type).count == &port) return Field::Shows::strip;
+    return curve_ports(&type).count == &port ? Field::Shows::curve : Field::Shows::value;
+}
+
 class CardMaker {
 public:
     CardMaker(const Fonts& fonts, const Node& node, std::span<const std::string_view> read,
@@ -76,8 +82,8 @@ private:
 
     // A single number has its name inside the field, left of its value.
     void write_field(Field& field, const Port& port) const {
-        field.ramp = port.name == "stops" && is_ramp(card.type);
-        if (field.ramp) return;
+        field.shows = shown_in_field(*card.type, port);
+        if (field.shows != Field::Shows::value) return;
         field.listed = port.kind == Port::Kind::choice || port.type == PortType::image_;
         const double value = numbers_at(node_, port)[static_cast<size_t>(field.lane)];
         if (field.lanes > 0 && port.has_soft_range())
@@ -122,13 +128,15 @@ private:
 
     void fold_ports() {
         const std::vector<Port>& ports = card.type->ports;
-        if (ports.size() <= most_rows) return;
+        const bool is_long = ports.size() > most_rows;
         size_t inputs = 0, outputs = 0;
         bool folds_output = false, folds_input = false;
         for (uint32_t i = 0; i < ports.size(); ++i) {
             const bool output = ports[i].kind == Port::Kind::output;
-            if (!output && is_stop_port(*card.type, ports[i].name)) {
+            if (!output && is_knot_port(*card.type, ports[i].name)) {
                 if (is_wired(ports[i].name)) continue;
+            } else if (!is_long) {
+                continue;
             } else {
                 const bool first = (output ? outputs : inputs)++ < first_rows;
                 const bool set = node_.find(ports[i].name) != nullptr;

@@ -22,7 +22,8 @@ struct Shown {
 Shown shown_of(const View& view, const Node& node, const NodeType* type);
 
 // A card with more rows than this is folded: it shows the first inputs and outputs and those that
-// are connected or set. Its last row unfolds it.
+// are connected or set. Stops of ramps and points of curves are always folded unless they are
+// connected. Its last row unfolds it.
 inline constexpr size_t most_rows = 20, first_rows = 8;
 
 // `read` lists the outputs with a reader, possibly with duplicates. The card is at (0, 0).

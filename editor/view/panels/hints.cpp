@@ -51,8 +51,9 @@ constexpr std::string_view popup_hints[] = {
     "Drag in the field   Esc closes",
     "Up and Down choose   Enter exposes it   Esc closes",
     "Click the strip to add   Left and Right select   Shift moves   Del removes   Esc closes",
+    "Click to add   Left and Right select   Shift and arrows move   Del removes   Esc closes",
 };
-static_assert(std::size(popup_hints) == static_cast<size_t>(Popup::Kind::ramp) + 1);
+static_assert(std::size(popup_hints) == static_cast<size_t>(Popup::Kind::curve) + 1);
 
 constexpr Hint<Palette::List> list_hints[] = {
     {Palette::List::nodes, "Enter shows the node   Esc closes"},

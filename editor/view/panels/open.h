@@ -161,12 +161,13 @@ struct BoxText {
 
 // Text field, list or color picker over a field or a header.
 struct Popup {
-    enum class Kind : uint8_t { none, text, rename, choice, file, color, expose, ramp };
+    enum class Kind : uint8_t { none, text, rename, choice, file, color, expose, ramp, curve };
     Kind kind = Kind::none;
     bool opening = false;
     std::string node = {};
     uint32_t port_index = 0;
-    int lane = 0;  // for kind ramp: the index of the selected stop
+    int lane = 0;
+    size_t knot = 0;  // for kinds ramp and curve: index of the selected stop or point
     ImVec2 at{0, 0};
     float width = 0;
     std::string text = {};
@@ -174,7 +175,7 @@ struct Popup {
     std::string query = {};               // filters a list
     int chosen = 0;                       // index into the filtered list
     int next = 0;                         // next field to open: 1 (Tab), -1 (Shift+Tab), 0: none
-    std::string merge = {};               // merge key of the undo steps of a color or ramp edit
+    std::string merge = {};  // merge key of the undo steps of an edit in several frames
 };
 
 }  // namespace wrinkle::editor

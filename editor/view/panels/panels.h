@@ -144,7 +144,9 @@ int segments(Interface& interface, std::span<const Item> items, int chosen, floa
 int choose(Interface& interface, const std::string& target, const std::string& shown,
            std::span<const Item> items, float width);
 
-bool draw_ramp(State& state);  // content of the popup of kind ramp; true when it is to be closed
+// Contents of the popups of kinds ramp and curve; true when they are to be closed.
+bool draw_ramp(State& state);
+bool draw_curve(State& state);
 
 // Color picker with hex code. It shows display values (sRGB) of the color, which is linear. Returns
 // true if the color changed.

@@ -208,11 +208,12 @@ bool draw_exposable(State& state) {
 // By Popup::Kind. Each returns true when the popup is to be closed.
 constexpr bool (*draw_content_of[])(State&) = {nullptr,        draw_text_entry, draw_text_entry,
                                                draw_choices,   draw_files,      draw_color,
-                                               draw_exposable, draw_ramp};
-static_assert(std::size(draw_content_of) == static_cast<size_t>(Popup::Kind::ramp) + 1);
+                                               draw_exposable, draw_ramp,       draw_curve};
+static_assert(std::size(draw_content_of) == static_cast<size_t>(Popup::Kind::curve) + 1);
 
 Popup::Kind kind_of(const Port& port, const Field& field) {
-    if (field.ramp) return Popup::Kind::ramp;
+    if (field.shows == Field::Shows::strip) return Popup::Kind::ramp;
+    if (field.shows == Field::Shows::curve) return Popup::Kind::curve;
     if (port.kind == Port::Kind::choice || port.kind == Port::Kind::flag)
         return Popup::Kind::choice;
     if (port.is_value() && port.type == PortType::image_) return Popup::Kind::file;
@@ -270,10 +271,11 @@ void draw_popup(State& state) {
     const Popup::Kind kind = state.popup.kind;
     const bool list =
         kind == Popup::Kind::choice || kind == Popup::Kind::file || kind == Popup::Kind::expose;
-    const bool color = kind == Popup::Kind::color, ramp = kind == Popup::Kind::ramp;
+    const bool color = kind == Popup::Kind::color,
+               knots = kind == Popup::Kind::ramp || kind == Popup::Kind::curve;
     const bool opening = state.popup.opening;
-    const float width = color || ramp ? 0 : std::max(state.popup.width, list ? 240.0F : 0.0F);
-    const float padding = ramp ? 12 : list || color ? 6 : 0;
+    const float width = color || knots ? 0 : std::max(state.popup.width, list ? 240.0F : 0.0F);
+    const float padding = knots ? 12 : list || color ? 6 : 0;
     ImVec2 at = state.popup.at;
     if (list) at.x = std::min(at.x, ImGui::GetIO().DisplaySize.x - width - 8);
     const FixedWindow window("##popup", at, {width, 0},

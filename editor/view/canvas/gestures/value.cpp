@@ -4,7 +4,6 @@
 
 #include "base/text.h"
 #include "editor/model/document/field.h"
-#include "editor/model/document/ramp.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
@@ -24,7 +23,7 @@ void click_field(State& state, const Card& card, const Field& field) {
     if (port.kind == Port::Kind::flag) {
         const bool on = numbers_at(*document.find(card.id), port)[0] != 0;
         state.commit(card.id + ": " + port.name, with_flag(document, card.id, port, !on));
-    } else if (field.ramp || port.kind == Port::Kind::choice ||
+    } else if (field.shows != Field::Shows::value || port.kind == Port::Kind::choice ||
                (port.is_value() &&
                 (port.type == PortType::image_ || port.type == PortType::color_))) {
         open_field(state, card, field);
@@ -59,6 +58,7 @@ void begin_value(State& state, const Card& card, const Field& field) {
     value.port = field.port;
     value.port_index = field.index;
     value.lane = field.lane;
+    value.drags = field.shows == Field::Shows::value;
     value.width = field.width * state.view.zoom;
     const Node& node = *state.document().find(card.id);
     value.start_value = numbers_at(node, port_of(card, field))[static_cast<size_t>(field.lane)];
@@ -69,7 +69,7 @@ void drag_value(State& state, ImVec2 delta) {
     const NodeType* type = state.type_of(g.node);
     if (!type) return;
     const Port& port = type->ports[g.port_index];
-    if (lanes_of_field(port) == 0 || (port.name == "stops" && is_ramp(type))) return;
+    if (lanes_of_field(port) == 0 || !g.drags) return;
     const ImGuiIO& io = ImGui::GetIO();
     const double value = dragged(g.start_value, delta.x, g.width, port, io.KeyCtrl, io.KeyShift);
     state.commit(g.node + ": " + port.name,
