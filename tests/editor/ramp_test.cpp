@@ -171,6 +171,28 @@ TEST(Curves, APointIsAddedInOrderAndStaysBetweenItsNeighbours) {
     EXPECT_EQ(positions_of(points_of(*document.find("shape"), type)), (Positions{0, 0.5, 1}));
 }
 
+TEST_F(Headless, ASubgraphWithTheNamesOfARampIsNone) {
+    folder.write("like.json", R"({ "wrinkle": 1, "inputs": {
+        "factor": { "type": "float" }, "stops": { "type": "count", "default": 2, "limits": [1, 2] },
+        "position_1": { "type": "float" }, "color_1": { "type": "color" },
+        "position_2": { "type": "float" }, "color_2": { "type": "color" } } })");
+    open(R"({ "wrinkle": 1, "nodes": { "like": { "type": "graph:like.json" } },
+              "layout": { "like": [0, 0] } })");
+    ASSERT_TRUE(state.type_of("like"));
+    EXPECT_FALSE(is_ramp(state.type_of("like")));
+    play("click node:like\nkey Enter");
+}
+
+TEST(Ramps, NeedAtLeastOneStop) {
+    NodeType type = *built_in_registry().find("ramp");
+    ASSERT_TRUE(is_ramp(&type));
+    Port& count = type.ports[type.find_input("stops")];
+    count.hard_min = 0;
+    EXPECT_FALSE(is_ramp(&type));
+    count.hard_min = 12;
+    EXPECT_FALSE(is_ramp(&type));
+}
+
 TEST_F(Headless, ACurveIsEditedInItsPopup) {
     open(curve_graph);
     EXPECT_EQ(state.layout.find("shape")->more, "8 more inputs");

@@ -1,5 +1,6 @@
 #include "editor/model/document/repeated.h"
 
+#include <algorithm>
 #include <array>
 
 #include "editor/model/document/field.h"
@@ -8,6 +9,10 @@
 
 namespace wrinkle::editor {
 namespace {
+
+bool is_subgraph(const NodeType& type) {
+    return type.id.starts_with("graph:");
+}
 
 // Gives the port `to` the wire or the value of the port `from` of `node`.
 Document with_moved(const Document& document, const Node& node, const Port& from, const Port& to) {
@@ -35,7 +40,8 @@ Document with_item_reset(Document document, const Node& node, const RepeatedPort
 }  // namespace
 
 size_t RepeatedPorts::count_in(const Node& node) const {
-    return static_cast<size_t>(numbers_at(node, *count)[0]);
+    return std::clamp(static_cast<size_t>(std::max(numbers_at(node, *count)[0], 0.0)), least(),
+                      most());
 }
 
 const Port& RepeatedPorts::port(std::string_view name, size_t item) const {
@@ -49,8 +55,9 @@ std::string repeated_name(std::string_view name, size_t item) {
 RepeatedPorts find_repeated(const NodeType* type, std::string_view count,
                             std::initializer_list<RepeatedName> names) {
     const Port* counting = input_port(type, count);
-    if (!counting || counting->kind != Port::Kind::count) return {};
+    if (!counting || counting->kind != Port::Kind::count || is_subgraph(*type)) return {};
     RepeatedPorts ports{type, counting, {}};
+    if (counting->hard_min < 1 || counting->hard_max < counting->hard_min) return {};
     for (const RepeatedName& wanted : names) {
         ports.names.push_back(wanted.name);
         for (size_t i = 0; i < ports.most(); ++i) {

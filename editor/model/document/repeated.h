@@ -30,8 +30,8 @@ struct RepeatedName {
     std::string_view name;
     PortType type = PortType::float_;
 };
-// Finds the ports of a type, nullptr allowed, by the name of the count and the names and types of
-// an item's ports.
+// Finds the ports of a type by the name of the count and the names and types of an item's ports.
+// None for nullptr and for sub-graphs, which are edited as graphs.
 RepeatedPorts find_repeated(const NodeType* type, std::string_view count,
                             std::initializer_list<RepeatedName> names);
 
