@@ -36,7 +36,11 @@ Stamp stamp_of(const fs::path& file) {
 }
 
 DiskCopy DiskCopy::of(const fs::path& file, std::string_view bytes) {
-    return {stamp_of(file), xxh64(bytes)};
+    return of(stamp_of(file), bytes);
+}
+
+DiskCopy DiskCopy::of(const Stamp& stamp, std::string_view bytes) {
+    return {stamp, xxh64(bytes)};
 }
 
 DiskCopy DiskCopy::of(const fs::path& file) {

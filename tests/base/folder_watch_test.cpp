@@ -94,6 +94,18 @@ TEST_F(FolderWatchTest, LostEventsAreAChange) {
     EXPECT_TRUE(noticed());
 }
 
+// A program that writes a file truncates it first: a reader may see the empty file.
+TEST(DiskCopy, AChangeAfterTheReadIsNoticed) {
+    const test::TemporaryFolder folder;
+    const fs::path file = folder.put("a", "");
+    const Stamp stamp = stamp_of(file);
+    folder.put("a", "the rest");
+    DiskCopy known = DiskCopy::of(stamp, "");
+    EXPECT_EQ(compare(known, file), OnDisk::changed);
+    known = DiskCopy::of(stamp_of(file), "the rest");
+    EXPECT_EQ(compare(known, file), OnDisk::same);
+}
+
 TEST(DiskCopy, TellsContentsFromDates) {
     const test::TemporaryFolder folder;
     const fs::path file = folder.put("a", "1");

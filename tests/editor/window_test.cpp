@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <set>
 #include <string>
-#include <thread>
 
 #include "headless.h"
 #include "image/load.h"
+#include "running_editor.h"
 #include "virtual_screen.h"
 
 namespace wrinkle::editor {
@@ -217,14 +217,13 @@ TEST(Window, NodesAreCopiedFromOneProcessToAnother) {
     if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";
     const TemporaryFolder folder;
     const auto graph = folder.write("graph.json", small_graph);
-    const auto copied = folder.path() / "copied.png";
-    // The copies end with their process, which therefore runs until its graph is replaced.
+    // The copies end with their process, which therefore waits until it is killed.
     const auto copy = folder.write("copy.txt", R"(
 key Ctrl+A
 key Ctrl+C
 assert status Copied 4 nodes
-shot )" + copied.string() + R"(
-await nodes 1
+say copied
+await nodes 0
 )");
     const auto paste = folder.write("paste.txt", R"(
 key Ctrl+V
@@ -233,17 +232,12 @@ assert wire noise.height softer.gradient
 assert wire softer.gradient normal.gradient
 assert no-wire normal.normal normal
 )");
-    int copier = -1;
-    std::thread first(
-        [&] { copier = run(screen.variable(), graph.string() + " --script " + copy.string()); });
-    for (int tries = 0; tries < 1000 && !std::filesystem::exists(copied); ++tries)
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    RunningEditor copier(screen, {graph.string(), "--script", copy.string()});
+    copier.listen(RunningEditor::Clock::now() + std::chrono::seconds(100), "copied");
     EXPECT_EQ(run(screen.variable(),
                   (folder.path() / "new.json").string() + " --script " + paste.string()),
               0);
-    folder.write("graph.json", R"({"wrinkle": 1, "nodes": {"number": {"type": "add"}}})");
-    first.join();
-    EXPECT_EQ(copier, 0);
+    EXPECT_NE(copier.kill().find("copied"), std::string::npos);
 }
 
 }  // namespace

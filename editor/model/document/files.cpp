@@ -108,13 +108,14 @@ void open_file(Session& session, const fs::path& path) {
 
 void load_file(Session& session, const fs::path& path) {
     std::string why;
+    const Stamp stamp = stamp_of(path);
     const auto bytes = read_file(path, why);
     begin(session, path, {});
     std::error_code ignored;
     if (bytes) {
         session.history = History(read_text(session, *bytes));
         session.save_refused = session.document().lost;
-        session.disk = DiskCopy::of(path, *bytes);
+        session.disk = DiskCopy::of(stamp, *bytes);
     } else {
         Document empty;
         empty.file = path.string();
@@ -176,12 +177,13 @@ bool save_file_as(Session& session, const fs::path& path, OutsideFiles files) {
 
 void reload_from_disk(Session& session) {
     std::string why;
+    const Stamp stamp = stamp_of(session.path);
     const auto bytes = read_file(session.path, why);
     if (!bytes) {
         session.status = name_of(session.path) + " " + why;
         return;
     }
-    session.disk = DiskCopy::of(session.path, *bytes);
+    session.disk = DiskCopy::of(stamp, *bytes);
     session.commit("Load " + name_of(session.path) + " again", read_text(session, *bytes));
     session.saved_serial = session.history.serial();
     session.save_refused = session.document().lost;
@@ -191,8 +193,9 @@ void reload_from_disk(Session& session) {
 
 void keep_local_version(Session& session) {
     std::string why;
+    const Stamp stamp = stamp_of(session.path);
     const auto bytes = read_file(session.path, why);
-    session.disk = DiskCopy::of(session.path, bytes.value_or(""));
+    session.disk = DiskCopy::of(stamp, bytes.value_or(""));
     session.saved_serial = Session::never_saved;
 }
 
