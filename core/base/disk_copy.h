@@ -22,9 +22,10 @@ struct DiskCopy {
     Stamp stamp;
     uint64_t bytes = 0;  // XXH64
 
-    // Of bytes that were written, or were read after `stamp` was taken: a change between the two is
-    // noticed by the next comparison.
+    // Takes the bytes that were just written to the file.
     static DiskCopy of(const std::filesystem::path& file, std::string_view bytes);
+    // Takes bytes that were read after the stamp was taken, so that a change during the read gives
+    // another stamp.
     static DiskCopy of(const Stamp& stamp, std::string_view bytes);
     // Reads the file. The contents of a folder are the names in it but those of temporary files.
     static DiskCopy of(const std::filesystem::path& file);

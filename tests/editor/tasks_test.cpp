@@ -2,7 +2,8 @@
 // outside text, or a typed text. Layering.TakesThreeActionsByDropping has base and detail.
 #include <fstream>
 
-#include "editor/model/document/ramp.h"
+#include "editor/model/document/knots.h"
+#include "editor/model/document/request.h"
 #include "headless.h"
 
 namespace wrinkle::editor {
@@ -68,8 +69,16 @@ TEST_F(Tasks, AnotherMeshAndLightTakeTwo) {
 }
 
 TEST_F(Tasks, ANaiveBlendBesideTakesOne) {
-    open(small_graph);
+    open(R"({ "wrinkle": 1, "nodes": {
+        "a": { "type": "tangent_normal_map" }, "b": { "type": "tangent_normal_map" },
+        "sum": { "type": "gradient_add", "in": { "a": { "from": "a.gradient" },
+                                                 "b": { "from": "b.gradient" } } } },
+        "outputs": { "normal": { "from": "sum.gradient" } } })");
     play("click compare:split\nassert actions 1");
+    EXPECT_EQ(state.view.compare.mode, CompareView::Mode::split);
+    const Requested shown =
+        requested_document(state.document(), state.model, state.view.preview_request);
+    EXPECT_EQ(shown.replaced, 1U) << shown.why_not;
 }
 
 TEST_F(Tasks, AnExportForThreeTakesFourAndTheNextOneTwo) {

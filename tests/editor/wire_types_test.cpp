@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "editor/model/document/ramp.h"
+#include "editor/model/document/knots.h"
 #include "editor/model/document/wiring.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/edit/edits.h"

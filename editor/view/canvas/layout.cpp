@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "editor/model/document/change.h"
-#include "editor/model/document/ramp.h"
+#include "editor/model/document/knots.h"
 #include "editor/model/document/wiring.h"
 #include "editor/view/canvas/columns.h"
 #include "editor/view/canvas/make_card.h"

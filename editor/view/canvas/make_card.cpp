@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "editor/model/document/field.h"
-#include "editor/model/document/ramp.h"
+#include "editor/model/document/knots.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/look/magnified.h"
 

@@ -52,6 +52,13 @@ void commit_new(State& state, bool note, const Extent& extent, const char* text,
     state.box_text.merge = merge;
 }
 
+Palette opened_at(ImVec2 at) {
+    Palette palette;
+    palette.open = palette.opening = true;
+    palette.at = at;
+    return palette;
+}
+
 }  // namespace
 
 void mute_selected(State& state) {
@@ -90,9 +97,7 @@ void find_loops(const Document& document, Gesture& wire) {
 
 void open_palette(State& state, ImVec2 at, const Gesture& wire) {
     Palette& palette = state.palette;
-    palette = {};
-    palette.open = palette.opening = true;
-    palette.at = at;
+    palette = opened_at(at);
     palette.wire = wire;
     palette.graphs = graph_files(state.folder());
     std::erase(palette.graphs, state.path.filename().string());
@@ -100,7 +105,8 @@ void open_palette(State& state, ImVec2 at, const Gesture& wire) {
 
 void open_list(State& state, Palette::List list) {
     const View& view = state.view;
-    open_palette(state, {view.corner.x + view.extent.x / 2 - 144, view.corner.y + 64}, {});
+    const ImVec2 at(view.corner.x + view.extent.x / 2 - 144, view.corner.y + 64);
+    state.palette = opened_at(at);
     state.palette.list = list;
 }
 

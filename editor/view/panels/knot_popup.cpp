@@ -2,17 +2,21 @@
 
 #include <algorithm>
 
+#include "editor/model/document/wiring.h"
+
 namespace wrinkle::editor {
 
 void KnotEditor::commit(Document document) const {
     state.commit(node->id + ": " + ports.count->name, std::move(document), state.popup.merge);
 }
 
+bool KnotEditor::has_wire(std::string_view name) const {
+    return link_at(state.document(), node->id, repeated_name(name, selected())).has_value();
+}
+
 bool KnotEditor::is_on_wire(std::string_view name) const {
-    const std::string port = repeated_name(name, selected());
-    const Input* input = node->find(port);
-    const bool wired = input && input->kind == Input::Kind::link;
-    if (wired) state.status = port + " is set by a wire.";
+    const bool wired = has_wire(name);
+    if (wired) state.status = repeated_name(name, selected()) + " is set by a wire.";
     return wired;
 }
 

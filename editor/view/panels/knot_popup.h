@@ -4,7 +4,7 @@
 
 #include <imgui.h>
 
-#include "editor/model/document/ramp.h"
+#include "editor/model/document/knots.h"
 #include "editor/view/panels/panels.h"
 
 namespace wrinkle::editor {
@@ -19,9 +19,10 @@ struct KnotEditor {
     size_t count() const { return ports.count_in(*node); }
     void select(size_t knot) const { state.popup.knot = knot; }
     void commit(Document document) const;
-    // Returns true, with a sentence in the status, if that port of the selected knot has a wire.
+    bool has_wire(std::string_view name) const;  // the port of the selected knot
+    // Return true, with a sentence in the status, if that port has a wire or all knots are used.
     bool is_on_wire(std::string_view name) const;
-    bool is_full() const;  // likewise
+    bool is_full() const;
     void remove_selected() const;
 };
 

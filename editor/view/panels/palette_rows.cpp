@@ -28,7 +28,7 @@ using NodeKey = std::tuple<int, bool, size_t, size_t>;
 using NodeRows = std::vector<std::pair<NodeKey, PaletteRow>>;
 
 // Appends the graphs of the folder that match.
-void add_graph_rows(const State& state, const std::string& wanted, NodeRows& found) {
+void add_subgraph_rows(const State& state, const std::string& wanted, NodeRows& found) {
     for (const std::string& file : state.palette.graphs) {
         const std::string title = fs::path(file).stem().string();
         auto matched = match(title, file, "", wanted);
@@ -61,7 +61,7 @@ std::vector<PaletteRow> node_rows(const State& state) {
                                            .letters = std::move(matched->letters),
                                            .type = &type});
     }
-    add_graph_rows(state, wanted, found);
+    add_subgraph_rows(state, wanted, found);
     return best_first(std::move(found));
 }
 

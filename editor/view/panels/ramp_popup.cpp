@@ -115,10 +115,7 @@ void draw_position(const RampEditor& ramp) {
 }
 
 void draw_stop_color(const RampEditor& ramp) {
-    const std::string port = repeated_name("color", ramp.selected());
-    const Input* input = ramp.node->find(port);
-    if (input && input->kind == Input::Kind::link)
-        return ImGui::TextDisabled("%s is set by a wire.", port.c_str());
+    if (ramp.has_wire("color")) return ImGui::TextDisabled("The color is set by a wire.");
     std::array<float, 3> color{};
     std::ranges::transform(ramp.stops[ramp.selected()].color, color.begin(),
                            [](double each) { return static_cast<float>(each); });

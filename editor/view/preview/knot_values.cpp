@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "editor/model/document/ramp.h"
+#include "editor/model/document/knots.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/preview/flat_values.h"
 #include "graph/edit.h"

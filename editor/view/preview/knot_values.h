@@ -1,4 +1,4 @@
-// Colors of a color ramp and values of a curve (document/ramp.h) from 0 to 1, by the CPU evaluator.
+// Colors of a color ramp and values of a curve (document/knots.h) from 0 to 1, by the evaluator.
 // Values on wires have the defaults of their ports. Empty if the node does not compile.
 #pragma once
 

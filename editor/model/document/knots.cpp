@@ -1,4 +1,4 @@
-#include "editor/model/document/ramp.h"
+#include "editor/model/document/knots.h"
 
 #include <algorithm>
 

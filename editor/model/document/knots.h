@@ -1,3 +1,5 @@
+// Knots: the stops of color ramps and the points of curves.
+//
 // Color ramps: node types with a number `factor`, a count `stops` and, for each stop K from 1 on, a
 // number `position_K` and a color `color_K`, such as the built-in `ramp`. Curves: node types with a
 // number `value`, a count `points` and, for each point K, a vec2 `point_K`, such as the built-in

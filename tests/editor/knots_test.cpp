@@ -1,5 +1,5 @@
 // Tests of color ramps: edits of stops, the strip on the card, and the editor in the popup.
-#include "editor/model/document/ramp.h"
+#include "editor/model/document/knots.h"
 
 #include "base/srgb.h"
 #include "editor/view/preview/knot_values.h"
