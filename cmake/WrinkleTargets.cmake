@@ -87,9 +87,9 @@ function(wrinkle_test name)
     add_executable(test_${name} ${sources})
     target_link_libraries(test_${name} PRIVATE ${ARG_LINK} GTest::gtest GTest::gtest_main)
     target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-    # The code under test is in the libraries, which have the flags of the build. That of sanitizers
-    # has -O1 for both.
-    target_compile_options(test_${name} PRIVATE $<$<NOT:$<BOOL:${WRINKLE_SANITIZE}>>:-Og>)
+    # The code under test is in the libraries, which have the flags of the build. With sanitizers,
+    # unoptimised tests take a quarter of the time to compile.
+    target_compile_options(test_${name} PRIVATE $<IF:$<BOOL:${WRINKLE_SANITIZE}>,-O0,-Og>)
     target_compile_definitions(test_${name} PRIVATE
         WRINKLE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" WRINKLE_BINARY_DIR="${CMAKE_BINARY_DIR}")
     add_dependencies(test_${name} wrinkle-plugin-probe)  # what loads plugins starts it
