@@ -30,6 +30,7 @@ Location place(const Document& document, const json::Value& value, bool key) {
     return key ? value.key_location() : value.location();
 }
 
+constexpr std::string_view subgraph_prefix = "graph:";
 constexpr size_t max_id = 128;  // characters
 
 std::string spelling_problem(std::string_view id) {
@@ -58,10 +59,13 @@ const Input* Node::find(std::string_view port) const {
     return nullptr;
 }
 
-std::optional<std::string_view> Node::subgraph() const {
-    static constexpr std::string_view prefix = "graph:";
-    if (!type.starts_with(prefix)) return {};
-    return std::string_view(type).substr(prefix.size());
+std::string type_of_subgraph(std::string_view file) {
+    return std::string(subgraph_prefix).append(file);
+}
+
+std::optional<std::string_view> subgraph_file(std::string_view type) {
+    if (!type.starts_with(subgraph_prefix)) return {};
+    return type.substr(subgraph_prefix.size());
 }
 
 const Node* Document::find(std::string_view id) const {

@@ -56,6 +56,11 @@ struct Input {
     json::Value value;
 };
 
+// The type of a node that is a sub-graph: "graph:weave.json" for the file "weave.json".
+std::string type_of_subgraph(std::string_view file);
+// Returns the file; std::nullopt for other types.
+std::optional<std::string_view> subgraph_file(std::string_view type);
+
 struct Node {
     std::string id;
     std::string type;  // "" if missing, already reported
@@ -66,9 +71,7 @@ struct Node {
     json::Value source;  // JSON as read; written back verbatim if it is not an object
 
     const Input* find(std::string_view port) const;
-    // Returns the file of a sub-graph, "weave.json" for "graph:weave.json"; std::nullopt for other
-    // types.
-    std::optional<std::string_view> subgraph() const;
+    std::optional<std::string_view> subgraph() const { return subgraph_file(type); }
 };
 using NodePtr = std::shared_ptr<const Node>;
 inline std::string_view table_key(const NodePtr& node) {

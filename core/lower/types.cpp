@@ -130,7 +130,7 @@ void Types::type_file(const Project& project, const Registry& registry, size_t f
     type_reroutes(file);
     look_up_inputs(file);
     NodeType& type = graphs_[file];
-    type.id = "graph:" + source.path.filename().string();
+    type.id = type_of_subgraph(source.path.filename().string());
     type.title = document.name.empty() ? source.path.stem().string() : document.name;
     type.family = "sub-graph";
     type.origin = source.path.string();

@@ -80,7 +80,7 @@ private:
     }
 
     bool put_node(const std::string& file, std::string& why) {
-        Node node = new_node(document_, fs::path(file).stem().string(), "graph:" + file);
+        Node node = new_node(document_, fs::path(file).stem().string(), type_of_subgraph(file));
         group.node = node.id;
         group.outer = add_node(document_, std::move(node));
         for (const auto& [source, name] : sources_)

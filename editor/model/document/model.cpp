@@ -76,7 +76,7 @@ std::optional<NodeType> subgraph_type(const Model& model, const std::string& fil
     const Project& project = *model.project;
     Node node;
     node.id = "graph";
-    node.type = "graph:" + file;
+    node.type = type_of_subgraph(file);
     Document document;
     document.file = project.top().file;  // so that a cycle of files is found
     const Model probe = make_model(add_node(document, node), project.files[0].path.parent_path(),

@@ -95,8 +95,9 @@ MovedPaths move_paths(const Document& document, const Model& model, const fs::pa
     mover.copy_subgraphs(model);
     for (const NodePtr& node : document.nodes) {
         if (const auto file = node->subgraph())
-            result.document = set_type(result.document, node->id,
-                                       "graph:" + mover.moved(std::string(*file)), node->version);
+            result.document =
+                set_type(result.document, node->id,
+                         type_of_subgraph(mover.moved(std::string(*file))), node->version);
         const NodeType* type = model.type_of(node->id);
         for (const Input& input : node->inputs) {
             const Port* port = input_port(type, input.port);

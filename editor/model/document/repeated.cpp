@@ -10,10 +10,6 @@
 namespace wrinkle::editor {
 namespace {
 
-bool is_subgraph(const NodeType& type) {
-    return type.id.starts_with("graph:");
-}
-
 // Gives the port `to` the wire or the value of the port `from` of `node`.
 Document with_moved(const Document& document, const Node& node, const Port& from, const Port& to) {
     const Input* input = node.find(from.name);
@@ -55,7 +51,7 @@ std::string repeated_name(std::string_view name, size_t item) {
 RepeatedPorts find_repeated(const NodeType* type, std::string_view count,
                             std::initializer_list<RepeatedName> names) {
     const Port* counting = input_port(type, count);
-    if (!counting || counting->kind != Port::Kind::count || is_subgraph(*type)) return {};
+    if (!counting || counting->kind != Port::Kind::count || subgraph_file(type->id)) return {};
     RepeatedPorts ports{type, counting, {}};
     if (counting->hard_min < 1 || counting->hard_max < counting->hard_min) return {};
     for (const RepeatedName& wanted : names) {
