@@ -153,6 +153,12 @@ std::optional<gpu::Target> warm_up_textures() {
     return texture;
 }
 
+// Seconds until the next frame if there are no events.
+double wait_time(const State& state) {
+    if (state.play.moves()) return 0.01;
+    return state.help.waiting || state.tasks.running ? 0.1 : 0.5;
+}
+
 }  // namespace
 
 void wake_window() {
@@ -297,8 +303,9 @@ bool Window::listen(State& state, bool playing) {
     if (h.awake > 0 || !h.queue.empty() || playing)
         glfwPollEvents();
     else
-        glfwWaitEventsTimeout(state.help.waiting || state.tasks.running ? 0.1 : 0.5);
-    if (state.help.waiting || state.thumbnails.waiting() || state.tasks.running)
+        glfwWaitEventsTimeout(wait_time(state));
+    if (state.help.waiting || state.thumbnails.waiting() || state.tasks.running ||
+        state.play.moves())
         h.awake = std::max(h.awake, 1);
     if (autosave_and_check_files(state)) h.awake = 3;
     if (!h.queue.empty() || state.gesture.panning) h.awake = 3;

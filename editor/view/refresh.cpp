@@ -1,5 +1,7 @@
 #include "editor/view/refresh.h"
 
+#include <imgui.h>
+
 #include "editor/model/document/change.h"
 #include "editor/model/document/renamed.h"
 #include "editor/view/canvas/boxes.h"
@@ -133,6 +135,7 @@ void refresh(State& state) {
         if (auto result = follow.compiler->take()) take(state, std::move(*result));
     poll_costs(follow);
     poll_preview_diagnostics(state);
+    advance(state, static_cast<double>(ImGui::GetIO().DeltaTime));
     update_layout(state);
     feed_node_previews(state);
     take_flat(state.flat);
@@ -145,7 +148,7 @@ bool is_holding_value(const State& state) {
 bool is_settled(const State& state) {
     const bool held = is_holding_value(state);
     return state.is_synced && state.dropped.waiting.empty() && !state.building() &&
-           (!state.preview || state.preview->idle()) && state.flat.idle() &&
+           (!state.preview || state.preview->idle() || state.play.moves()) && state.flat.idle() &&
            (held || same_document(state.follow.requested_snapshot, state.document()));
 }
 

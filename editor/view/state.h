@@ -18,6 +18,7 @@
 #include "editor/view/panels/open.h"
 #include "editor/view/panels/regions.h"
 #include "editor/view/preview/node_feed.h"
+#include "editor/view/preview/play.h"
 #include "editor/view/timings.h"
 #include "editor/view/view.h"
 
@@ -69,6 +70,7 @@ struct PreviewState {
     bool preview_stale = false;    // the rendering shows an older graph
     NodeFeed node_feed;
     FlatFeed flat;
+    Play play;
     Timings* timings = nullptr;  // nullptr: not measured
 };
 

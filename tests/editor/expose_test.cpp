@@ -80,6 +80,21 @@ TEST_F(ExposedPorts, WithoutAPointedValueAListOffersThoseOfTheSelectedNode) {
     EXPECT_EQ(state.document().inputs.size(), 1U);
 }
 
+TEST_F(ExposedPorts, AllValuesOfSeveralNodesInOneStep) {
+    const std::string before = write_document(state.document());
+    size_t values = 0;
+    for (const char* id : {"noise", "other"})
+        values += exposable_ports(*state.document().find(id), *state.type_of(id)).size();
+    state.view.selected = {"noise", "other"};
+    play("key E\nawait target choice:noise.gain\nkey Enter\nassert errors 0");
+    EXPECT_EQ(state.document().inputs.size(), values);
+    EXPECT_EQ(link_at(state.document(), "other", "gain"), (Link{"input", "other_gain"}));
+    play("key Ctrl+Z\nassert clean");
+    EXPECT_EQ(write_document(state.document()), before);
+    play("key E\ntype other.gain\nkey Enter\nassert wire input.gain other.gain");
+    EXPECT_EQ(state.document().inputs.size(), 1U);
+}
+
 TEST_F(ExposedPorts, AnOptionKeepsAPinForItsWire) {
     expose_at("noise", "basis");
     const Card& card = *state.layout.find("noise");
@@ -109,7 +124,7 @@ TEST_F(ExposedPorts, ItIsSaidWhyAPortCannot) {
     EXPECT_EQ(why("noise", "point"), "point has no value.");
     EXPECT_EQ(why("noise", "gain"), "");
     play("click node:bump\nkey E");
-    EXPECT_EQ(state.status, "bump has no value without a wire.");
+    EXPECT_EQ(state.status, "Every value of the selected nodes has a wire.");
     EXPECT_TRUE(state.document().inputs.empty());
 }
 

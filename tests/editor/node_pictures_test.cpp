@@ -158,6 +158,34 @@ TEST_F(Headless, ThumbnailsOfTheFormerGraphAreForgotten) {
     state.node_feed.maker = nullptr;
 }
 
+TEST_F(Headless, APreviewIsEnlargedAtThePointer) {
+    NodePreviewMaker maker{NodePainter()};
+    state.node_feed.maker = &maker;
+    open(small_graph);
+    frame();
+    maker.wait_idle();
+    frame();
+    const Card& card = *state.layout.find("noise");
+    const ImVec2 middle = to_screen(
+        state.view, card.at + ImVec2(card.size.x / 2, card.preview_y + node_preview_height / 2));
+    const auto rest_at = [&](ImVec2 at) {
+        queue.motion(at.x - 2, at.y);
+        frame();
+        queue.motion(at.x, at.y);
+        for (int i = 0; i < 70; ++i)
+            frame();
+    };
+    rest_at(middle);
+    EXPECT_TRUE(state.targets.find("tip:noise"));
+    const auto shown = state.targets.find("tip:preview");
+    ASSERT_TRUE(shown);
+    EXPECT_GT(shown->x1 - shown->x0, 2 * NodePreviews::width);
+    rest_at(to_screen(state.view, card.at + ImVec2(card.size.x / 2, 10)));
+    EXPECT_TRUE(state.targets.find("tip:gradient_noise"));
+    EXPECT_TRUE(state.targets.find("tip:preview"));
+    state.node_feed.maker = nullptr;
+}
+
 TEST_F(Headless, ThePictureOfAMapIsTheMap) {
     const std::string name = texture("rivets_normal.png");
     const NodePreviews pictures = pictures_of(

@@ -2,9 +2,12 @@
 // outside text, or a typed text. Layering.TakesThreeActionsByDropping has base and detail.
 #include <fstream>
 
+#include "editor/model/document/expose.h"
+#include "editor/model/document/inputs.h"
 #include "editor/model/document/knots.h"
 #include "editor/model/document/request.h"
 #include "headless.h"
+#include "json/write.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -48,6 +51,30 @@ TEST_F(Tasks, AGraphOfTheFolderUsedTwiceTakesFour) {
         assert nodes 6
         assert errors 0
         assert actions 4)");
+}
+
+TEST_F(Tasks, FiveInputsAndTwoPresetsTakeEight) {
+    open(R"({ "wrinkle": 1, "nodes": { "noise": { "type": "fbm" } },
+              "outputs": { "height": { "from": "noise.height" } } })");
+    const auto values =
+        exposable_ports(*state.document().find("noise"), *state.type_of("noise")).size();
+    ASSERT_GE(values, 5U);
+    play(R"(
+        click node:noise
+        key E
+        key Enter
+        click preset:save
+        key Enter
+        drag input:gain input:gain+20,0
+        click preset:save
+        key Enter
+        assert errors 0
+        assert actions 8)");
+    EXPECT_EQ(state.document().inputs.size(), values);
+    ASSERT_EQ(state.document().presets.size(), 2U);
+    EXPECT_NE(json::one_line(value_of_input(state.document(), "preset 1",
+                                            *state.document().inputs.find("gain"))),
+              json::one_line(state.document().inputs.find("gain")->default_value));
 }
 
 TEST_F(Tasks, AMasksPixelsTakeTwo) {

@@ -127,6 +127,13 @@ Document with_copied_preset(const Document& document, const std::string& name,
     return set_preset(document, std::move(preset));
 }
 
+std::string free_preset_name(const Document& document) {
+    std::string name;
+    for (size_t n = 1; name.empty() || document.presets.find(name); ++n)
+        name = "preset " + std::to_string(n);
+    return name;
+}
+
 std::string preset_name_problem(const Document& document, const std::string& name) {
     if (name.empty()) return "Type a name for the preset.";
     if (document.presets.find(name)) return "There is a preset " + name + " already.";

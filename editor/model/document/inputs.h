@@ -34,6 +34,8 @@ Document with_input_in_group(const Document& document, std::string_view input,
 // Adds a preset with the values of another one. `name` must be valid and free.
 Document with_copied_preset(const Document& document, const std::string& name,
                             const std::string& from);
+// Returns "preset 1", or with the next number that is free.
+std::string free_preset_name(const Document& document);
 // Returns the reason why a new preset cannot have that name, a sentence; "" if it can.
 std::string preset_name_problem(const Document& document, const std::string& name);
 

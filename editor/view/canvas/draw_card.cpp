@@ -140,15 +140,13 @@ void draw_node_preview(const Painter& p, const Card& card, ImVec2 low, ImVec2 hi
     const ImVec2 from(low.x + field_inset * p.zoom, low.y + card.preview_y * p.zoom);
     const ImVec2 to(high.x - field_inset * p.zoom, from.y + node_preview_height * p.zoom);
     const NodeFeed& feed = p.state.node_feed;
-    const auto place = feed.previews.places.find(card.id);
-    if (place != feed.previews.places.end() && place->second < feed.atlas.count()) {
-        PreviewAtlas::Place at = feed.atlas.place(place->second);
+    if (const auto at = preview_place(feed, card.id)) {
         const float wide = (to.x - from.x) / (to.y - from.y) * NodePreviews::height;
-        const float u = (at.u1 - at.u0) * (1 - std::min(wide / NodePreviews::width, 1.0F)) / 2;
-        const float v = (at.v1 - at.v0) * (1 - std::min(NodePreviews::width / wide, 1.0F)) / 2;
+        const float u = (at->u1 - at->u0) * (1 - std::min(wide / NodePreviews::width, 1.0F)) / 2;
+        const float v = (at->v1 - at->v0) * (1 - std::min(NodePreviews::width / wide, 1.0F)) / 2;
         const ImU32 tint = theme::with_alpha(IM_COL32_WHITE, p.state.built.running() ? 1 : 0.5F);
-        p.list.AddImageRounded(texture_id(feed.atlas.texture()), from, to, {at.u0 + u, at.v1 - v},
-                               {at.u1 - u, at.v0 + v}, tint, 3 * p.zoom);
+        p.list.AddImageRounded(texture_id(feed.atlas.texture()), from, to, {at->u0 + u, at->v1 - v},
+                               {at->u1 - u, at->v0 + v}, tint, 3 * p.zoom);
     }
     p.list.AddRect(from, to, theme::border, 3 * p.zoom);
     if (feed.previews.magnified.contains(card.id)) draw_magnification(p, to);

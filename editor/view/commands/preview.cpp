@@ -57,6 +57,17 @@ void frame(State& state) {
     view.pan_x = usual.pan_x, view.pan_y = usual.pan_y;
 }
 
+void turntable(State& state) {
+    state.play.turning = !state.play.turning;
+}
+
+std::string_view no_time(const State& state) {
+    return has_time(state) ? "" : "The graph has no input named time that its outputs read.";
+}
+void play_time(State& state) {
+    state.play.running = !state.play.running;
+}
+
 void displaced(State& state) {
     state.view.preview_view.displaced = !state.view.preview_view.displaced;
 }
@@ -108,6 +119,10 @@ constexpr Command preview_table[] = {
     {"export-picture", "Export image in a size...", "", why_no_image, save_picture<true>},
     {"displaced", "Displaced", "", always, displaced,
      [](const State& s) { return s.view.preview_view.displaced; }},
+    {"turntable", "Turntable", "Shift+T", always, turntable,
+     [](const State& s) { return s.play.turning; }},
+    {"play", "Play the input time", "K", no_time, play_time,
+     [](const State& s) { return s.play.running; }},
     {"frame-preview", "Show all of the object", "Shift+F", always, frame},
     {"compare-split", "Compare side by side", "S", always, compare<CompareView::Mode::split>,
      compares<CompareView::Mode::split>},

@@ -37,11 +37,16 @@ void undo_step(State& state);
 void redo_step(State& state);
 void go_to_step(State& state, size_t step);  // an index of History
 
-// Makes an input of the graph of the value or input under the pointer; otherwise of a value of the
-// selected node, chosen in a list if it has several (document/expose.h).
+// Makes an input of the graph of the value or input under the pointer; otherwise of values of the
+// selected nodes, chosen in a list if they have several (document/expose.h).
 void expose_pointed(State& state);
 std::string_view no_exposable(const State& state);  // why not, a sentence; "" if it can
-void expose_port(State& state, const std::string& id, const Port& port);
+struct PortOfNode {
+    std::string node;
+    const Port* port;
+};
+std::vector<PortOfNode> exposable_of_selected(const State& state);
+void expose_ports(State& state, const std::vector<PortOfNode>& ports);  // one undo step
 
 // Computes once, for all pins and frames, the nodes to which this wire would make a cycle.
 void find_loops(const Document& document, Gesture& wire);

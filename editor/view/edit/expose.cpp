@@ -1,4 +1,8 @@
 #include "editor/model/document/expose.h"
+
+#include <algorithm>
+
+#include "editor/model/words.h"
 #include "editor/view/canvas/gestures/gestures.h"
 #include "editor/view/edit/edits.h"
 
@@ -21,34 +25,51 @@ std::pair<const Node*, const Port*> pointed_port(const State& state) {
 
 }  // namespace
 
-void expose_port(State& state, const std::string& id, const Port& port) {
-    const Node* node = state.document().find(id);
-    if (!node) return;
-    state.status = why_not_exposed(*node, port);
-    if (!state.status.empty()) return;
-    Exposed exposed = expose(state.document(), *node, port);
+std::vector<PortOfNode> exposable_of_selected(const State& state) {
+    std::vector<PortOfNode> found;
+    for (const std::string& id : state.view.selected) {
+        const Node* node = state.document().find(id);
+        const NodeType* type = node ? state.type_of(id) : nullptr;
+        if (!type) continue;
+        for (const Port* port : exposable_ports(*node, *type))
+            found.push_back({id, port});
+    }
+    return found;
+}
+
+void expose_ports(State& state, const std::vector<PortOfNode>& ports) {
+    Document document = state.document();
+    std::string last;
+    for (const auto& [id, port] : ports) {
+        const Node* node = document.find(id);
+        if (!node) return;
+        state.status = why_not_exposed(*node, *port);
+        if (!state.status.empty()) return;
+        Exposed exposed = expose(document, *node, *port);
+        document = std::move(exposed.document);
+        last = id + "." + port->name + " as " + exposed.input;
+    }
     state.inputs_panel.shown = true;
-    state.commit("Expose " + id + "." + port.name + " as " + exposed.input,
-                 std::move(exposed.document));
+    state.commit("Expose " + (ports.size() == 1 ? last : counted(ports.size(), "value")),
+                 std::move(document));
 }
 
 std::string_view no_exposable(const State& state) {
-    const Node* node = selected_node(state);
-    if (pointed_port(state).second || (node && state.type_of(node->id))) return {};
-    return "Point at a value, or select one node.";
+    const auto is_known = [&](const std::string& id) { return state.type_of(id) != nullptr; };
+    if (pointed_port(state).second || std::ranges::any_of(state.view.selected, is_known)) return {};
+    return "Point at a value, or select nodes.";
 }
 
 void expose_pointed(State& state) {
     if (const auto [node, port] = pointed_port(state); port)
-        return expose_port(state, node->id, *port);
-    const Node* node = selected_node(state);
-    const NodeType* type = node ? state.type_of(node->id) : nullptr;
-    const Card* card = node ? state.layout.find(node->id) : nullptr;
-    if (!type || !card) return;
-    const auto ports = exposable_ports(*node, *type);
-    if (ports.empty()) state.status = node->id + " has no value without a wire.";
-    if (ports.size() == 1) return expose_port(state, node->id, *ports[0]);
-    if (ports.size() > 1) open_popup(state, *card, nullptr, Popup::Kind::expose);
+        return expose_ports(state, {{node->id, port}});
+    const auto ports = exposable_of_selected(state);
+    if (ports.size() == 1) return expose_ports(state, ports);
+    if (ports.empty()) {
+        state.status = "Every value of the selected nodes has a wire.";
+    } else if (const Card* card = state.layout.find(ports.front().node)) {
+        open_popup(state, *card, nullptr, Popup::Kind::expose);
+    }
 }
 
 }  // namespace wrinkle::editor

@@ -34,7 +34,7 @@ struct MenuEntry {
 
 void expose_entry(State& state, const ContextMenu& menu) {
     if (const Port* port = input_port(state.type_of(menu.node), menu.port))
-        expose_port(state, menu.node, *port);
+        expose_ports(state, {{menu.node, port}});
 }
 void reset_entry(State& state, const ContextMenu& menu) {
     state.commit("Reset " + menu.node + "." + menu.port,

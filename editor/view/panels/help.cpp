@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "editor/view/canvas/canvas.h"
+#include "editor/view/canvas/layout.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
@@ -119,7 +120,15 @@ const NodeType* help_type(const State& state) {
 // Tooltip for the element under the pointer.
 struct HoverWords {
     std::string target, title, doc, facts, image;
+    std::string previewed;  // node whose preview is shown enlarged
 };
+
+bool is_on_preview(const State& state, const Card& card) {
+    const float y = to_canvas(state.view, ImGui::GetIO().MousePos).y - card.at.y - card.preview_y;
+    return state.hovered.kind == Hit::Kind::card && card.preview_y >= 0 && y >= 0 &&
+           y < node_preview_height;
+}
+
 std::optional<HoverWords> hover_words(const State& state) {
     const Hit& hit = state.hovered;
     if (!hit.on_card(state.layout)) return std::nullopt;
@@ -132,12 +141,34 @@ std::optional<HoverWords> hover_words(const State& state) {
         const Pin& pin = card.pins[hit.part];
         port = pin.output ? output_port(card.type, pin.port) : input_port(card.type, pin.port);
     }
-    if (!port && hit.kind != Hit::Kind::header) return std::nullopt;
-    if (!port)
-        return HoverWords{card.type->id, card.type->title, card.type->doc, "F1 says more", ""};
+    const std::string previewed = state.node_feed.previews.places.contains(card.id) ? card.id : "";
+    if (hit.kind == Hit::Kind::header)
+        return HoverWords{card.type->id, card.type->title, card.type->doc, "F1 says more", "",
+                          previewed};
+    if (!previewed.empty() && is_on_preview(state, card))
+        return HoverWords{card.id, card.id, "", "", "", previewed};
+    if (!port) return std::nullopt;
     const bool image = port->is_value() && port->type == PortType::image_;
-    return HoverWords{port->name, port->name, port->doc, port_facts(*port),
-                      image ? image_words(state, card.id, port->name) : ""};
+    return HoverWords{port->name,
+                      port->name,
+                      port->doc,
+                      port_facts(*port),
+                      image ? image_words(state, card.id, port->name) : "",
+                      ""};
+}
+
+void draw_enlarged(State& state, const std::string& node) {
+    const ImVec2 size(tip_width, tip_width * NodePreviews::height / NodePreviews::width);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    ImGui::Dummy(size);
+    if (const auto at = preview_place(state.node_feed, node))
+        ImGui::GetWindowDrawList()->AddImage(texture_id(state.node_feed.atlas.texture()), low,
+                                             low + size, {at->u0, at->v1}, {at->u1, at->v0});
+    name_area(state, "tip:preview", low, low + size);
+}
+
+void write_if_any(const State& state, const std::string& text, ImU32 color, float size = 16) {
+    if (!text.empty()) write_wrapped(state.fonts, text, color, false, size);
 }
 
 }  // namespace
@@ -226,10 +257,11 @@ void draw_hover_docs(State& state) {
     const Tooltip tip(about_hit(state, state.hovered), tip_width);
     if (!tip) return;
     write_wrapped(state.fonts, words->title, theme::text, true);
-    write_wrapped(state.fonts, words->doc, theme::text);
-    write_wrapped(state.fonts, words->facts, theme::text_dim, false, 14);
+    write_if_any(state, words->doc, theme::text);
+    write_if_any(state, words->facts, theme::text_dim, 14);
     if (!words->image.empty())
         write_wrapped(state.fonts, words->image + " F1 says more.", theme::text);
+    if (!words->previewed.empty()) draw_enlarged(state, words->previewed);
     name_area(state, "tip:" + words->target, io.MousePos, io.MousePos);
 }
 

@@ -44,7 +44,8 @@ void draw_save_popup(State& state) {
     ImGui::TextDisabled("A new preset with the values shown");
     ImGui::SetNextItemWidth(220);
     const bool entered = ImGui::InputTextWithHint("##name", "Name", &state.inputs_panel.text,
-                                                  ImGuiInputTextFlags_EnterReturnsTrue);
+                                                  ImGuiInputTextFlags_EnterReturnsTrue |
+                                                      ImGuiInputTextFlags_AutoSelectAll);
     note_field(state);
     name_item(state, "preset:name");
     if (entered) save_preset(state);
@@ -56,7 +57,7 @@ void draw_presets(State& state) {
     choose_preset(state, ImGui::GetWindowWidth() - save - remove - 2 * margin - 8);
     ImGui::SameLine(0, 4);
     if (button(state, "Save as...", "preset:save", false, {save, 0})) {
-        state.inputs_panel.text.clear();
+        state.inputs_panel.text = free_preset_name(state.document());
         ImGui::OpenPopup("##new-preset");
     }
     draw_save_popup(state);

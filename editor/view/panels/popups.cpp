@@ -7,6 +7,7 @@
 
 #include "editor/model/document/expose.h"
 #include "editor/model/document/field.h"
+#include "editor/model/words.h"
 #include "editor/view/canvas/gestures/gestures.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/drop/drop.h"
@@ -188,19 +189,17 @@ bool draw_color(State& state) {
     return state.popup.next != 0 || is_pressed(ImGuiKey_Enter, false);
 }
 
-// Chooses the port of the node that becomes an input of the graph.
+// Chooses the port that becomes an input of the graph, or all of them.
 bool draw_exposable(State& state) {
-    const std::string id = state.popup.node;
-    const Node* node = state.document().find(id);
-    const NodeType* type = state.type_of(id);
-    if (!node || !type) return true;
-    const std::vector<const Port*> ports = exposable_ports(*node, *type);
-    std::vector<std::string> names;
-    for (const Port* port : ports)
-        names.push_back(port->name);
-    ImGui::TextDisabled("Expose a value of %s", id.c_str());
+    const std::vector<PortOfNode> ports = exposable_of_selected(state);
+    if (ports.empty()) return true;
+    const bool several = state.view.selected.size() > 1;
+    std::vector<std::string> names{"All " + counted(ports.size(), "value")};
+    for (const auto& [id, port] : ports)
+        names.push_back(several ? id + "." + port->name : port->name);
+    ImGui::TextDisabled("Expose as inputs of the graph");
     const auto taken = draw_list(state, names, names.size() > max_without_field);
-    if (taken) expose_port(state, id, *ports[*taken]);
+    if (taken) expose_ports(state, *taken == 0 ? ports : std::vector{ports[*taken - 1]});
     state.popup.next = 0;  // no field is next to the list
     return taken.has_value();
 }

@@ -17,7 +17,7 @@
 namespace wrinkle::editor {
 namespace {
 
-constexpr float preview_head = 34, strip_height = 32;
+constexpr float preview_head = 34, strip_height = 32, time_height = 34;
 
 // Lights that can be chosen: the moods, a file if there is one, and Phong's.
 constexpr gpu::Mood shown_moods[] = {gpu::Mood::studio, gpu::Mood::overcast, gpu::Mood::contrast,
@@ -151,6 +151,28 @@ void draw_preview_head(State& state) {
     draw_head_icons(state);
 }
 
+// Play or pause, a bar of the seconds, and back to the value of the input.
+void draw_time(State& state, ImVec2 at, float width) {
+    Play& play = state.play;
+    ImGui::SetCursorScreenPos(at + ImVec2(12, 2));
+    draw_command(state, "play", play.running ? "pause" : "play", "time:play");
+    float seconds = static_cast<float>(play.seconds.value_or(0));
+    ImGui::SetNextItemWidth(width - 24 - 2 * 32);
+    if (ImGui::SliderFloat("##time", &seconds, 0, static_cast<float>(time_end(state)),
+                           play.seconds ? "%.2f s" : "value of the input",
+                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput)) {
+        play.seconds = static_cast<double>(seconds);
+        play.running = false;
+    }
+    name_item(state, "time:bar");
+    ImGui::SameLine(0, 4);
+    if (icon_button(state, "cross", "time:reset", "Show the value of the input",
+                    play.seconds.has_value())) {
+        play.seconds.reset();
+        play.running = false;
+    }
+}
+
 void draw_preview_strip(State& state) {
     constexpr gpu::View views[] = {gpu::View::shaded, gpu::View::normal, gpu::View::gradient,
                                    gpu::View::height, gpu::View::uv,     gpu::View::wireframe};
@@ -202,9 +224,11 @@ void draw_preview(State& state) {
     draw_preview_strip(state);
     const float compare = compare_height(whole.x);
     const ImVec2 at = corner + ImVec2(0, preview_head + strip_height);
-    const ImVec2 size(whole.x, whole.y - preview_head - strip_height - compare);
+    const float time = has_time(state) ? time_height : 0;
+    const ImVec2 size(whole.x, whole.y - preview_head - strip_height - time - compare);
     if (size.x >= 1 && size.y >= 1)
         state.view.flat.on ? draw_flat(state, at, size) : draw_preview_image(state, at, size);
+    if (time > 0) draw_time(state, corner + ImVec2(0, whole.y - compare - time), whole.x);
     draw_compare(state, corner + ImVec2(0, whole.y - compare), whole.x);
 }
 

@@ -135,10 +135,23 @@ bool send_values(State& state) {
         const Document with_values = with_preset_as_defaults(state.model, state.document(), preset);
         for (const std::string& input : changed.inputs)
             send_input(state, with_values, input);
+        state.play.program = 0;  // what it sent was overwritten
     }
     follow.sent_snapshot = state.document();
     follow.sent_preset = preset;
     return true;
+}
+
+bool reads_input(const CompileState& follow, const std::string& input) {
+    return uniform_of_input(follow, input) != nullptr;
+}
+
+void send_number(State& state, const std::string& input, std::optional<double> number) {
+    const std::string& preset = state.view.preview_request.preset;
+    if (!number)
+        send_input(state, with_preset_as_defaults(state.model, state.document(), preset), input);
+    else
+        send(state, {uniform_of_input(state.follow, input)}, {*number}, 1);
 }
 
 void apply_latest_build(State& state) {

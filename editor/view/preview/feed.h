@@ -20,6 +20,11 @@ void apply_latest_build(State& state);
 // Sends the values that differ from those in the preview, also those of another preset; returns
 // false if one is not a uniform.
 bool send_values(State& state);
+// Returns true if the running program reads the input of the graph.
+bool reads_input(const CompileState& follow, const std::string& input);
+// Sends the number, or without one the value of the shown preset, to the uniform of the input, a
+// float. Precondition: reads_input().
+void send_number(State& state, const std::string& input, std::optional<double> number);
 // Updates the node ids in the request after a renaming.
 void rename_in_request(State& state, const Document& before);
 

@@ -41,6 +41,12 @@ bool looks_the_same(const Document& before, const Document& after) {
 
 }  // namespace
 
+std::optional<PreviewAtlas::Place> preview_place(const NodeFeed& feed, std::string_view node) {
+    const auto found = feed.previews.places.find(node);
+    if (found == feed.previews.places.end() || found->second >= feed.atlas.count()) return {};
+    return feed.atlas.place(found->second);
+}
+
 void feed_node_previews(State& state) {
     NodeFeed& feed = state.node_feed;
     if (!feed.maker) return;

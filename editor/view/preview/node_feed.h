@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "editor/view/look/preview_atlas.h"
 #include "editor/view/preview/node_previews.h"
@@ -26,6 +28,9 @@ struct NodeFeed {
     }
     bool idle() const { return !maker || maker->idle(); }
 };
+
+// Returns where the atlas has the preview of the node; nullopt if it does not.
+std::optional<PreviewAtlas::Place> preview_place(const NodeFeed& feed, std::string_view node);
 
 // Takes a finished job; posts a new one if no other work is pending, so that the main preview is
 // drawn first.
