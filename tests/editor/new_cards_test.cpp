@@ -60,6 +60,23 @@ TEST_F(NewCards, ComeInSightBehindTheSelectionAtTheBorder) {
     EXPECT_EQ(wrong({"normal_angle"}), "");
 }
 
+TEST_F(NewCards, AreNotBehindThePanelOfProblemsNorTheMinimap) {
+    open(small_graph);
+    const auto canvas = *state.targets.find("canvas");
+    queue.motion(canvas.x1 - 60, canvas.y1 - 60);
+    const float before = state.view.extent.y;
+    play("key Space\ntype fbm\nkey Enter\nwait 5");
+    EXPECT_EQ(wrong({"fbm"}), "");
+    const Card& card = *state.layout.find("fbm");
+    const ImVec2 low = to_screen(state.view, card.at);
+    EXPECT_FALSE(minimap_area(state.view).touches({low, low + card.size * state.view.zoom}));
+    state.commit("Break", set_output(state.document(), "normal", {"number", "nothing"}));
+    frame();
+    play("wait 5");
+    ASSERT_LT(state.view.extent.y, before);
+    EXPECT_EQ(wrong({"fbm"}), "") << "after the panel of problems opened";
+}
+
 TEST_F(NewCards, DuplicatesLieBesideTheirOriginalsAndAboveAll) {
     open(small_graph);
     state.view.selected = {"softer", "normal"};

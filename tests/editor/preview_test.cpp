@@ -45,6 +45,19 @@ TEST_F(WithPreview, APictureIsDrawnOnTheOtherThread) {
     EXPECT_GT(pixels[middle], 2 * pixels[0]) << "which is darker";
 }
 
+TEST_F(WithPreview, AGraphWithoutOutputsShowsTheSelectedNode) {
+    begin(R"({ "wrinkle": 1, "nodes": { "noise": { "type": "gradient_noise" },
+                                        "file": { "type": "image" } } })");
+    EXPECT_EQ(see().texture, 0U);
+    state.view.selected = {"noise"};
+    EXPECT_NE(see().texture, 0U);
+    EXPECT_EQ(state.follow.drawn.request.node, "noise");
+    EXPECT_TRUE(state.view.preview_request.node.empty());
+    edit(set_output(state.document(), "height", {"noise", "height"}));
+    see();
+    EXPECT_EQ(state.follow.drawn.request.node, "");
+}
+
 TEST_F(WithPreview, TheNewestOfManyJobsIsShownAndHeldTexturesStay) {
     begin(two_bumps);
     const PreviewImage first = see();

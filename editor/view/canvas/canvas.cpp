@@ -261,6 +261,7 @@ void update_gesture(State& state, bool hovered) {
 void draw_canvas(State& state) {
     View& view = state.view;
     view.corner = ImGui::GetCursorScreenPos();
+    keep_in_sight(state, ImGui::GetContentRegionAvail());
     view.extent = ImGui::GetContentRegionAvail();
     ImGui::InvisibleButton("canvas", view.extent,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |

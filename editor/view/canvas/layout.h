@@ -42,7 +42,12 @@ ImVec2 pointed_at(const View& view);  // the pointer, else the canvas's center; 
 void fit(View& view, const Layout& layout, bool selection_only);
 // Zooms with `screen` fixed, between 400 % and 5 %, or less if all cards need it.
 void zoom_at(View& view, const Layout& layout, ImVec2 screen, float factor);
-// Pans by the smallest amount that shows the card.
+// Returns the minimap's rectangle, in the lower right corner; empty where the canvas is too small.
+// Screen pixels.
+Extent minimap_area(const View& view);
+// Returns true if the whole card is on the canvas; the minimap does not count.
+bool is_in_sight(const View& view, const Card& card);
+// Pans by the smallest amount that shows the card, and not below the minimap if there is room.
 void bring_in_sight(View& view, const Card& card);
 
 }  // namespace wrinkle::editor

@@ -121,4 +121,12 @@ void reveal_new(CanvasState& canvas) {
     canvas.view.reveal.clear();
 }
 
+void keep_in_sight(CanvasState& canvas, ImVec2 extent) {
+    View& view = canvas.view;
+    if (extent.x >= view.extent.x && extent.y >= view.extent.y) return;
+    for (const std::string& id : view.selected)
+        if (const Card* card = canvas.layout.find(id); card && is_in_sight(view, *card))
+            view.reveal.insert(id);
+}
+
 }  // namespace wrinkle::editor

@@ -37,5 +37,7 @@ Document settled(const State& state, const Document& document);
 // Selects new nodes and raises them above all other cards; the next frame scrolls them into view.
 void show_new(CanvasState& canvas, const std::set<std::string>& ids);
 void reveal_new(CanvasState& canvas);  // after the layout update
+// Called before the canvas changes its size: in a smaller one, selected cards stay in sight.
+void keep_in_sight(CanvasState& canvas, ImVec2 extent);
 
 }  // namespace wrinkle::editor

@@ -53,6 +53,19 @@ void zoom_at(View& view, const Layout& layout, ImVec2 screen, float factor) {
     view.pan = screen - view.corner - fixed * view.zoom;
 }
 
+Extent minimap_area(const View& view) {
+    const ImVec2 size(168, 112), margin(16, 16);
+    if (view.extent.x < 700 || view.extent.y < 280) return {};
+    const ImVec2 high = view.corner + view.extent - margin;
+    return {high - size, high};
+}
+
+bool is_in_sight(const View& view, const Card& card) {
+    const ImVec2 low = to_screen(view, card.at);
+    return Extent{view.corner, view.corner + view.extent}.contains(
+        Extent{low, low + card.size * view.zoom});
+}
+
 void bring_in_sight(View& view, const Card& card) {
     const ImVec2 low = to_screen(view, card.at) - view.corner;
     const ImVec2 high = low + card.size * view.zoom;
@@ -63,6 +76,10 @@ void bring_in_sight(View& view, const Card& card) {
     };
     view.pan = view.pan + ImVec2(shift(low.x, high.x, min_margin.x, view.extent.x) - low.x,
                                  shift(low.y, high.y, min_margin.y, view.extent.y) - low.y);
+    const ImVec2 at = to_screen(view, card.at);
+    const Extent map = minimap_area(view), shown{at, at + card.size * view.zoom};
+    const float over = shown.high.x - (map.low.x - min_margin.x / 2);
+    if (map.touches(shown) && at.x - over >= view.corner.x + min_margin.x) view.pan.x -= over;
 }
 
 }  // namespace wrinkle::editor

@@ -13,7 +13,6 @@ namespace wrinkle::editor {
 namespace {
 
 constexpr float margin = 16, tall = 28, crumb_gap = 24;
-const ImVec2 map_size(168, 112);
 
 WindowStyle overlay_style() {
     return {.ground = theme::bar, .border = theme::border, .rounding = 5, .flags = overlay_flags};
@@ -119,13 +118,13 @@ struct Map {
     ImVec2 at(ImVec2 canvas) const { return origin + canvas * scale; }
 };
 
-Map fit_map(const Layout& layout, ImVec2 low) {
+Map fit_map(const Layout& layout, const Extent& area) {
     const Extent& all = layout.bounds;
-    const ImVec2 size = all.high - all.low, room = map_size - ImVec2(16, 16);
+    const ImVec2 size = all.high - all.low, room = area.high - area.low - ImVec2(16, 16);
     const float scale =
         std::min({room.x / std::max(size.x, 1.0F), room.y / std::max(size.y, 1.0F), 0.12F});
     const ImVec2 middle = (all.low + all.high) * 0.5F;
-    return {low + map_size * 0.5F - middle * scale, scale};
+    return {(area.low + area.high) * 0.5F - middle * scale, scale};
 }
 
 void draw_cards(const State& state, const Map& map) {
@@ -150,9 +149,9 @@ void draw_cards(const State& state, const Map& map) {
 // A click or drag on the minimap centers the canvas at that position.
 void draw_minimap(State& state) {
     View& view = state.view;
-    const ImVec2 at = view.corner + view.extent - map_size - ImVec2(margin, margin);
+    const ImVec2 at = minimap_area(view).low, map_size = minimap_area(view).high - at;
     const FixedWindow window("##minimap", at, map_size, overlay_style());
-    const Map map = fit_map(state.layout, at);
+    const Map map = fit_map(state.layout, minimap_area(view));
     draw_cards(state, map);
     const ImVec2 low = map.at(to_canvas(view, view.corner));
     const ImVec2 high = map.at(to_canvas(view, view.corner + view.extent));
@@ -176,8 +175,7 @@ void draw_overlays(State& state) {
     if (view.extent.x < 260 || view.extent.y < 140) return;
     draw_crumbs(state);
     draw_zoom(state);
-    if (view.extent.x >= 700 && view.extent.y >= 280 && !state.document().nodes.empty())
-        draw_minimap(state);
+    if (!minimap_area(view).empty() && !state.document().nodes.empty()) draw_minimap(state);
 }
 
 }  // namespace wrinkle::editor

@@ -4,6 +4,8 @@
 
 #include "editor/model/document/field.h"
 #include "editor/model/document/inputs.h"
+#include "editor/model/document/request.h"
+#include "editor/view/edit/edits.h"
 #include "emit/log.h"
 
 namespace wrinkle::editor {
@@ -112,6 +114,10 @@ PreviewRequest wanted_request(const State& state) {
         request.name.clear();
     }
     if (!request.node.empty() && !state.document().find(request.node)) request.node.clear();
+    if (const Node* node = selected_node(state); node && request.node.empty() &&
+                                                 state.document().outputs.empty() &&
+                                                 shown_port(state.type_of(node->id)))
+        request.node = node->id;
     return request;
 }
 

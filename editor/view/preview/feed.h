@@ -6,7 +6,7 @@
 
 namespace wrinkle::editor {
 
-// Returns the preview request for the current document.
+// Returns the preview request for the current document. Without outputs it is of the selected node.
 PreviewRequest wanted_request(const State& state);
 
 // Returns true if the requests are equal, or differ in their presets.
