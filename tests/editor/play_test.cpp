@@ -70,8 +70,9 @@ TEST_F(PlayedPreview, ShowsTheTimeUntilItIsResetAndAfterOtherChanges) {
     state.view.preview_request.preset.clear();
     state.play.seconds = 0.5;
     EXPECT_EQ(seen(), later);
-    state.view.preview_request.preset = "later";
     state.play.seconds = 0.25;
+    EXPECT_EQ(seen(), first);
+    state.view.preview_request.preset = "later";
     EXPECT_EQ(seen(), first) << "of another preset too";
     state.play.seconds.reset();
     EXPECT_EQ(seen(), later);
