@@ -58,7 +58,8 @@ pid_t CliTest::start(const std::vector<std::string>& args, int in, int out, int 
 #endif
     const rlimit full{file_size, file_size};
     if (file_size != RLIM_INFINITY && setrlimit(RLIMIT_FSIZE, &full) == 0) signal(SIGXFSZ, SIG_IGN);
-    alarm(seconds);  // survives exec
+    signal(SIGINT, SIG_DFL);  // a script's background jobs ignore it, and so would the program
+    alarm(seconds);           // survives exec
     const bool changed = !unprivileged || drop_capabilities();
     if (chdir(folder.c_str()) == 0 && changed) execv(program.c_str(), argv.data());
     _exit(127);

@@ -77,6 +77,39 @@ TEST_F(Tasks, FiveInputsAndTwoPresetsTakeEight) {
               json::one_line(state.document().inputs.find("gain")->default_value));
 }
 
+TEST_F(Tasks, RustOverPaintWithAnEdgeMaskTakesTwelve) {
+    open(R"({ "wrinkle": 1 })");
+    play(R"(
+        key Space
+        type material
+        key Enter
+        key Space
+        type material_mix
+        key Enter
+        drag pin:material_mix.b canvas+-240,200
+        type material
+        key Enter
+        click field:material2.color
+        click color-80,0
+        key Escape
+        drag pin:material_mix.mask canvas+240,250
+        type edge_wear
+        key Enter
+        drag pin:edge_wear.height canvas+0,280
+        type fbm
+        key Enter
+        assert errors 0
+        assert actions 12)");
+    for (const Connection& wire :
+         {Connection{{"material", "material"}, "material_mix", "a"},
+          Connection{{"material2", "material"}, "material_mix", "b"},
+          Connection{{"edge_wear", "edges"}, "material_mix", "mask"},
+          Connection{{"fbm", "height"}, "edge_wear", "height"}})
+        EXPECT_TRUE(state.layout.wire_to({wire.node, wire.port})) << wire.node << "." << wire.port;
+    EXPECT_EQ(link_at(state.document(), "", "material"), (Link{"material_mix", "material"}));
+    EXPECT_TRUE(state.document().find("material2")->find("color"));
+}
+
 TEST_F(Tasks, AMasksPixelsTakeTwo) {
     open(small_graph);
     play(R"(
