@@ -30,10 +30,15 @@ ModuleOutput module_output(Module& module, std::string_view name, PortType type,
     return output;
 }
 
-// Writes the channels of a material that the graph has no other output for.
+// Writes the channels of a material that the graph has no other output for; its color if there is
+// none, so that a new material is a material.
 void write_channels(Lowering& lowering, const Document& document, uint32_t passthrough) {
     Module& module = lowering.module();
-    const Record record = lowering.records().of(lowering.input(passthrough, 0));
+    const Id material = lowering.input(passthrough, 0);
+    Record record = lowering.records().of(material);
+    if (record.empty() && document.outputs.size() == 1)
+        record = {{"color", PortType::color_,
+                   lowering.records().channel(material, "color", PortType::color_)}};
     for (const Channel& channel : record) {
         if (document.find_output(channel.name)) continue;
         const PortType type = standard_output(channel.name).value_or(channel.type);

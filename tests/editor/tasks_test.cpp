@@ -89,15 +89,14 @@ TEST_F(Tasks, RustOverPaintWithAnEdgeMaskTakesTwelve) {
         drag pin:material_mix.b canvas+-240,200
         type material
         key Enter
-        click field:material2.color
-        click color-80,0
-        key Escape
         drag pin:material_mix.mask canvas+240,250
         type edge_wear
         key Enter
         drag pin:edge_wear.height canvas+0,280
         type fbm
         key Enter
+        click field:material2.color.0
+        click color+-80,0
         assert errors 0
         assert actions 12)");
     for (const Connection& wire :

@@ -94,6 +94,14 @@ const std::string by_hand = sources + R"(,
     "roughness": {"type": "mix", "in": {"a": 0.5, "b": 0.25, "mask": {"from": "mask.height"}}},
     "metalness": {"type": "mix", "in": {"a": 1, "b": 0, "mask": {"from": "mask.height"}}})";
 
+TEST(Materials, OneWithoutChannelsHasItsColor) {
+    const Compiled made =
+        compiled(R"("m": {"type": "material"})", R"("material": {"from": "m.material"})");
+    ASSERT_EQ(output_names(made), std::vector<std::string>{"color"});
+    for (size_t lane = 0; lane < 3; ++lane)
+        EXPECT_EQ(made.module.lanes_of(made.module.outputs[0].value)[lane], 0.8);
+}
+
 TEST(Materials, AreLayersOfTheirChannels) {
     const Compiled whole = compiled(two_layers, R"("material": {"from": "layers.material"})");
     const Compiled parts =

@@ -42,6 +42,21 @@ void commit_new(State& state, const NodeType& type, const std::string& id, Docum
     show_new(state, {id});
 }
 
+// The outputs of the graph that read `from` read the node's output of that type, if it has one.
+Document with_outputs_moved(const Link& from, PortType given, const std::string& id,
+                            const NodeType& type, Document document) {
+    const auto is_given = [&](const Port& port) {
+        return port.kind == Port::Kind::output && port.type == given;
+    };
+    const auto port = std::ranges::find_if(type.ports, is_given);
+    if (port == type.ports.end()) return document;
+    const Table<Output> outputs = document.outputs;
+    for (const Output& output : outputs)
+        if (link_at(document, "", output.name) == from)
+            document = with_wire(document, {id, port->name}, "", output.name);
+    return document;
+}
+
 // Returns the selected cards with a typed first output, from top to bottom.
 std::vector<const Card*> givers(const State& state) {
     std::vector<const Card*> found = selected_cards(state);
@@ -132,6 +147,9 @@ void add_node_to_selection(State& state, const NodeType& type, ImVec2 at) {
         const Port* port = port_for(type, pin.type, true, document.find(id));
         if (!port) continue;
         document = connect(document, {card->id, pin.port}, id, port->name);
+        if (!first)
+            document =
+                with_outputs_moved({card->id, pin.port}, pin.type, id, type, std::move(document));
         right = first ? std::max(right, card->at.x + card->size.x) : card->at.x + card->size.x;
         if (!first) first = card;
     }
