@@ -60,6 +60,25 @@ TEST_F(NewCards, ComeInSightBehindTheSelectionAtTheBorder) {
     EXPECT_EQ(wrong({"normal_angle"}), "");
 }
 
+TEST_F(NewCards, TheFirstOneLiesBetweenTheSurfaceAndTheOutputs) {
+    open(R"({ "wrinkle": 1 })");
+    const auto canvas = *state.targets.find("canvas");
+    queue.motion(canvas.x1 - 60, canvas.y1 - 60);
+    play("key Space\ntype material\nkey Enter\nwait 5");
+    const Card& material = *state.layout.find("material");
+    for (const Card& card : state.layout.cards) {
+        EXPECT_TRUE(is_in_sight(state.view, card)) << card.id;
+        if (card.kind == Card::Kind::surface) {
+            EXPECT_LT(card.at.x + card.size.x, material.at.x);
+        }
+        if (card.kind == Card::Kind::outputs) {
+            EXPECT_GT(card.at.x, material.at.x + material.size.x);
+        }
+    }
+    EXPECT_EQ(state.layout.cards.size(), 3U);
+    EXPECT_EQ(wrong({"material"}), "");
+}
+
 TEST_F(NewCards, AreNotBehindThePanelOfProblemsNorTheMinimap) {
     open(small_graph);
     const auto canvas = *state.targets.find("canvas");

@@ -153,8 +153,12 @@ TEST_F(Headless, TheFirstNormalOrMaterialIsAnOutput) {
     play("click canvas+-200,150\nkey Space\ntype smoothstep\nkey Enter\nassert wires 0");
     play("key Space\ntype gradient_from_height\nkey Enter\nkey Space\ntype resolve\nkey Enter");
     EXPECT_EQ(link_at(state.document(), "", "normal"), (Link{"resolve", "normal"}));
+    state.view.selected.clear();
     play("key Space\ntype face_viewer\nkey Enter");
     EXPECT_EQ(link_at(state.document(), "", "normal"), (Link{"resolve", "normal"}));
+    state.view.selected = {"resolve"};
+    play("key Space\ntype face_viewer\nkey Enter");
+    EXPECT_EQ(link_at(state.document(), "", "normal"), (Link{"face_viewer2", "normal"}));
     open("{ \"wrinkle\": 1, \"outputs\": {} }");
     play("key Space\ntype material\nkey Enter");
     EXPECT_EQ(link_at(state.document(), "", "material"), (Link{"material", "material"}));

@@ -36,10 +36,19 @@ Document with_first_output(const NodeType& type, const std::string& id, Document
     return with_wire(document, {id, output->name}, "", std::string(name_of(output->type)));
 }
 
-void commit_new(State& state, const NodeType& type, const std::string& id, Document document) {
+// `loose`: the node was not added at the end of a wire.
+void commit_new(State& state, const NodeType& type, const std::string& id, Document document,
+                bool loose) {
     document = with_first_output(type, id, std::move(document));
+    const bool first = state.document().nodes.empty();
     state.commit("Add " + type.title, settled(state, document));
     show_new(state, {id});
+    // The surface is put to the left of the first node, and the outputs to its right.
+    if (first && loose) {
+        state.view.surface_at.reset();
+        state.view.outputs_at.reset();
+        state.view.fitted = false;
+    }
 }
 
 // The outputs of the graph that read `from` read the node's output of that type, if it has one.
@@ -81,7 +90,7 @@ bool add_in_wire(State& state, const NodeType& type) {
     const ImVec2 at =
         free_place(state, state.document(), wire->middle() - ImVec2(64, 40), node, &type);
     Document document = add_node(state.document(), std::move(node), at.x, at.y);
-    commit_new(state, type, id, insert_in_wire(document, *wire, id, *through));
+    commit_new(state, type, id, insert_in_wire(document, *wire, id, *through), false);
     return true;
 }
 
@@ -132,7 +141,7 @@ void add_node_of_type(State& state, const NodeType& type, ImVec2 at, const Gestu
                                : nullptr)
         document = wire.from_output ? connect(document, wire.from, id, port->name)
                                     : with_wire(document, {id, port->name}, wire.node, wire.port);
-    commit_new(state, type, id, std::move(document));
+    commit_new(state, type, id, std::move(document), wire.kind != Gesture::Kind::wire);
 }
 
 void add_node_to_selection(State& state, const NodeType& type, ImVec2 at) {
@@ -156,7 +165,7 @@ void add_node_to_selection(State& state, const NodeType& type, ImVec2 at) {
     const ImVec2 place =
         free_place(state, state.document(), first ? ImVec2(right + 64, first->at.y) : at,
                    *document.find(id), &type);
-    commit_new(state, type, id, move_node(document, id, place.x, place.y));
+    commit_new(state, type, id, move_node(document, id, place.x, place.y), true);
 }
 
 std::vector<Offer::Choice> between(const Registry& registry, PortType from,
