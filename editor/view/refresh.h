@@ -18,8 +18,8 @@ void refresh(State& state);
 // follows at the end.
 bool is_holding_value(const State& state);
 
-// Returns true if build and preview are those of the current snapshot and no job is pending; while the
-// preview moves (preview/play.h) its jobs are not waited for.
+// Returns true if build and preview are those of the current snapshot and no job is pending. While
+// the preview moves (preview/play.h) its jobs do not count.
 bool is_settled(const State& state);
 
 }  // namespace wrinkle::editor

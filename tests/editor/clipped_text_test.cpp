@@ -14,12 +14,12 @@ struct Size {
 };
 const Size sizes[] = {{{1280, 720}, 1}, {{1600, 900}, 1}, {{2560, 1440}, 1}, {{1920, 1080}, 2}};
 
-// Windows whose text may be cut: the canvas, and lines of code.
+// Text of the canvas and of lines of code may be cut.
 bool may_be_cut(std::string_view owner) {
     return owner == "##canvas" || owner.find("##code") != std::string_view::npos;
 }
 
-// Returns the windows with glyphs that stick out of their clip rectangle sideways, with the place.
+// Returns the windows with glyphs that stick out of their clip rectangle sideways, with positions.
 std::set<std::string> windows_with_cut_text() {
     std::set<std::string> found;
     const ImDrawData& data = *ImGui::GetDrawData();

@@ -120,9 +120,7 @@ std::string why_no_line(const Session& session, const std::set<std::string>& sel
         return id + " has no line: no output of the graph reads it.";
     if (node->muted) return id + " has no line: it is muted, and passes on what it is given.";
     if (node->type == reroute_type) return id + " has no line: a reroute passes on its input.";
-    return id +
-           " has no line of its own: what it makes is a part of lines of the nodes that read "
-           "it, or a constant, or not needed by the outputs.";
+    return id + " has no line: its values are constants, or in lines of other nodes.";
 }
 
 CodeText lines_of(std::string text) {

@@ -45,7 +45,7 @@ void zoom_at(View& view, const Layout& layout, ImVec2 screen, float factor);
 // Returns the minimap's rectangle, in the lower right corner; empty where the canvas is too small.
 // Screen pixels.
 Extent minimap_area(const View& view);
-// Returns true if the whole card is on the canvas; the minimap does not count.
+// Returns true if the card is on the canvas completely; the minimap does not count.
 bool is_in_sight(const View& view, const Card& card);
 // Pans by the smallest amount that shows the card, and not below the minimap if there is room.
 void bring_in_sight(View& view, const Card& card);

@@ -120,7 +120,7 @@ const NodeType* help_type(const State& state) {
 // Tooltip for the element under the pointer.
 struct HoverWords {
     std::string target, title, doc, facts, image;
-    std::string previewed;  // node whose preview is shown enlarged
+    std::string previewed;  // node with the preview to enlarge; "": none
 };
 
 bool is_on_preview(const State& state, const Card& card) {

@@ -141,7 +141,7 @@ bool send_values(State& state) {
         const Document with_values = with_preset_as_defaults(state.model, state.document(), preset);
         for (const std::string& input : changed.inputs)
             send_input(state, with_values, input);
-        state.play.program = 0;  // what it sent was overwritten
+        state.play.program = 0;  // the seconds were overwritten
     }
     follow.sent_snapshot = state.document();
     follow.sent_preset = preset;

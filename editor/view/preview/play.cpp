@@ -13,7 +13,7 @@ namespace {
 constexpr const char* time_input = "time";
 constexpr double turn_time = 20;  // seconds of a full turn
 constexpr double usual_end = 10;
-constexpr double longest_step = 0.1;  // a frame after a pause is no jump
+constexpr double longest_step = 0.1;  // so that a pause between frames is not a jump
 
 }  // namespace
 
