@@ -27,6 +27,7 @@ void show_graph(State& state, GraphSwitch how) {
     state.box_text = {};
     state.dropped.waiting.clear();
     if (state.preview) state.preview->forget_material();
+    state.play = {.turning = state.play.turning};
     state.node_feed.forget();
     state.flat.forget();
     state.preview_problems = Diagnostics();

@@ -49,6 +49,14 @@ TEST_F(Headless, TimeIsPlayedPausedAndMoved) {
     EXPECT_FALSE(state.play.seconds);
 }
 
+TEST_F(Headless, AnotherGraphHasTheTimeOfItsInput) {
+    open(glowing);
+    play("click time:bar");
+    ASSERT_TRUE(state.play.seconds);
+    open(glowing);
+    EXPECT_FALSE(state.play.seconds);
+}
+
 TEST_F(Headless, TimeBeginsAgainAtTheEndOfTheSlider) {
     open(glowing);
     state.play.seconds = 3.99;
