@@ -130,41 +130,39 @@ TEST(NodePreviews, ANodeThatDependsOnNothingBrokenHasAThumbnail) {
         }
 }
 
-TEST_F(Headless, ThumbnailsAreMadeBeforeThereIsAnOutput) {
-    NodePreviewMaker maker{NodePainter()};
-    state.node_feed.maker = &maker;
+class WithThumbnails : public Headless {
+protected:
+    void SetUp() override { state.node_feed.maker = &maker_; }
+    void TearDown() override { state.node_feed.maker = nullptr; }
+    void make() {
+        frame();
+        maker_.wait_idle();
+        frame();
+    }
+
+private:
+    NodePreviewMaker maker_{NodePainter()};
+};
+
+TEST_F(WithThumbnails, ThumbnailsAreMadeBeforeThereIsAnOutput) {
     open(R"({ "wrinkle": 1, "nodes": { "noise": { "type": "gradient_noise" } } })");
-    frame();
-    maker.wait_idle();
-    frame();
+    make();
     EXPECT_TRUE(state.node_feed.previews.places.contains("noise"));
-    state.node_feed.maker = nullptr;
 }
 
-TEST_F(Headless, ThumbnailsOfTheFormerGraphAreForgotten) {
-    NodePreviewMaker maker{NodePainter()};
-    state.node_feed.maker = &maker;
+TEST_F(WithThumbnails, ThumbnailsOfTheFormerGraphAreForgotten) {
     open(small_graph);
-    frame();
-    maker.wait_idle();
-    frame();
+    make();
     EXPECT_EQ(state.node_feed.previews.places.size(), 2U);
     open(R"({ "wrinkle": 1, "nodes": { "normal": { "type": "no_such_node" } } })");
     EXPECT_TRUE(state.node_feed.previews.places.empty());
-    frame();
-    maker.wait_idle();
-    frame();
+    make();
     EXPECT_TRUE(state.node_feed.previews.places.empty());
-    state.node_feed.maker = nullptr;
 }
 
-TEST_F(Headless, APreviewIsEnlargedAtThePointer) {
-    NodePreviewMaker maker{NodePainter()};
-    state.node_feed.maker = &maker;
+TEST_F(WithThumbnails, APreviewIsEnlargedAtThePointer) {
     open(small_graph);
-    frame();
-    maker.wait_idle();
-    frame();
+    make();
     const Card& card = *state.layout.find("noise");
     const ImVec2 middle = to_screen(
         state.view, card.at + ImVec2(card.size.x / 2, card.preview_y + node_preview_height / 2));
@@ -183,7 +181,6 @@ TEST_F(Headless, APreviewIsEnlargedAtThePointer) {
     rest_at(to_screen(state.view, card.at + ImVec2(card.size.x / 2, 10)));
     EXPECT_TRUE(state.targets.find("tip:gradient_noise"));
     EXPECT_TRUE(state.targets.find("tip:preview"));
-    state.node_feed.maker = nullptr;
 }
 
 TEST_F(Headless, ThePictureOfAMapIsTheMap) {
