@@ -53,7 +53,7 @@ if(WRINKLE_SANITIZE)
     endif()
 endif()
 
-# -O3 doubles the time to compile commands, writers and the like, and speeds up nothing that is felt.
+# -O3 doubles the time to compile commands and writers, without a gain that a user notices.
 function(wrinkle_compile_quickly target)
     target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()

@@ -30,8 +30,8 @@ ModuleOutput module_output(Module& module, std::string_view name, PortType type,
     return output;
 }
 
-// Writes the channels of a material that the graph has no other output for; its color if there is
-// none, so that a new material is a material.
+// Writes the channels of a material that the graph has no other output for; without channels its
+// color, as a module needs an output.
 void write_channels(Lowering& lowering, const Document& document, uint32_t passthrough) {
     Module& module = lowering.module();
     const Id material = lowering.input(passthrough, 0);

@@ -153,7 +153,7 @@ std::optional<gpu::Target> warm_up_textures() {
     return texture;
 }
 
-// Seconds until the next frame if there are no events.
+// The most seconds to wait for an event before the next frame.
 double wait_time(const State& state) {
     if (state.play.moves()) return 0.01;
     return state.help.waiting || state.tasks.running ? 0.1 : 0.5;

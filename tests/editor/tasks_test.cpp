@@ -99,11 +99,10 @@ TEST_F(Tasks, RustOverPaintWithAnEdgeMaskTakesTwelve) {
         click color+-80,0
         assert errors 0
         assert actions 12)");
-    for (const Connection& wire :
-         {Connection{{"material", "material"}, "material_mix", "a"},
-          Connection{{"material2", "material"}, "material_mix", "b"},
-          Connection{{"edge_wear", "edges"}, "material_mix", "mask"},
-          Connection{{"fbm", "height"}, "edge_wear", "height"}})
+    for (const Connection& wire : {Connection{{"material", "material"}, "material_mix", "a"},
+                                   Connection{{"material2", "material"}, "material_mix", "b"},
+                                   Connection{{"edge_wear", "edges"}, "material_mix", "mask"},
+                                   Connection{{"fbm", "height"}, "edge_wear", "height"}})
         EXPECT_TRUE(state.layout.wire_to({wire.node, wire.port})) << wire.node << "." << wire.port;
     EXPECT_EQ(link_at(state.document(), "", "material"), (Link{"material_mix", "material"}));
     EXPECT_TRUE(state.document().find("material2")->find("color"));

@@ -43,9 +43,9 @@ void draw_save_popup(State& state) {
     if (ImGui::IsWindowAppearing()) focus_field(state);
     ImGui::TextDisabled("A new preset with the values shown");
     ImGui::SetNextItemWidth(220);
-    const bool entered = ImGui::InputTextWithHint("##name", "Name", &state.inputs_panel.text,
-                                                  ImGuiInputTextFlags_EnterReturnsTrue |
-                                                      ImGuiInputTextFlags_AutoSelectAll);
+    const bool entered = ImGui::InputTextWithHint(
+        "##name", "Name", &state.inputs_panel.text,
+        ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     note_field(state);
     name_item(state, "preset:name");
     if (entered) save_preset(state);
