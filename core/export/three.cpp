@@ -25,7 +25,7 @@ namespace {
 
 const std::map<std::string_view, std::string_view> three_inputs = {
     {"position", "wrinkle_position"}, {"position_relative", "wrinkle_relative"},
-    {"normal", "wrinkle_normal"},     {"tangent", "wrinkle_tangent"},
+    {"normal", "wrinkle_normal"},     {"tangent", "wrinkle_tangent_or_u()"},
     {"uv0", "wrinkle_uv01.xy"},       {"uv1", "wrinkle_uv01.zw"},
     {"uv2", "wrinkle_uv23.xy"},       {"uv3", "wrinkle_uv23.zw"},
     {"color0", "wrinkle_color"},      {"view", "normalize(wrinkle_to_eye)"},
@@ -208,8 +208,7 @@ std::string module_text(const ExportRequest& request, const MadeShader& made,
          {"TRANSMISSION", text.value("transmission_weight")},
          {"PROPERTIES",
           text.properties() + (request.double_sided ? ", side: THREE.DoubleSide" : "")},
-         {"COMMON", three_common(request)},
-         {"NEEDS_TANGENTS", needs_tangents(reflection)},
+         {"COMMON", std::string(texts::three_common_js)},
          {"HASH", sha256(made.shader.source).substr(0, 16)}});
 }
 
@@ -217,17 +216,17 @@ constexpr std::string_view three_lacks[] = {
     "coat_roughness_anisotropy", "coat_tangent",         "subsurface_weight",
     "transmission_color",        "transmission_scatter", "transmission_dispersion_scale"};
 
-std::string three_readme(const ExportRequest& request) {
+std::string three_readme(const ExportRequest& request, bool has_textures) {
     const std::string type = three_class(request.name);
     return "npm start\n\nshows the material in a browser, with controls of its inputs (Node.js 18 "
            "or later; it installs\nthree.js and a static server into this folder).\n\nTo use it in "
            "a project, copy " +
-           request.name + ".js" + " and textures/, then\n\n    import {" + type + "} from './" +
-           request.name + ".js';\n    mesh.material = new " + type +
+           request.name + (has_textures ? ".js and textures/" : ".js") + ", then\n\n    import {" +
+           type + "} from './" + request.name + ".js';\n    mesh.material = new " + type +
            "();                     // geometries of three.js\n    mesh.material = new " + type +
            "({uvOrigin: 'top'});    // meshes of GLTFLoader\n    mesh.material.inputs.NAME = "
-           "VALUE;\n\n`inputs` and `presets` of the module describe the inputs. "
-           "material.ready is a promise of its textures.\n" +
+           "VALUE;\n\n`inputs` and `presets` of the module describe the inputs." +
+           std::string(has_textures ? " material.ready is a promise of its textures." : "") + "\n" +
            request.name + ".webgpu.js has the same for WebGPURenderer.\nMade for three.js r187.\n";
 }
 
@@ -264,7 +263,8 @@ bool write_three(const ExportRequest& request, const fs::path& folder, Diagnosti
                              module_text(request, made, displacement, textures), diagnostics) &&
            write_three_webgpu(request, textures, folder, diagnostics) &&
            write_page(request, folder, diagnostics) &&
-           write_readme(request, "three.js", three_readme(request), folder, diagnostics);
+           write_readme(request, "three.js", three_readme(request, !textures.empty()), folder,
+                        diagnostics);
 }
 
 }  // namespace wrinkle

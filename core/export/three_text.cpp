@@ -116,14 +116,4 @@ std::string three_loader(const std::vector<ExportedTexture>& textures) {
     return textures.empty() ? "const load = () => ({});\n" : std::string(texts::three_images_js);
 }
 
-std::string three_common(const ExportRequest& request) {
-    return with_fields(texts::three_common_js, {{"NAME", request.name}});
-}
-
-std::string needs_tangents(const Reflection& reflection) {
-    const bool reads = std::ranges::any_of(
-        reflection.members, [](const MemberInfo& member) { return member.name == "tangent"; });
-    return reads ? "true" : "false";
-}
-
 }  // namespace wrinkle

@@ -24,13 +24,9 @@ std::string three_presets(const ExportRequest& request);
 // The import and the function that load the images; both without images too.
 std::string three_imports(const std::vector<ExportedTexture>& textures);
 std::string three_loader(const std::vector<ExportedTexture>& textures);
-// Functions of tangents and inputs.
-std::string three_common(const ExportRequest& request);
 // The function of `displacement` for the vertex stage; an empty source if the graph has none.
 Shader three_displacement(const ExportRequest& request, const Reflection& reflection,
                           const Target& target, Diagnostics& diagnostics);
-// "true" if the graph reads tangents.
-std::string needs_tangents(const Reflection& reflection);
 
 // The module for WebGPURenderer, NAME.webgpu.js. Returns false and appends errors on failure.
 bool write_three_webgpu(const ExportRequest& request, const std::vector<ExportedTexture>& textures,

@@ -87,6 +87,20 @@ const FRAGMENT_DECLARATIONS = `
 varying vec3 wrinkle_position, wrinkle_relative, wrinkle_to_eye, wrinkle_normal;
 varying vec4 wrinkle_tangent, wrinkle_uv01, wrinkle_uv23, wrinkle_color;
 varying mat3 wrinkle_normal_matrix;
+
+// The tangent of the mesh, or without one the direction of u in each triangle.
+vec4 wrinkle_tangent_or_u() {
+    vec3 px = dFdx(wrinkle_position), py = dFdy(wrinkle_position);
+    vec2 ux = dFdx(wrinkle_uv01.xy), uy = dFdy(wrinkle_uv01.xy);
+    if (wrinkle_tangent.xyz != vec3(0.0)) return wrinkle_tangent;
+    float turn = ux.x * uy.y < uy.x * ux.y ? -1.0 : 1.0;
+    vec3 along = (px * uy.y - py * ux.y) * turn;
+    vec3 up = (py * ux.x - px * uy.x) * turn;
+    vec3 normal = normalize(wrinkle_normal);
+    along -= normal * dot(normal, along);
+    return vec4(along * inversesqrt(max(dot(along, along), 1e-36)),
+                dot(cross(normal, along), up) < 0.0 ? -1.0 : 1.0);
+}
 ` + FUNCTION;
 
 const BASE = `
@@ -163,10 +177,6 @@ function fragmentShader(text) {
     this.uvOrigin = source.uvOrigin;
     Object.assign(this.inputs, source.inputs);
     return this;
-  }
-
-  onBeforeRender(renderer, scene, camera, geometry) {
-    if (@NEEDS_TANGENTS@) needTangents(geometry, this.uvOrigin === 'top');
   }
 
   onBeforeCompile(shader) {

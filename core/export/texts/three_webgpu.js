@@ -5,7 +5,7 @@
 //
 // Its members are those of @NAME@.js. Bumps do not follow morph targets.
 import * as THREE from 'three/webgpu';
-import {attribute, cameraPosition, float, frontFacing, inverse, mat3, modelWorldMatrixInverse,
+import {attribute, cameraPosition, float, Fn, frontFacing, inverse, mat3, modelWorldMatrixInverse,
   normalGeometry, normalLocal, positionGeometry, positionLocal, positionPrevious,
   referenceAttribute, sampler, select, tangentGeometry, texture, transformNormalToView, transpose,
   uniform, uv, varying, varyingProperty, vec2, vec3, vec4, wgsl, wgslFn} from 'three/tsl';
@@ -37,6 +37,20 @@ const EYE = modelWorldMatrixInverse.mul(vec4(cameraPosition, 1)).xyz;
 const TO_EYE = varyingProperty('vec3', 'wrinkle_to_eye');
 const NORMALS = ['x', 'y', 'z'].map((axis) => varyingProperty('vec3', 'wrinkle_normal_' + axis));
 const normalToView = (normal) => transformNormalToView(mat3(...NORMALS).mul(normal));
+
+// The tangent of the geometry, or without one the direction of u in each triangle.
+const tangentOrU = (uv0) => Fn((builder) => {
+  if (builder.geometry.hasAttribute('tangent')) return tangentGeometry;
+  const normal = normalGeometry.normalize();
+  const px = positionGeometry.dFdx(), py = positionGeometry.dFdy();
+  const ux = uv0.dFdx(), uy = uv0.dFdy();
+  const turn = select(ux.x.mul(uy.y).lessThan(uy.x.mul(ux.y)), float(-1), float(1));
+  const u = px.mul(uy.y).sub(py.mul(ux.y)).mul(turn);
+  const v = py.mul(ux.x).sub(px.mul(uy.x)).mul(turn);
+  const along = u.sub(normal.mul(normal.dot(u)));
+  return vec4(along.div(along.length().max(1e-18)),
+              select(normal.cross(along).dot(v).lessThan(0), float(-1), float(1)));
+})();
 
 // The map of directions by the instance, or by bones, which move the axes as they move vertices.
 function linearMap(object, moved) {
@@ -103,11 +117,6 @@ function linearMap(object, moved) {
     this.inputs = Object.assign(inputs, source.inputs);
     this.#connect();
     return this;
-  }
-
-  setup(builder) {
-    if (@NEEDS_TANGENTS@) needTangents(builder.geometry, this.uvOrigin === 'top');
-    super.setup(builder);
   }
 }
 

@@ -19,7 +19,7 @@ WIDE, NEAR = 30, 1.2
 GRAPHS = {graph: NEAR if graph in (graphs.TRIPLANAR, graphs.PARALLAX) else WIDE
           for graph in graphs.ALL}
 STEPS = {graphs.PLAIN: 2.0 ** -10, graphs.DETAIL_ON_UV1: 2.0 ** -10}
-OBJECTS = ["plain", "mirrored", "scaled", "back", "instanced", "skinned"]
+OBJECTS = ["plain", "mirrored", "scaled", "back", "instanced", "skinned", "no tangents"]
 COLUMNS = [f"{way}{name}.{axis}" for name in ["position", "normal"] for way in ["", "dx.", "dy."]
            for axis in "xyz"]
 COLUMNS += ["tangent." + axis for axis in "xyzw"]
