@@ -102,6 +102,8 @@ constexpr Command node_table[] = {
     {"edit-values", "Edit values, or open the sub-graph", "Enter", no_values,
      [](State& s) { selected_group(s) ? open_selected_group(s) : edit_values(s); }},
     {"expose", "Expose as an input of the graph", "E", no_exposable, expose_pointed},
+    {"copy-value", "Copy the value to the selected nodes", "Shift+Enter", no_copied_value,
+     copy_pointed_value},
     {"context-menu", "Menu of the selected node", "Shift+F10", wants_selection,
      open_selection_menu},
     {"mute", "Mute", "M", wants_selection, mute_selected},

@@ -37,14 +37,24 @@ void undo_step(State& state);
 void redo_step(State& state);
 void go_to_step(State& state, size_t step);  // an index of History
 
+struct PortOfNode {
+    std::string node;
+    const Port* port = nullptr;
+};
+// The value or input under the pointer; without a port if there is none.
+PortOfNode pointed_port(const State& state);
+
+// The other selected nodes of the node's type that have no wire at the port; none if the port has
+// one.
+std::vector<std::string> takers_of(const State& state, const PortOfNode& value);
+void copy_value(State& state, const PortOfNode& value);  // to these, as one undo step
+void copy_pointed_value(State& state);
+std::string_view no_copied_value(const State& state);  // why not, a sentence; "" if it can
+
 // Makes an input of the graph of the value or input under the pointer; otherwise of values of the
 // selected nodes, chosen in a list if they have several (document/expose.h).
 void expose_pointed(State& state);
 std::string_view no_exposable(const State& state);  // why not, a sentence; "" if it can
-struct PortOfNode {
-    std::string node;
-    const Port* port;
-};
 std::vector<PortOfNode> exposable_of_selected(const State& state);
 void expose_ports(State& state, const std::vector<PortOfNode>& ports);  // one undo step
 

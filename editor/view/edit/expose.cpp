@@ -7,23 +7,19 @@
 #include "editor/view/edit/edits.h"
 
 namespace wrinkle::editor {
-namespace {
 
-// The node and the port of the field or input under the pointer; nullptr if there is none.
-std::pair<const Node*, const Port*> pointed_port(const State& state) {
+PortOfNode pointed_port(const State& state) {
     const Hit& hit = state.hovered;
     if (!hit.on_card(state.layout)) return {};
     const Card& card = state.layout.cards[hit.card];
     const Node* node = state.document().find(card.id);
     if (!node || !card.type || card.reroute) return {};
     if (hit.kind == Hit::Kind::field && hit.part < card.fields.size())
-        return {node, &card.type->ports[card.fields[hit.part].index]};
+        return {node->id, &card.type->ports[card.fields[hit.part].index]};
     if (hit.kind != Hit::Kind::pin || hit.part >= card.pins.size()) return {};
     const Pin& pin = card.pins[hit.part];
-    return {node, pin.output ? nullptr : input_port(card.type, pin.port)};
+    return {node->id, pin.output ? nullptr : input_port(card.type, pin.port)};
 }
-
-}  // namespace
 
 std::vector<PortOfNode> exposable_of_selected(const State& state) {
     std::vector<PortOfNode> found;
@@ -56,13 +52,13 @@ void expose_ports(State& state, const std::vector<PortOfNode>& ports) {
 
 std::string_view no_exposable(const State& state) {
     const auto is_known = [&](const std::string& id) { return state.type_of(id) != nullptr; };
-    if (pointed_port(state).second || std::ranges::any_of(state.view.selected, is_known)) return {};
+    if (pointed_port(state).port || std::ranges::any_of(state.view.selected, is_known)) return {};
     return "Point at a value, or select nodes.";
 }
 
 void expose_pointed(State& state) {
-    if (const auto [node, port] = pointed_port(state); port)
-        return expose_ports(state, {{node->id, port}});
+    if (const PortOfNode pointed = pointed_port(state); pointed.port)
+        return expose_ports(state, {pointed});
     const auto ports = exposable_of_selected(state);
     if (ports.size() == 1) return expose_ports(state, ports);
     if (ports.empty()) {

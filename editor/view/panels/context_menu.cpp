@@ -36,6 +36,10 @@ void expose_entry(State& state, const ContextMenu& menu) {
     if (const Port* port = input_port(state.type_of(menu.node), menu.port))
         expose_ports(state, {{menu.node, port}});
 }
+void copy_value_entry(State& state, const ContextMenu& menu) {
+    if (const Port* port = input_port(state.type_of(menu.node), menu.port))
+        copy_value(state, {menu.node, port});
+}
 void reset_entry(State& state, const ContextMenu& menu) {
     state.commit("Reset " + menu.node + "." + menu.port,
                  reset_value(state.document(), menu.node, menu.port));
@@ -66,6 +70,9 @@ std::vector<MenuEntry> port_entries(const State& state, const ContextMenu& menu)
     if (port && why_not_exposed(*node, *port).empty())
         entries.push_back(
             {"Expose " + menu.port + " as an input", "E", "expose", nullptr, expose_entry});
+    if (!takers_of(state, {menu.node, port}).empty())
+        entries.push_back({"Copy " + menu.port + " to the selected nodes", "Shift+Enter",
+                           "copy-value", nullptr, copy_value_entry});
     if (input && input->kind == Input::Kind::literal)
         entries.push_back({"Reset " + menu.port, "", "reset", nullptr, reset_entry});
     if (state.layout.wire_to({menu.node, menu.port}))
