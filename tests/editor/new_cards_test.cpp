@@ -79,6 +79,22 @@ TEST_F(NewCards, TheFirstOneLiesBetweenTheSurfaceAndTheOutputs) {
     EXPECT_EQ(wrong({"material"}), "");
 }
 
+TEST_F(NewCards, BehindTheSelectionMoveTheOutputsToTheRight) {
+    open(R"({ "wrinkle": 1 })");
+    play("key Space\ntype bricks in bonds\nkey Enter\nwait 5");
+    const auto outputs = [&] { return *state.layout.find(Card::outputs_id, Card::Kind::outputs); };
+    const Card before = outputs();
+    play("key Space\ntype bump from height\nkey Enter\nwait 5");
+    const Card& bump = *state.layout.find("gradient_from_height");
+    EXPECT_GT(bump.at.x, state.layout.find("bricks")->extent().high.x);
+    EXPECT_EQ(bump.at.y, before.at.y);
+    EXPECT_GT(outputs().at.x, bump.extent().high.x);
+    EXPECT_EQ(outputs().at.y, before.at.y);
+    EXPECT_EQ(wrong({"gradient_from_height"}), "");
+    play("key Ctrl+Z");
+    EXPECT_EQ(outputs().at.x, before.at.x);
+}
+
 TEST_F(NewCards, AreNotBehindThePanelOfProblemsNorTheMinimap) {
     open(small_graph);
     const auto canvas = *state.targets.find("canvas");

@@ -81,20 +81,21 @@ ImVec2 free_offset(const State& state, const std::vector<Extent>& places, const 
     return free_shift(fixed, std::move(moving), by);
 }
 
+ImVec2 new_card_size(const State& state, const Node& node, const NodeType* type) {
+    return make_card(state.fonts, node, type, {}, shown_of(state.view, node, type)).size;
+}
+
 ImVec2 free_place(const State& state, const Document& document, ImVec2 at, const Node& node,
                   const NodeType* type, const std::set<std::string>& except) {
-    const auto extent_at = [&](ImVec2 low, const Node& placed, const NodeType* its_type) {
-        const Shown shown = shown_of(state.view, placed, its_type);
-        return Extent{low, low + make_card(state.fonts, placed, its_type, {}, shown).size};
-    };
     std::vector<Extent> fixed = card_extents(state, except);
     for (const Position& position : document.positions) {
         const Node* other = document.find(position.id);
         if (!other || state.layout.find(position.id)) continue;
         const ImVec2 low(static_cast<float>(position.x), static_cast<float>(position.y));
-        fixed.push_back(extent_at(low, *other, state.registry->find(other->type)));
+        const NodeType* its_type = state.registry->find(other->type);
+        fixed.push_back({low, low + new_card_size(state, *other, its_type)});
     }
-    return free_shift(fixed, {extent_at({0, 0}, node, type)}, at);
+    return free_shift(fixed, {{{0, 0}, new_card_size(state, node, type)}}, at);
 }
 
 Document settled(const State& state, const Document& document) {

@@ -25,6 +25,8 @@ std::vector<Extent> card_extents(const CanvasState& canvas,
 ImVec2 free_offset(const State& state, const std::vector<Extent>& places, const Document& source,
                    const std::set<BoxId>& boxes, ImVec2 by);
 
+// The size of the card of a node that has none yet.
+ImVec2 new_card_size(const State& state, const Node& node, const NodeType* type);
 // Returns the position near `at` at which the node's card covers no other, nor a node of `document`
 // that has no card yet; `except` are cards about to be removed.
 ImVec2 free_place(const State& state, const Document& document, ImVec2 at, const Node& node,

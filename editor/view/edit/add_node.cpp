@@ -51,6 +51,18 @@ void commit_new(State& state, const NodeType& type, const std::string& id, Docum
     }
 }
 
+constexpr float gap = 64;  // between a card and the next one to its right
+
+// A new card behind the card of a source ends at `right`: moves the card of the outputs behind it, if
+// that is to the right of the source, which ends at `left`.
+void move_outputs_behind(State& state, float left, float right) {
+    const Card* outputs = state.layout.find(Card::outputs_id, Card::Kind::outputs);
+    if (!outputs || outputs->at.x < left || outputs->at.x >= right + gap) return;
+    const ImVec2 by = free_shift(card_extents(state, {outputs->id}), {outputs->extent()},
+                                 {right + gap - outputs->at.x, 0});
+    push_borders(state, {state.view.surface_at, outputs->at + by});
+}
+
 // The outputs of the graph that read `from` read the node's output of that type, if it has one.
 Document with_outputs_moved(const Link& from, PortType given, const std::string& id,
                             const NodeType& type, Document document) {
@@ -162,10 +174,13 @@ void add_node_to_selection(State& state, const NodeType& type, ImVec2 at) {
         right = first ? std::max(right, card->at.x + card->size.x) : card->at.x + card->size.x;
         if (!first) first = card;
     }
+    const std::set<std::string> moving{first ? Card::outputs_id : ""};
     const ImVec2 place =
-        free_place(state, state.document(), first ? ImVec2(right + 64, first->at.y) : at,
-                   *document.find(id), &type);
+        free_place(state, state.document(), first ? ImVec2(right + gap, first->at.y) : at,
+                   *document.find(id), &type, moving);
+    const ImVec2 size = new_card_size(state, *document.find(id), &type);
     commit_new(state, type, id, move_node(document, id, place.x, place.y), true);
+    if (first) move_outputs_behind(state, first->extent().high.x, place.x + size.x);
 }
 
 std::vector<Offer::Choice> between(const Registry& registry, PortType from,
