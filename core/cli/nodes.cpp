@@ -7,6 +7,15 @@
 namespace wrinkle::cli {
 namespace {
 
+// The remedy for an unknown id: a similar id, or the types with that word in their id or title.
+std::string types_like(const std::string& word, const Registry& registry) {
+    std::string found;
+    for (const NodeType& type : registry.list())
+        if (lower_case(type.id + " " + type.title).find(lower_case(word)) != std::string::npos)
+            found += (found.empty() ? "with that word: " : ", ") + type.id;
+    return did_you_mean(word, registry.ids(), found.empty() ? "wrinkle nodes lists them" : found);
+}
+
 struct NodesCommand {
     CommonOptions common;
     std::string id;
@@ -18,7 +27,7 @@ struct NodesCommand {
         const NodeType* type = id.empty() ? nullptr : nodes.registry.find(id);
         if (!id.empty() && !type) {
             diagnostics.error(RuleId::unknown_node_type, "there is no node type '" + id + "'",
-                              did_you_mean(id, nodes.registry.ids(), "wrinkle nodes lists them"));
+                              types_like(id, nodes.registry));
             return report(diagnostics, common.diagnostics);
         }
         const int code = write_result("-", text(nodes.registry, type));
@@ -38,7 +47,7 @@ struct NodesCommand {
 void declare_nodes(CLI::App& app, Run& run) {
     auto [sub, c] =
         add_command<NodesCommand>(app, run, "nodes", "Lists the node types, or explains one");
-    sub.add_option("ID", c.id, "A node type");
+    sub.add_option("ID", c.id, "A node type; a word lists those that contain it");
     auto* form = sub.add_option_group("form");
     form->add_flag("--json", c.json, "As JSON");
     form->add_flag("--markdown", c.markdown, "As a reference page");

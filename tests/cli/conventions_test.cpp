@@ -158,6 +158,7 @@ TEST_F(ConventionsTest, FormatMakesCanonicalAndChecks) {
 TEST_F(ConventionsTest, NodesAreExplained) {
     EXPECT_TRUE(says(run({"nodes"}).out, "resolve"));
     EXPECT_TRUE(says(run({"nodes", "resolve"}).out, "gradient"));
+    EXPECT_TRUE(says(run({"nodes", "Noise"}).err, "with that word: gradient_noise, "));
     EXPECT_TRUE(parsed(run({"nodes", "--json"}).out).has("nodes"));
     EXPECT_GT(parsed(run({"nodes", "--schema"}).out).size(), 0u);
     const Ran unknown = run({"nodes", "resolv"});

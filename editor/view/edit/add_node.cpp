@@ -53,8 +53,8 @@ void commit_new(State& state, const NodeType& type, const std::string& id, Docum
 
 constexpr float gap = 64;  // between a card and the next one to its right
 
-// A new card behind the card of a source ends at `right`: moves the card of the outputs behind it, if
-// that is to the right of the source, which ends at `left`.
+// A new card behind the card of a source ends at `right`: moves the card of the outputs behind the
+// new one, if it is to the right of the source, which ends at `left`.
 void move_outputs_behind(State& state, float left, float right) {
     const Card* outputs = state.layout.find(Card::outputs_id, Card::Kind::outputs);
     if (!outputs || outputs->at.x < left || outputs->at.x >= right + gap) return;
