@@ -52,6 +52,14 @@ TEST(Tokens, TakeAnyBytes) {
     EXPECT_EQ(at, bytes.size());
 }
 
+TEST_F(Headless, AGraphWithoutAFileHasANameInItsText) {
+    open(small_graph);
+    state.path.clear();
+    const std::string text = make_code(job_of(state)).source;
+    EXPECT_NE(text.find("struct WrinkleMaterial_untitled {"), std::string::npos) << text;
+    EXPECT_EQ(usual_export(state).filename(), "untitled.glsl");
+}
+
 TEST_F(Headless, ExportsWhatTheProgramWrites) {
     std::string all;
     for (const fs::path& graph : sample_graphs())

@@ -4,7 +4,6 @@
 #include <set>
 
 #include "base/file.h"
-#include "base/text.h"
 #include "compile/inputs.h"
 #include "editor/model/document/wiring.h"
 #include "editor/model/session.h"
@@ -131,7 +130,7 @@ CodeText lines_of(std::string text) {
 }
 
 CodeJob job_of(const Session& session) {
-    return {session.model, session.document(), identifier(session.path.stem().string()),
+    return {session.model, session.document(), material_name(session.file_name()),
             session.code.options};
 }
 
@@ -173,7 +172,7 @@ std::string export_suffix(const CodeOptions& options) {
 }
 
 fs::path usual_export(const Session& session) {
-    const std::string stem = session.path.stem().string();
+    const std::string stem = fs::path(session.file_name()).stem().string();
     return session.folder() / (stem + export_suffix(session.code.options));
 }
 
