@@ -131,7 +131,7 @@ TEST_F(InputsPanelTest, OptionsAreTickedAndChosen) {
 }
 
 TEST_F(InputsPanelTest, AColorIsPickedInDisplayValuesAndStoredLinear) {
-    play("click input:tint\nclick input:tint:picker+-80,60");
+    play("click input:tint\nclick input:tint:picker+-80,30");
     const json::Value color = state.document().inputs.find("tint")->default_value;
     ASSERT_EQ(color.size(), 3U);
     EXPECT_EQ(step_name(), "Set tint");

@@ -123,7 +123,6 @@ void draw_input_color(State& state, const InputRow& row, float width) {
     if (!popup) return;
     if (popup.is_left()) return state.history.cancel(state.inputs_panel.merge);
     const bool changed = pick_color(state, row.target() + ":picker", color);
-    note_held(state);
     if (changed) set_input(state, row, number_literal(row, color));
 }
 

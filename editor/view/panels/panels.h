@@ -148,9 +148,9 @@ int choose(Interface& interface, const std::string& target, const std::string& s
 bool draw_ramp(State& state);
 bool draw_curve(State& state);
 
-// Color picker with hex code. It shows display values (sRGB) of the color, which is linear. Returns
-// true if the color changed.
-bool pick_color(Interface& interface, const std::string& target, std::array<float, 3>& linear);
+// Color picker: RGB, HSV and hex code of display values (sRGB), and OKLCh. The color is linear.
+// Returns true if it changed; notes that it is held (note_held()).
+bool pick_color(State& state, const std::string& target, std::array<float, 3>& linear);
 
 // Requests keyboard focus for the text field that is drawn next; call note_field() after drawing
 // it. ImGui focuses a field some frames after the request; the input queue holds back typed keys

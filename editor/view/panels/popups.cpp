@@ -177,7 +177,6 @@ bool draw_color(State& state) {
     for (size_t i = 0; i < 3; ++i)
         color[i] = static_cast<float>(numbers[i]);
     const bool changed = pick_color(state, "color", color);
-    note_held(state);
     if (changed) {
         Document document = state.document();
         for (int i = 0; i < 3; ++i)

@@ -120,7 +120,6 @@ void draw_stop_color(const RampEditor& ramp) {
     std::ranges::transform(ramp.stops[ramp.selected()].color, color.begin(),
                            [](double each) { return static_cast<float>(each); });
     const bool changed = pick_color(ramp.state, "ramp:color", color);
-    note_held(ramp.state);
     if (changed)
         ramp.commit(with_stop_color(ramp.state.document(), *ramp.node, *ramp.card.type,
                                     ramp.selected(), {color[0], color[1], color[2]}));
