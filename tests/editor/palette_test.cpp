@@ -98,6 +98,19 @@ TEST_F(Headless, WhatWasUsedLatelyComesFirst) {
     EXPECT_EQ(palette_rows(state).front().title, "Tidy");
 }
 
+TEST_F(Headless, FavoritesComeFirstAndAreStored) {
+    open(small_graph);
+    play("click canvas+0,300\nkey Space\ntype ridged\nkey Ctrl+D\nkey Escape");
+    EXPECT_EQ(state.keeping.settings.favorites, std::vector<std::string>{"ridged"});
+    play("key Space");
+    EXPECT_EQ(palette_rows(state).front().type->id, "ridged");
+    EXPECT_TRUE(palette_rows(state).front().favorite);
+    play("click palette:ridged:favorite");
+    EXPECT_TRUE(state.keeping.settings.favorites.empty());
+    EXPECT_NE(palette_rows(state).front().type->id, "ridged");
+    EXPECT_TRUE(state.palette.open);
+}
+
 TEST_F(Headless, AWireFiltersAndTabWidens) {
     open(small_graph);
     play(R"(

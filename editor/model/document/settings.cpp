@@ -31,6 +31,7 @@ void each_setting(S& settings, Visitor&& visit) {
     visit("theme", settings.theme, 0, 32);
     visit("recent", settings.recent, Settings::max_recent);
     visit("dismissed", settings.dismissed, Settings::max_dismissed);
+    visit("favorites", settings.favorites, Settings::max_favorites);
     visit("host", settings.host, 0, 32);
     visit("bake_maps", settings.bake.maps, 0, 4096);
     visit("bake_size", settings.bake.width, uint32_t{1}, max_baked_side);

@@ -32,7 +32,7 @@ struct BakeSettings : BakeLayout {
 };
 
 struct Settings {
-    static constexpr size_t max_recent = 10, max_dismissed = 500;
+    static constexpr size_t max_recent = 10, max_dismissed = 500, max_favorites = 100;
 
     int width = 1600, height = 900;  // window size
     // Panes as fractions (panels/regions.h); 0 is the default size.
@@ -41,6 +41,7 @@ struct Settings {
     float scale = 1;                            // interface scale
     std::vector<std::filesystem::path> recent;  // absolute, the latest first
     BakeSettings bake;
+    std::vector<std::string> favorites;  // node types of the search, as nodes name them
     std::string host = "gltf";  // of the last export (export/export.h)
     // Dismissed remarks about images, by their marks (images/remarks.h).
     std::vector<std::string> dismissed;  // the latest last

@@ -3,10 +3,13 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "editor/view/canvas/layout.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/edit/edits.h"
+#include "editor/view/input/input_queue.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/panels/panels.h"
@@ -108,6 +111,29 @@ void draw_output(ImDrawList& list, const NodeType* type, ImVec2 at, bool chosen)
              chosen ? theme::panel : theme::node);
 }
 
+constexpr float star_side = 24;
+
+// Returns the middle of the star of a row that ends at `high`.
+ImVec2 star_of(ImVec2 high) {
+    return high - ImVec2(star_side / 2, star_side / 2);
+}
+
+void draw_star(ImDrawList& list, ImVec2 middle, bool filled) {
+    constexpr int corners = 10;
+    constexpr float outer = 6, inner = 2.7F;
+    std::array<ImVec2, corners> path;
+    for (int i = 0; i < corners; ++i) {
+        const float angle = static_cast<float>(i) * 0.628319F;  // a tenth of a turn, from the top
+        const float radius = i % 2 == 0 ? outer : inner;
+        path[static_cast<size_t>(i)] =
+            middle + ImVec2(std::sin(angle) * radius, -std::cos(angle) * radius);
+    }
+    if (!filled)
+        return list.AddPolyline(path.data(), corners, theme::text_dim, ImDrawFlags_Closed, 1);
+    for (size_t i = 0; i < corners; ++i)
+        list.AddTriangleFilled(middle, path[i], path[(i + 1) % corners], theme::accent);
+}
+
 void draw_row(const Fonts& fonts, const PaletteRow& row, ImVec2 low, ImVec2 high, bool chosen) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (chosen) list.AddRectFilled(low, high, theme::accent_soft, 4);
@@ -119,7 +145,9 @@ void draw_row(const Fonts& fonts, const PaletteRow& row, ImVec2 low, ImVec2 high
         draw_output(list, row.type, {low.x + 18, (low.y + high.y) / 2}, chosen);
         draw_title(fonts, list, low + ImVec2(38, 5), row);
         draw_text(list, small, 14, low + ImVec2(38, 24), theme::text_dim,
-                  fitting(small, 14, row.doc, high.x - low.x - 48));
+                  fitting(small, 14, row.doc, high.x - low.x - 38 - star_side));
+        if (row.favorite || (chosen && !row.added_type().empty()))
+            draw_star(list, star_of(high), row.favorite);
         return draw_text(list, small, 14, {right_edge, low.y + 6}, theme::text_dim, right, true);
     }
     draw_title(fonts, list, low + ImVec2(10, 8), row);
@@ -150,7 +178,13 @@ int draw_palette_rows(State& state, const std::vector<PaletteRow>& rows) {
         const PaletteRow& row = rows[static_cast<size_t>(i)];
         const Area area =
             area_button(state, row.target, {width_of(palette) - 2 * padding, row_tall(palette)});
-        if (area.pressed) taken = i;
+        const ImVec2 star = star_of(area.high), half(star_side / 2, star_side / 2);
+        const bool on_star = !row.added_type().empty() &&
+                             ImGui::IsMouseHoveringRect(star - half, star + half, false);
+        if (!row.added_type().empty())
+            name_area(state, row.target + ":favorite", star - half, star + half);
+        if (area.pressed && on_star) turn_favorite(state, row);
+        if (area.pressed && !on_star) taken = i;
         const ImVec2 moved = ImGui::GetIO().MouseDelta;
         if (area.hovered && (moved.x != 0 || moved.y != 0)) palette.chosen = i;
         draw_row(state.fonts, row, area.low, area.high, i == palette.chosen);
@@ -257,6 +291,8 @@ void draw_palette(State& state) {
     draw_footer(state);
     ImGui::PopStyleVar();
     if (enter && !rows.empty()) taken = palette.chosen;
+    if (!rows.empty() && ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressed(key_named("D"), false))
+        turn_favorite(state, rows[static_cast<size_t>(palette.chosen)]);
     // ImGui unfocuses the field on Enter; focus it again if Enter had no effect.
     palette.opening = enter && (taken < 0 || !rows[static_cast<size_t>(taken)].off.empty());
     if (taken >= 0)

@@ -24,7 +24,12 @@ size_t order_of_use(const std::vector<std::string>& recent, std::string_view id)
     return static_cast<size_t>(std::ranges::find(recent, id) - recent.begin());
 }
 
-using NodeKey = std::tuple<int, bool, size_t, size_t>;
+bool is_favorite(const State& state, std::string_view type) {
+    const std::vector<std::string>& favorites = state.keeping.settings.favorites;
+    return std::ranges::find(favorites, type) != favorites.end();
+}
+
+using NodeKey = std::tuple<int, bool, bool, size_t, size_t>;
 using NodeRows = std::vector<std::pair<NodeKey, PaletteRow>>;
 
 // Appends the graphs of the folder that match.
@@ -33,13 +38,15 @@ void add_subgraph_rows(const State& state, const std::string& wanted, NodeRows& 
         const std::string title = fs::path(file).stem().string();
         auto matched = match(title, file, "", wanted);
         if (!matched) continue;
-        const NodeKey key{matched->rank, true, max_recent,
+        const bool favorite = is_favorite(state, type_of_subgraph(file));
+        const NodeKey key{matched->rank, true, !favorite, max_recent,
                           wanted.empty() ? SIZE_MAX : title.size()};
         found.emplace_back(key, PaletteRow{.title = title,
                                            .doc = "Graph in " + file,
                                            .target = "palette:" + file,
                                            .letters = std::move(matched->letters),
-                                           .graph = file});
+                                           .graph = file,
+                                           .favorite = favorite});
     }
 }
 
@@ -53,13 +60,15 @@ std::vector<PaletteRow> node_rows(const State& state) {
         auto matched = match(type.title, type.id, type.doc, wanted);
         if (!matched) continue;
         const size_t last = wanted.empty() ? order_of_family(type.family) : type.title.size();
-        const NodeKey key{matched->rank, !type_matches(type, wire),
+        const bool favorite = is_favorite(state, type.id);
+        const NodeKey key{matched->rank, !type_matches(type, wire), !favorite,
                           order_of_use(state.recent.nodes, type.id), last};
         found.emplace_back(key, PaletteRow{.title = type.title,
                                            .doc = type.doc,
                                            .target = "palette:" + type.id,
                                            .letters = std::move(matched->letters),
-                                           .type = &type});
+                                           .type = &type,
+                                           .favorite = favorite});
     }
     add_subgraph_rows(state, wanted, found);
     return best_first(std::move(found));
@@ -136,6 +145,18 @@ std::vector<PaletteRow> palette_rows(const State& state) {
             break;
     }
     return node_rows(state);
+}
+
+std::string PaletteRow::added_type() const {
+    if (!graph.empty()) return type_of_subgraph(graph);
+    return type && node.empty() ? type->id : "";
+}
+
+void turn_favorite(State& state, const PaletteRow& row) {
+    std::vector<std::string>& favorites = state.keeping.settings.favorites;
+    const std::string type = row.added_type();
+    if (type.empty() || std::erase(favorites, type) > 0) return;
+    if (favorites.size() < Settings::max_favorites) favorites.push_back(type);
 }
 
 void note_use(std::vector<std::string>& recent, std::string_view id) {
