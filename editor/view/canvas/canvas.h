@@ -15,7 +15,7 @@ namespace wrinkle::editor {
 //   middle drag, Alt + drag  pan
 //   wheel                    zoom at the pointer
 //   drag a header or body    move the selection
-//   drag a field             change a number (Ctrl fine, Shift coarse)
+//   drag a field             change a number (Ctrl fine, Shift coarse; both: scale the vector)
 //   drag pin to pin          connect; from a connected input: detach the wire; to empty ground:
 //                            open the palette, filtered by fitting types
 //   double-click a field     type a value

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -75,10 +76,10 @@ struct Gesture {
 
     // Value.
     uint32_t port_index = 0;
-    int lane = 0;       // component of the value
-    bool drags = true;  // a drag changes the value
-    double start_value = 0;
-    float width = 0;  // width of the field, in screen pixels
+    int lane = 0;                          // component of the value
+    bool drags = true;                     // a drag changes the value
+    std::array<double, 4> start_values{};  // of all lanes
+    float width = 0;                       // width of the field, in screen pixels
 };
 
 }  // namespace wrinkle::editor

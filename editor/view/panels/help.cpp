@@ -26,7 +26,7 @@ struct GestureHelp {
 constexpr GestureHelp table[] = {
     {"Drag from pin to pin", "connects; from a connected input takes the wire off"},
     {"Drag a pin into the open", "searches what fits there"},
-    {"Drag a value", "changes it; Ctrl fine, Shift coarse"},
+    {"Drag a value", "changes it; Ctrl fine, Shift coarse, both scale all numbers of a vector"},
     {"Click a value", "opens its list, its color or its images"},
     {"Double-click a value", "types it; Tab moves to the next"},
     {"Double-click a name", "renames the node"},

@@ -61,7 +61,7 @@ void begin_value(State& state, const Card& card, const Field& field) {
     value.drags = field.shows == Field::Shows::value;
     value.width = field.width * state.view.zoom;
     const Node& node = *state.document().find(card.id);
-    value.start_value = numbers_at(node, port_of(card, field))[static_cast<size_t>(field.lane)];
+    value.start_values = numbers_at(node, port_of(card, field));
 }
 
 void drag_value(State& state, ImVec2 delta) {
@@ -71,9 +71,19 @@ void drag_value(State& state, ImVec2 delta) {
     const Port& port = type->ports[g.port_index];
     if (lanes_of_field(port) == 0 || !g.drags) return;
     const ImGuiIO& io = ImGui::GetIO();
-    const double value = dragged(g.start_value, delta.x, g.width, port, io.KeyCtrl, io.KeyShift);
-    state.commit(g.node + ": " + port.name,
-                 with_number(state.document(), g.node, port, g.lane, value), g.merge);
+    const bool all = io.KeyCtrl && io.KeyShift;
+    const double start = g.start_values[static_cast<size_t>(g.lane)];
+    const double value =
+        dragged(start, delta.x, g.width, port, io.KeyCtrl && !all, io.KeyShift && !all);
+    Document document = state.document();
+    for (int lane = 0; lane < lanes_of_field(port); ++lane) {
+        const double other = g.start_values[static_cast<size_t>(lane)];
+        const double scaled = other == start ? value
+                              : start != 0   ? other * (value / start)
+                                             : other + value;
+        if (lane == g.lane || all) document = with_number(document, g.node, port, lane, scaled);
+    }
+    state.commit(g.node + ": " + port.name, document, g.merge);
 }
 
 void drop_value(State& state) {
