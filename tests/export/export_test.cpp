@@ -1,6 +1,8 @@
 // Tests of the frame of exports: files are complete or absent, and every host takes every material.
 #include "export/export.h"
 
+#include <map>
+
 #include "base/temporary.h"
 #include "base/text.h"
 #include "export/support.h"
@@ -22,6 +24,44 @@ TEST_F(ExportTest, EveryHostTakesEveryMaterial) {
             EXPECT_TRUE(std::ranges::count(files, "README.txt")) << host.name << graph;
             EXPECT_GE(files.size(), 2U);
         }
+}
+
+// A promise of docs/promises.md: a line is changed only with an entry in the CHANGELOG.
+TEST_F(ExportTest, TheFilesOfEveryHostHaveTheseNames) {
+    const std::map<std::string_view, std::string_view> wanted = {
+        {"gltf", "base_and_detail.glb"},
+        {"materialx", "base_and_detail.mtlx textures/rivets_normal.png textures/weave_normal.png"},
+        {"three",
+         "base_and_detail.js base_and_detail.webgpu.js index.html mesh.glb package.json "
+         "textures/rivets_normal.exr textures/weave_normal.exr"},
+        {"godot",
+         "base_and_detail/base_and_detail.gdshader base_and_detail/base_and_detail_material.tres "
+         "base_and_detail/textures/rivets_normal.exr "
+         "base_and_detail/textures/rivets_normal.exr.import "
+         "base_and_detail/textures/weave_normal.exr "
+         "base_and_detail/textures/weave_normal.exr.import "
+         "main.tscn mesh.glb mesh.glb.import project.godot"},
+        {"godot3",
+         "base_and_detail/base_and_detail.shader base_and_detail/base_and_detail_material.tres "
+         "base_and_detail/textures/rivets_normal.stex base_and_detail/textures/weave_normal.stex "
+         "main.tscn mesh.tres project.godot"},
+        {"blender", "base_and_detail.py mesh.obj textures/base_and_detail_normal.png"},
+        {"unity",
+         "base_and_detail.hlsl base_and_detail.hlsl.meta base_and_detail.mat "
+         "base_and_detail.mat.meta base_and_detail.shader base_and_detail.shader.meta "
+         "textures/rivets_normal.exr textures/rivets_normal.exr.meta textures/weave_normal.exr "
+         "textures/weave_normal.exr.meta"},
+        {"unreal", "base_and_detail.py base_and_detail.ush textures/T_base_and_detail_N.png"},
+    };
+    for (const Host& host : hosts()) {
+        std::string all;
+        for (const std::string& file :
+             export_graph(std::string(host.name),
+                          fs::path(WRINKLE_SOURCE_DIR) / "graphs/base_and_detail.json"))
+            all += " " + file;
+        ASSERT_TRUE(wanted.contains(host.name)) << host.name;
+        EXPECT_EQ(all, " README.txt " + std::string(wanted.at(host.name))) << host.name;
+    }
 }
 
 TEST_F(ExportTest, KeepsOtherFilesAndDoesNotTouchEqualOnes) {
