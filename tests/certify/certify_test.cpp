@@ -70,6 +70,21 @@ TEST_F(Certify, PassesANodeThatIsFine) {
               "ripples  ok: 1200 values in float, double and on the GPU, 800 derivatives\n");
 }
 
+// Without the GPU, which the tests of parity compare with. NodesAsAPlugin in tests/nodes compares the
+// nodes in a plugin with these.
+TEST(CertifyNodes, PassesEveryBuiltInOne) {
+    Registry built_in;
+    Diagnostics diagnostics;
+    built_in.add_plugin(built_in_nodes(), Registry::built_in, diagnostics);
+    std::string why;
+    const auto images = make_image_folder(why);
+    ASSERT_TRUE(images) << why;
+    for (const NodeType& type : built_in.list()) {
+        const Report report = certify(type, {built_in, *images, false, {}});
+        EXPECT_TRUE(report.findings.empty()) << to_text(report, false);
+    }
+}
+
 TEST_F(Certify, NamesASlopeThatIsNotThatOfItsJumps) {
     expect_one("terraces", {"detach: port 'height': with default inputs, at point ",
                             ", it changes by 0 a pixel, its derivative is ", "apart are allowed",

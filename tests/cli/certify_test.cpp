@@ -8,8 +8,6 @@ const std::string good = WRINKLE_BINARY_DIR "/lib/wrinkle/plugins/ripples.so";
 const std::string faulty = WRINKLE_BINARY_DIR "/lib/wrinkle/test/test_plugin_faulty.so";
 const std::string ending = WRINKLE_BINARY_DIR "/lib/wrinkle/test/test_plugin_ending.so";
 
-const std::string nodes = WRINKLE_BINARY_DIR "/lib/wrinkle/test/wrinkle_nodes_module.so";
-
 using CertifyTest = CliTest;
 
 TEST_F(CertifyTest, OfAFinePluginEndsWithZero) {
@@ -20,14 +18,6 @@ TEST_F(CertifyTest, OfAFinePluginEndsWithZero) {
     EXPECT_TRUE(says(ran.out, "\nGPU: "));
     EXPECT_TRUE(ran.out.ends_with("\n1 ok, 0 failed\n"));
     EXPECT_EQ(files(), std::vector<std::string>{});
-}
-
-TEST_F(CertifyTest, PassesTheBuiltInNodesAsAPlugin) {
-    MANY_PROCESSES;
-    const Ran ran = run({"plugins", "--test", nodes, "--no-gpu"});
-    EXPECT_EQ(ran.code, 0) << ran.out << ran.err;
-    EXPECT_TRUE(says(ran.out, "\nresolve  ok: "));
-    EXPECT_TRUE(ran.out.ends_with(" ok, 0 failed\n"));
 }
 
 TEST_F(CertifyTest, WithoutAGpuSaysSoAndEndsWithThreeUnlessAsked) {
