@@ -70,8 +70,8 @@ TEST_F(Certify, PassesANodeThatIsFine) {
               "ripples  ok: 1200 values in float, double and on the GPU, 800 derivatives\n");
 }
 
-// Without the GPU, which the tests of parity compare with. NodesAsAPlugin in tests/nodes compares the
-// nodes in a plugin with these.
+// Without the GPU, which the tests of parity compare with. NodesAsAPlugin in tests/nodes compares
+// the nodes in a plugin with these.
 TEST(CertifyNodes, PassesEveryBuiltInOne) {
     Registry built_in;
     Diagnostics diagnostics;
