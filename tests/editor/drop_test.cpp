@@ -147,6 +147,37 @@ TEST_F(Layering, APictureIsLaidOverTheSelectedWire) {
         assert wire gradient_add.gradient resolve.gradient)");
 }
 
+TEST_F(Layering, ACardIsLaidOverTheWireThatItIsDroppedOn) {
+    play(R"(
+        drop textures/rivets_normal.png canvas+0,-150
+        drop textures/weave_normal.png canvas+0,200
+        assert status drop its card on a wire
+        drag node:weave_normal wire:resolve.gradient
+        assert wire rivets_normal.gradient gradient_add.a
+        assert wire weave_normal.gradient gradient_add.b
+        assert wire gradient_add.gradient resolve.gradient
+        assert errors 0)");
+    EXPECT_EQ(state.document().find("weave_normal")->find("base"), nullptr);
+    for (const Card& card : state.layout.cards)
+        for (const Card& other : state.layout.cards)
+            EXPECT_TRUE(card.id == other.id || !card.extent().touches(other.extent()))
+                << card.id << " covers " << other.id;
+    play("key Ctrl+Z\nassert no-node gradient_add");
+}
+
+TEST_F(Layering, ANewBumpIsLaidOverTheSelectedWire) {
+    play(R"(
+        drop textures/rivets_normal.png canvas
+        click wire:resolve.gradient
+        key Space
+        type gradient noise
+        key Enter
+        assert wire rivets_normal.gradient gradient_add.a
+        assert wire gradient_noise.height gradient_add.b
+        assert wire gradient_add.gradient resolve.gradient
+        assert errors 0)");
+}
+
 TEST_F(Headless, ADropIsOneStep) {
     texture("rivets_normal.png");
     texture("weave_height.png");

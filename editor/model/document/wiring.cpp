@@ -232,6 +232,7 @@ std::optional<Passage> passage(const NodeType& type, PortType given,
     int most = -1;
     for (const Port& in : type.ports) {
         if (!in.is_value() || !converts(given, in.type)) continue;
+        if (in.type == PortType::normal_ && given != PortType::normal_) continue;
         for (const Port& out : type.ports) {
             if (out.kind != Port::Kind::output || !converts(out.type, ends)) continue;
             const int score = 2 * (in.type == given) + (out.type == wanted);

@@ -46,7 +46,8 @@ std::vector<PortType> wanted_ends(const Model& model, const Document& document,
 bool converts(PortType from, const std::vector<PortType>& ends);
 
 // Ports by which a node of that type can be inserted in a wire: `given` fits `in`, and `out` fits
-// all of `ends`. Equal types first, then in port order.
+// all of `ends`. Equal types first, then in port order. A bump is not resolved on its way: only a
+// normal fits an input of type normal.
 struct Passage {
     std::string in, out;
 };

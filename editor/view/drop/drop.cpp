@@ -103,7 +103,9 @@ bool add_on_ground(State& state, const NewImage& image) {
             with_bump_shown(state, document, {made.id, bump->name}, image.at + ImVec2(512, 0));
     state.commit("Add " + made.id, std::move(document), image.merge);
     show_new(state, {made.id});
-    state.status = made.id + " is a " + image.type->title + ": " + image.kind.why + ".";
+    state.status = bump && !shown
+                       ? "To layer " + made.id + ", drop its card on a wire."
+                       : made.id + " is a " + image.type->title + ": " + image.kind.why + ".";
     return shown;
 }
 

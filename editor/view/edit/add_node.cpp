@@ -7,6 +7,7 @@
 #include "editor/view/canvas/layout.h"
 #include "editor/view/canvas/new_cards.h"
 #include "editor/view/edit/edits.h"
+#include "editor/view/edit/layer.h"
 #include "editor/view/look/draw.h"
 #include "graph/edit.h"
 
@@ -89,20 +90,27 @@ std::vector<const Card*> givers(const State& state) {
     return found;
 }
 
-// Inserts the node in the selected wire; returns false if there is none or it does not fit.
+// Inserts the node in the selected wire, or lays its bump over the one on the wire; returns false
+// if there is none or neither fits.
 bool add_in_wire(State& state, const NodeType& type) {
     if (!state.view.selected_wire) return false;
     const Wire* wire = state.layout.wire_to(*state.view.selected_wire);
     if (!wire || !wire->known) return false;
     const auto through = passage(
         type, wire->from_type, wanted_ends(state.model, state.document(), wire->node, wire->port));
-    if (!through) return false;
+    const Port* bump = bump_of(type);
+    if (!through && !bump) return false;
     Node node = node_of_type(state.document(), type);
     const std::string id = node.id;
     const ImVec2 at =
         free_place(state, state.document(), wire->middle() - ImVec2(64, 40), node, &type);
-    Document document = add_node(state.document(), std::move(node), at.x, at.y);
-    commit_new(state, type, id, insert_in_wire(document, *wire, id, *through), false);
+    const Document document = add_node(state.document(), std::move(node), at.x, at.y);
+    std::string why;
+    const std::optional<Document> wired =
+        through ? insert_in_wire(document, *wire, id, *through)
+                : with_bump_on_wire(state, document, *wire, {id, bump->name}, at, why);
+    if (!wired) return false;
+    commit_new(state, type, id, *wired, false);
     return true;
 }
 

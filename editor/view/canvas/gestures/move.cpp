@@ -10,6 +10,7 @@
 #include "editor/view/canvas/layout.h"
 #include "editor/view/canvas/new_cards.h"
 #include "editor/view/edit/edits.h"
+#include "editor/view/edit/layer.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/refresh.h"
 #include "graph/edit.h"
@@ -36,20 +37,41 @@ std::optional<Passage> passage_in(const State& state, const Card& card, const Wi
                    wanted_ends(state.model, state.document(), wire.node, wire.port));
 }
 
-// Returns the wire into which the moved card would be inserted.
+// Adds the bump of the card to the one on the wire.
+std::optional<Document> laid_over(const State& state, const Document& document, const Card& card,
+                                  const Wire& wire) {
+    const Port* bump = card.reroute ? nullptr : bump_of(*card.type);
+    std::string why;
+    if (!bump) return std::nullopt;
+    return with_bump_on_wire(state, document, wire, {card.id, bump->name},
+                             card.at + ImVec2(card.size.x + 64, 0), why);
+}
+
+// Returns the wire into which the moved card would be inserted, or over which it would be laid.
 std::optional<size_t> wire_for_drop(const State& state) {
     const Card* card = loose_card(state);
-    const auto wire = card ? wire_under(state.layout, *card) : std::nullopt;
-    if (!wire || !passage_in(state, *card, state.layout.wires[*wire])) return std::nullopt;
-    return wire;
+    const auto index = card ? wire_under(state.layout, *card) : std::nullopt;
+    if (!index) return std::nullopt;
+    const Wire& wire = state.layout.wires[*index];
+    const bool fits =
+        passage_in(state, *card, wire) || laid_over(state, state.document(), *card, wire);
+    return fits ? index : std::nullopt;
 }
 
 bool drop_in_wire(State& state, const Document& moved) {
     const auto index = wire_for_drop(state);
     if (!index) return false;
-    const Card card = *loose_card(state);
+    Card card = *loose_card(state);
     const Wire wire = state.layout.wires[*index];
-    const Document wired = insert_in_wire(moved, wire, card.id, *passage_in(state, card, wire));
+    const auto through = passage_in(state, card, wire);
+    if (!through) {
+        card.at = free_place(state, moved, card.at, *moved.find(card.id), card.type, {card.id});
+        const Document placed = move_node(moved, card.id, card.at.x, card.at.y);
+        if (const auto laid = laid_over(state, placed, card, wire))
+            state.commit("Lay " + card.id + " over a bump", *laid);
+        return true;
+    }
+    const Document wired = insert_in_wire(moved, wire, card.id, *through);
     std::optional<ImVec2> outputs_at;
     state.commit("Insert " + card.id + " in a wire", make_space(state, wired, card, outputs_at));
     if (outputs_at) push_borders(state, {state.view.surface_at, outputs_at});
