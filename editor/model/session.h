@@ -46,7 +46,7 @@ struct OpenGraph {
     DiskCopy disk;
     RecoveryFile recovery_file;
     uint64_t recovery_serial = 0;  // serial of the state in the recovery file, if there is one
-    KeptExports kept_exports;
+    RepeatedExports repeated_exports;
 
     const Document& document() const { return history.now(); }
     bool dirty() const { return history.serial() != saved_serial; }

@@ -2,7 +2,7 @@
 #include "editor/model/hosts/host_export.h"
 #include "baking.h"
 #include "editor/model/document/files.h"
-#include "editor/model/hosts/kept_exports.h"
+#include "editor/model/hosts/repeated_exports.h"
 
 namespace wrinkle::editor {
 namespace {
@@ -34,13 +34,13 @@ TEST_F(EditorHostExport, AnExportIsRepeatedAtEverySave) {
     EXPECT_FALSE(fs::exists(into));
     play("key Ctrl+S\nwait 2\nfinish\nassert target status:exported");
     EXPECT_TRUE(fs::exists(into / "graph.glb"));
-    EXPECT_EQ(state_of_kept(state), KeptState::written);
-    EXPECT_TRUE(words_on_kept(state).starts_with("Exported ")) << words_on_kept(state);
+    EXPECT_EQ(state_of_repeats(state), RepeatState::written);
+    EXPECT_TRUE(words_on_repeats(state).starts_with("Exported ")) << words_on_repeats(state);
 
     fs::remove_all(into);
     folder.write("graph_gltf", "a file in place of the folder");
     play("key Ctrl+Z\nkey Ctrl+S\nwait 2\nfinish");
-    EXPECT_EQ(words_on_kept(state), "Not exported");
+    EXPECT_EQ(words_on_repeats(state), "Not exported");
     EXPECT_NE(state.tasks.failed.find("No file was exported. "), std::string::npos);
 
     fs::remove_all(into);
@@ -55,12 +55,12 @@ TEST_F(EditorHostExport, RepeatedExportsEndWithTheirGraph) {
     open(rock);
     HostChoices chosen;
     chosen.into = "out";
-    keep_exported(state, chosen, true);
-    EXPECT_TRUE(find_kept_export(state, *chosen.host));
+    repeat_export(state, chosen, true);
+    EXPECT_TRUE(find_repeated_export(state, *chosen.host));
     open_file(state, file);
-    EXPECT_TRUE(find_kept_export(state, *chosen.host));
+    EXPECT_TRUE(find_repeated_export(state, *chosen.host));
     open_file(state, folder.path() / "other.json");
-    EXPECT_FALSE(find_kept_export(state, *chosen.host));
+    EXPECT_FALSE(find_repeated_export(state, *chosen.host));
 }
 
 TEST_F(EditorHostExport, EveryHostIsOffered) {

@@ -21,7 +21,7 @@ std::string name_of(const fs::path& path) {
 
 void begin(Session& session, const fs::path& path, Document document) {
     session.recovery_file.remove();  // saved or discarded
-    if (session.path != path) session.kept_exports = {};
+    if (session.path != path) session.repeated_exports = {};
     session.path = path;
     session.save_refused.clear();
     session.history = History(std::move(document));
@@ -58,7 +58,7 @@ bool write_to(Session& session, const fs::path& path, const Document& document) 
         return false;
     }
     session.disk = DiskCopy::of(path, text);
-    session.kept_exports.due = session.kept_exports.chosen;
+    session.repeated_exports.due = session.repeated_exports.chosen;
     session.status = "Saved " + name_of(path);
     return true;
 }

@@ -20,7 +20,7 @@ struct HostChoices {
     std::filesystem::path into;  // a folder
 };
 
-struct KeptExports {
+struct RepeatedExports {
     std::vector<HostChoices> chosen;  // at most one for each host
     std::vector<HostChoices> due;     // not begun since the last save, the first one next
     size_t begun = 0, done = 0;       // exports; one that fails or is cancelled is never done

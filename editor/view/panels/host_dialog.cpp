@@ -3,7 +3,7 @@
 #include <imgui_stdlib.h>
 
 #include "editor/model/hosts/host_export.h"
-#include "editor/model/hosts/kept_exports.h"
+#include "editor/model/hosts/repeated_exports.h"
 #include "editor/model/words.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
@@ -21,11 +21,11 @@ constexpr float host_control_wide = host_wide - 2 * host_padding - label_wide;
 // Chooses the host, with the choices of its export that is repeated if there is one.
 void choose_host(State& state, const Host& host) {
     HostDialog& dialog = state.host_dialog;
-    const HostChoices* kept = find_kept_export(state, host);
-    dialog.repeat = kept != nullptr;
-    if (kept) dialog.choices = *kept;
+    const HostChoices* repeated = find_repeated_export(state, host);
+    dialog.repeat = repeated != nullptr;
+    if (repeated) dialog.choices = *repeated;
     dialog.choices.host = &host;
-    if (!kept) dialog.choices.into = usual_folder(state, host);
+    if (!repeated) dialog.choices.into = usual_folder(state, host);
 }
 
 void draw_host_row(State& state) {
@@ -73,7 +73,7 @@ bool draw_host_buttons(State& state, bool entered) {
     const bool cancel = button(state, "Cancel", "host:cancel", false, {104, 28});
     if (go) {
         state.keeping.settings.host = state.host_dialog.choices.host->name;
-        keep_exported(state, state.host_dialog.choices, state.host_dialog.repeat);
+        repeat_export(state, state.host_dialog.choices, state.host_dialog.repeat);
         start_host_export(state, state.host_dialog.choices);
     }
     return go || cancel || (on_top && is_pressed(ImGuiKey_Escape, false));

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "editor/model/document/recovery.h"
-#include "editor/model/hosts/kept_exports.h"
+#include "editor/model/hosts/repeated_exports.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
@@ -90,16 +90,16 @@ Note save_state(const Session& session) {
 
 // Draws a light and the time of the exports that are repeated at every save, before `right` if they
 // fit; returns the x position of their beginning.
-float draw_kept_exports(State& state, const Writer& w, float left, float right) {
-    const std::string words = words_on_kept(state);
+float draw_repeated_exports(State& state, const Writer& w, float left, float right) {
+    const std::string words = words_on_repeats(state);
     const float x = right - 16 - w.width(words) - 14;
     if (words.empty() || x < left) return right;
-    const KeptState kept = state_of_kept(state);
-    const ImU32 light = kept == KeptState::written  ? theme::ok
-                        : kept == KeptState::failed ? theme::error
-                                                    : theme::accent;
+    const RepeatState repeat = state_of_repeats(state);
+    const ImU32 light = repeat == RepeatState::written  ? theme::ok
+                        : repeat == RepeatState::failed ? theme::error
+                                                        : theme::accent;
     w.list.AddCircleFilled({x + 5, w.y + 8}, 4, light);
-    w.write(x + 14, kept == KeptState::failed ? theme::error : theme::text_dim, words);
+    w.write(x + 14, repeat == RepeatState::failed ? theme::error : theme::text_dim, words);
     state.targets.add("status:exported", {x, w.y - 4, right - 16, w.y + 18});
     return x;
 }
@@ -120,7 +120,7 @@ void draw_under_side(State& state, const Writer& w, float left, float right) {
     if (x < left) return;
     w.write(x, saved.color, saved.text);
     state.targets.add("status:saved", {x, w.y - 4, right, w.y + 18});
-    x = draw_kept_exports(state, w, left, x);
+    x = draw_repeated_exports(state, w, left, x);
     const PreviewImage* image = state.preview ? &state.preview->shown() : nullptr;
     if (!image || !image->texture || image->first) return;
     const std::string time = "Preview " + milliseconds(image->milliseconds);

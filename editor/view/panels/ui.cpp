@@ -1,6 +1,6 @@
 #include <utility>
 
-#include "editor/model/hosts/kept_exports.h"
+#include "editor/model/hosts/repeated_exports.h"
 #include "editor/view/canvas/canvas.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/drop/drop.h"
@@ -100,7 +100,7 @@ void draw_ui(State& state) {
     age_field_wait(state);
     run_keys(state);
     poll_tasks(state);
-    poll_kept_exports(state);
+    poll_repeated_exports(state);
     refresh(state);
     poll_images(state);
     draw_panels(state);

@@ -9,17 +9,17 @@
 namespace wrinkle::editor {
 
 // Repeats the export at every save, instead of an earlier one to the same host, or no longer.
-void keep_exported(Session& session, const HostChoices& choices, bool kept);
+void repeat_export(Session& session, const HostChoices& choices, bool on);
 
 // Returns the choices of the export to the host that is repeated; nullptr if there is none.
-const HostChoices* find_kept_export(const Session& session, const Host& host);
+const HostChoices* find_repeated_export(const Session& session, const Host& host);
 
 // Called once a frame: starts the next export that is due, while no other task runs.
-void poll_kept_exports(Session& session);
+void poll_repeated_exports(Session& session);
 
-enum class KeptState : uint8_t { none, waiting, written, failed };
-KeptState state_of_kept(const Session& session);
+enum class RepeatState : uint8_t { none, waiting, written, failed };
+RepeatState state_of_repeats(const Session& session);
 // Returns words for the status bar: "Exported 14:02", "Exporting", "Not exported"; "" for none.
-std::string words_on_kept(const Session& session);
+std::string words_on_repeats(const Session& session);
 
 }  // namespace wrinkle::editor
