@@ -90,6 +90,10 @@ protected:
             if (fs::is_regular_file(folder / name)) originals_[name] = get(name);
     }
 
+    // Two of three cases under sanitizers, where a process takes ten times as long: others with
+    // each command.
+    bool is_left_out() { return WRINKLE_SANITIZED && cases++ % 3 != 0; }
+
     void restore() {
         clean();
         for (const auto& [name, bytes] : originals_)
@@ -156,6 +160,7 @@ TEST_F(HostileOutputs, OnAFullDiskAreWhole) {
     for (const Command& command : all_commands) {
         const auto good = good_outputs(command);
         for (const rlim_t size : {rlim_t{1}, rlim_t{100}, rlim_t{1000}, rlim_t{5000}}) {
+            if (is_left_out()) continue;
             const std::string label =
                 words_of(command.args) + " with files of " + std::to_string(size) + " bytes";
             // Messages go to a pipe, because the size of files is limited.
@@ -233,6 +238,7 @@ TEST_F(HostileOutputs, WithoutAUsableStandardOutputEndByTheContract) {
             {"unread error", nothing, nothing, broken[1]},
         };
         for (const auto& [way, in, out, err] : ways) {
+            if (is_left_out()) continue;
             const std::string label = words_of(command.args) + " with " + way;
             int code = run_with(command.args, in, out, err);
             // SIGPIPE ends the program, as usual for a filter without a reader.
