@@ -304,8 +304,9 @@ bool Window::listen(State& state, bool playing) {
         glfwPollEvents();
     else
         glfwWaitEventsTimeout(wait_time(state));
+    // Files are also read while a frame is drawn, after its refresh(): the next frame shows them.
     if (state.help.waiting || state.thumbnails.waiting() || state.tasks.running ||
-        state.play.moves())
+        state.play.moves() || !state.is_synced)
         h.awake = std::max(h.awake, 1);
     if (autosave_and_check_files(state)) h.awake = 3;
     if (!h.queue.empty() || state.gesture.panning) h.awake = 3;
