@@ -103,6 +103,11 @@ std::optional<Document> with_bump_on_wire(const State& state, const Document& do
     return with_wire(result, {made.id, first_output(type)->name}, wire.node, wire.port);
 }
 
+bool takes_bump(const State& state, const Wire& dropped_on, PortType bump) {
+    const Wire wire = before_resolve(state, state.document(), dropped_on);
+    return adder(state, wire.from_type, wire.to_type, bump) != nullptr;
+}
+
 Wire before_resolve(const State& state, const Document& document, const Wire& wire) {
     const Node* source = document.find(wire.from.node);
     if (!source || source->type != "resolve") return wire;

@@ -38,6 +38,9 @@ std::optional<Document> with_bump_on_wire(const State& state, const Document& do
                                           const Wire& wire, const Link& bump, ImVec2 at,
                                           std::string& why);
 
+// Returns true if a bump of that type can be added to the one on a wire.
+bool takes_bump(const State& state, const Wire& wire, PortType bump);
+
 // Returns the wire into the resolve that this wire comes from; otherwise the wire itself.
 Wire before_resolve(const State& state, const Document& document, const Wire& wire);
 

@@ -37,38 +37,39 @@ std::optional<Passage> passage_in(const State& state, const Card& card, const Wi
                    wanted_ends(state.model, state.document(), wire.node, wire.port));
 }
 
-// Adds the bump of the card to the one on the wire.
-std::optional<Document> laid_over(const State& state, const Document& document, const Card& card,
-                                  const Wire& wire) {
-    const Port* bump = card.reroute ? nullptr : bump_of(*card.type);
-    std::string why;
-    if (!bump) return std::nullopt;
-    return with_bump_on_wire(state, document, wire, {card.id, bump->name},
-                             card.at + ImVec2(card.size.x + 64, 0), why);
-}
-
 // Returns the wire into which the moved card would be inserted, or over which it would be laid.
 std::optional<size_t> wire_for_drop(const State& state) {
     const Card* card = loose_card(state);
     const auto index = card ? wire_under(state.layout, *card) : std::nullopt;
     if (!index) return std::nullopt;
     const Wire& wire = state.layout.wires[*index];
+    const Port* bump = card->reroute ? nullptr : bump_of(*card->type);
     const bool fits =
-        passage_in(state, *card, wire) || laid_over(state, state.document(), *card, wire);
+        passage_in(state, *card, wire) || (bump && takes_bump(state, wire, bump->type));
     return fits ? index : std::nullopt;
+}
+
+// Lays the bump of the card over the one on the wire. The card moves off the cards that it covers.
+void lay_over(State& state, const Document& moved, const Card& card, const Wire& wire) {
+    const ImVec2 at = free_place(state, moved, card.at, *moved.find(card.id), card.type, {card.id});
+    const Document placed = move_node(moved, card.id, at.x, at.y);
+    std::string why;
+    const auto laid = with_bump_on_wire(state, placed, wire, {card.id, bump_of(*card.type)->name},
+                                        at + ImVec2(card.size.x + 64, 0), why);
+    if (laid)
+        state.commit("Lay " + card.id + " over a bump", *laid);
+    else
+        state.status = why;
 }
 
 bool drop_in_wire(State& state, const Document& moved) {
     const auto index = wire_for_drop(state);
     if (!index) return false;
-    Card card = *loose_card(state);
+    const Card card = *loose_card(state);
     const Wire wire = state.layout.wires[*index];
     const auto through = passage_in(state, card, wire);
     if (!through) {
-        card.at = free_place(state, moved, card.at, *moved.find(card.id), card.type, {card.id});
-        const Document placed = move_node(moved, card.id, card.at.x, card.at.y);
-        if (const auto laid = laid_over(state, placed, card, wire))
-            state.commit("Lay " + card.id + " over a bump", *laid);
+        lay_over(state, moved, card, wire);
         return true;
     }
     const Document wired = insert_in_wire(moved, wire, card.id, *through);
