@@ -43,7 +43,7 @@ TEST_F(CopiedValue, OfADefaultResetsTheOthers) {
     EXPECT_EQ(state.history.undo_name(), "Copy basis to 2 nodes");
 }
 
-TEST_F(CopiedValue, IsNotOfferedWithoutTakersOrAtAWire) {
+TEST_F(CopiedValue, IsNotOfferedWithoutTargetsOrAtAWire) {
     play("click field:a.scale");
     EXPECT_FALSE(find_command("copy-value")->enabled(state));
     play("key Ctrl+A\nright pin:c.scale\nassert no-target context:copy-value\nkey Escape");

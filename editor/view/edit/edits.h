@@ -46,7 +46,7 @@ PortOfNode pointed_port(const State& state);
 
 // The other selected nodes of the node's type that have no wire at the port; none if the port has
 // one.
-std::vector<std::string> takers_of(const State& state, const PortOfNode& value);
+std::vector<std::string> copy_targets(const State& state, const PortOfNode& value);
 void copy_value(State& state, const PortOfNode& value);  // to these, as one undo step
 void copy_pointed_value(State& state);
 std::string_view no_copied_value(const State& state);  // why not, a sentence; "" if it can

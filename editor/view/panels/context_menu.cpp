@@ -70,7 +70,7 @@ std::vector<MenuEntry> port_entries(const State& state, const ContextMenu& menu)
     if (port && why_not_exposed(*node, *port).empty())
         entries.push_back(
             {"Expose " + menu.port + " as an input", "E", "expose", nullptr, expose_entry});
-    if (!takers_of(state, {menu.node, port}).empty())
+    if (!copy_targets(state, {menu.node, port}).empty())
         entries.push_back({"Copy " + menu.port + " to the selected nodes", "Shift+Enter",
                            "copy-value", nullptr, copy_value_entry});
     if (input && input->kind == Input::Kind::literal)
