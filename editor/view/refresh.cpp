@@ -41,7 +41,7 @@ void request_build(State& state) {
     follow.requested_snapshot = state.document();
     follow.requested = wanted_request(state);
     CompileJob job{++follow.requested_version, state.model, state.document(),
-                   material_name(state.path), follow.requested};
+                   material_name(state.file_name()), follow.requested};
     if (follow.compiler)
         follow.compiler->post(std::move(job));
     else
