@@ -25,7 +25,7 @@ namespace {
 
 const std::map<std::string_view, std::string_view> three_inputs = {
     {"position", "wrinkle_position"}, {"position_relative", "wrinkle_relative"},
-    {"normal", "wrinkle_normal"},     {"tangent", "wrinkle_tangent_or_u()"},
+    {"normal", "wrinkle_normal"},     {"tangent", "wrinkle_surface_tangent()"},
     {"uv0", "wrinkle_uv01.xy"},       {"uv1", "wrinkle_uv01.zw"},
     {"uv2", "wrinkle_uv23.xy"},       {"uv3", "wrinkle_uv23.zw"},
     {"color0", "wrinkle_color"},      {"view", "normalize(wrinkle_to_eye)"},

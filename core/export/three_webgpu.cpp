@@ -32,7 +32,7 @@ const std::map<std::string_view, std::string_view> tsl_inputs = {
     {"position", "positionGeometry"},
     {"position_relative", "varying(positionGeometry.sub(EYE))"},
     {"normal", "normalGeometry"},
-    {"tangent", "tangentOrU(at(0))"},
+    {"tangent", "surfaceTangent(at(0))"},
     {"uv0", "at(0)"},
     {"uv1", "at(1)"},
     {"uv2", "at(2)"},

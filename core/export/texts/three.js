@@ -88,8 +88,8 @@ varying vec3 wrinkle_position, wrinkle_relative, wrinkle_to_eye, wrinkle_normal;
 varying vec4 wrinkle_tangent, wrinkle_uv01, wrinkle_uv23, wrinkle_color;
 varying mat3 wrinkle_normal_matrix;
 
-// The tangent of the mesh, or without one the direction of u in each triangle.
-vec4 wrinkle_tangent_or_u() {
+// The tangent of the mesh; without one, the direction of u in each triangle.
+vec4 wrinkle_surface_tangent() {
     vec3 px = dFdx(wrinkle_position), py = dFdy(wrinkle_position);
     vec2 ux = dFdx(wrinkle_uv01.xy), uy = dFdy(wrinkle_uv01.xy);
     if (wrinkle_tangent.xyz != vec3(0.0)) return wrinkle_tangent;

@@ -38,8 +38,8 @@ const TO_EYE = varyingProperty('vec3', 'wrinkle_to_eye');
 const NORMALS = ['x', 'y', 'z'].map((axis) => varyingProperty('vec3', 'wrinkle_normal_' + axis));
 const normalToView = (normal) => transformNormalToView(mat3(...NORMALS).mul(normal));
 
-// The tangent of the geometry, or without one the direction of u in each triangle.
-const tangentOrU = (uv0) => Fn((builder) => {
+// The tangent of the geometry; without one, the direction of u in each triangle.
+const surfaceTangent = (uv0) => Fn((builder) => {
   if (builder.geometry.hasAttribute('tangent')) return tangentGeometry;
   const normal = normalGeometry.normalize();
   const px = positionGeometry.dFdx(), py = positionGeometry.dFdy();
