@@ -42,7 +42,7 @@ struct Settings {
     std::vector<std::filesystem::path> recent;  // absolute, the latest first
     BakeSettings bake;
     std::vector<std::string> favorites;  // node types of the search, as nodes name them
-    std::string host = "gltf";  // of the last export (export/export.h)
+    std::string host = "gltf";           // of the last export (export/export.h)
     // Dismissed remarks about images, by their marks (images/remarks.h).
     std::vector<std::string> dismissed;  // the latest last
 

@@ -54,9 +54,9 @@ void commit_new(State& state, const NodeType& type, const std::string& id, Docum
 
 constexpr float gap = 64;  // between a card and the next one to its right
 
-// A new card behind the card of a source ends at `right`: moves the card of the outputs behind the
-// new one, if it is to the right of the source, which ends at `left`.
-void move_outputs_behind(State& state, float left, float right) {
+// Moves the card of the outputs to the right of a new card that ends at `right`, if it is to the
+// right of the new card's source, which ends at `left`.
+void move_outputs_after(State& state, float left, float right) {
     const Card* outputs = state.layout.find(Card::outputs_id, Card::Kind::outputs);
     if (!outputs || outputs->at.x < left || outputs->at.x >= right + gap) return;
     const ImVec2 by = free_shift(card_extents(state, {outputs->id}), {outputs->extent()},
@@ -182,13 +182,14 @@ void add_node_to_selection(State& state, const NodeType& type, ImVec2 at) {
         right = first ? std::max(right, card->at.x + card->size.x) : card->at.x + card->size.x;
         if (!first) first = card;
     }
-    const std::set<std::string> moving{first ? Card::outputs_id : ""};
+    std::set<std::string> moving;
+    if (first) moving.insert(Card::outputs_id);
     const ImVec2 place =
         free_place(state, state.document(), first ? ImVec2(right + gap, first->at.y) : at,
                    *document.find(id), &type, moving);
     const ImVec2 size = new_card_size(state, *document.find(id), &type);
     commit_new(state, type, id, move_node(document, id, place.x, place.y), true);
-    if (first) move_outputs_behind(state, first->extent().high.x, place.x + size.x);
+    if (first) move_outputs_after(state, first->extent().high.x, place.x + size.x);
 }
 
 std::vector<Offer::Choice> between(const Registry& registry, PortType from,

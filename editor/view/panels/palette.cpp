@@ -113,11 +113,6 @@ void draw_output(ImDrawList& list, const NodeType* type, ImVec2 at, bool chosen)
 
 constexpr float star_side = 24;
 
-// Returns the middle of the star of a row that ends at `high`.
-ImVec2 star_of(ImVec2 high) {
-    return high - ImVec2(star_side / 2, star_side / 2);
-}
-
 void draw_star(ImDrawList& list, ImVec2 middle, bool filled) {
     constexpr int corners = 10;
     constexpr float outer = 6, inner = 2.7F;
@@ -147,7 +142,7 @@ void draw_row(const Fonts& fonts, const PaletteRow& row, ImVec2 low, ImVec2 high
         draw_text(list, small, 14, low + ImVec2(38, 24), theme::text_dim,
                   fitting(small, 14, row.doc, high.x - low.x - 38 - star_side));
         if (row.favorite || (chosen && !row.added_type().empty()))
-            draw_star(list, star_of(high), row.favorite);
+            draw_star(list, high - ImVec2(star_side, star_side) * 0.5F, row.favorite);
         return draw_text(list, small, 14, {right_edge, low.y + 6}, theme::text_dim, right, true);
     }
     draw_title(fonts, list, low + ImVec2(10, 8), row);
@@ -178,12 +173,11 @@ int draw_palette_rows(State& state, const std::vector<PaletteRow>& rows) {
         const PaletteRow& row = rows[static_cast<size_t>(i)];
         const Area area =
             area_button(state, row.target, {width_of(palette) - 2 * padding, row_tall(palette)});
-        const ImVec2 star = star_of(area.high), half(star_side / 2, star_side / 2);
-        const bool on_star = !row.added_type().empty() &&
-                             ImGui::IsMouseHoveringRect(star - half, star + half, false);
-        if (!row.added_type().empty())
-            name_area(state, row.target + ":favorite", star - half, star + half);
-        if (area.pressed && on_star) turn_favorite(state, row);
+        const ImVec2 star = area.high - ImVec2(star_side, star_side);
+        const bool adds = !row.added_type().empty();
+        const bool on_star = adds && ImGui::IsMouseHoveringRect(star, area.high, false);
+        if (adds) name_area(state, row.target + ":favorite", star, area.high);
+        if (area.pressed && on_star) toggle_favorite(state, row);
         if (area.pressed && !on_star) taken = i;
         const ImVec2 moved = ImGui::GetIO().MouseDelta;
         if (area.hovered && (moved.x != 0 || moved.y != 0)) palette.chosen = i;
@@ -292,7 +286,7 @@ void draw_palette(State& state) {
     ImGui::PopStyleVar();
     if (enter && !rows.empty()) taken = palette.chosen;
     if (!rows.empty() && ImGui::GetIO().KeyCtrl && ImGui::IsKeyPressed(key_named("D"), false))
-        turn_favorite(state, rows[static_cast<size_t>(palette.chosen)]);
+        toggle_favorite(state, rows[static_cast<size_t>(palette.chosen)]);
     // ImGui unfocuses the field on Enter; focus it again if Enter had no effect.
     palette.opening = enter && (taken < 0 || !rows[static_cast<size_t>(taken)].off.empty());
     if (taken >= 0)

@@ -26,12 +26,12 @@ struct PaletteRow {
 };
 // Returns the rows that match the query, best first. Sort keys of node types: the rank of search.h,
 // no conversion on the wire before a conversion, favorites first, most recently used first, shorter
-// title first. For
-// an empty query, the last key is the family instead: images, gradients, noises, the rest, graphs.
+// title first. For an empty query, the last key is the family instead: images, gradients, noises,
+// the rest, graphs.
 std::vector<PaletteRow> palette_rows(const State& state);
 
 // Adds the type that the row adds to the favorites of the settings, or removes it.
-void turn_favorite(State& state, const PaletteRow& row);
+void toggle_favorite(State& state, const PaletteRow& row);
 
 // Moves the id to the front of the recently used ids; stores at most 8.
 void note_use(std::vector<std::string>& recent, std::string_view id);

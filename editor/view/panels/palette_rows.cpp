@@ -152,7 +152,7 @@ std::string PaletteRow::added_type() const {
     return type && node.empty() ? type->id : "";
 }
 
-void turn_favorite(State& state, const PaletteRow& row) {
+void toggle_favorite(State& state, const PaletteRow& row) {
     std::vector<std::string>& favorites = state.keeping.settings.favorites;
     const std::string type = row.added_type();
     if (type.empty() || std::erase(favorites, type) > 0) return;
