@@ -80,6 +80,17 @@ TEST_F(Headless, AllCardsAreInSightBelowThePathHoweverLargeTheGraph) {
     }
 }
 
+TEST_F(Headless, AGraphOfAnyExtentIsDrawn) {
+    for (const char* far : {"1e7", "1e15", "1e30", "1e38"})
+        for (const char* near : {"0", "-1e38"}) {
+            open(R"({"wrinkle": 1, "nodes": {"a": {"type": "reroute"}, "b": {"type": "add"}},
+                "outputs": {}, "layout": {"a": [)" +
+                 std::string(near) + ", 0], \"b\": [" + far + ", 0]}}");
+            play("key Home\nwheel canvas -3");
+            EXPECT_GT(state.view.zoom, 0) << far;
+        }
+}
+
 TEST_F(Headless, TidyingBringsAllCardsInSight) {
     for (const char* how : {"key Ctrl+L", "click tool:tidy"}) {
         open(sums(3));

@@ -153,5 +153,23 @@ TEST_F(Headless, TheMinimapBringsAPlaceIntoTheMiddle) {
     play("assert clean");
 }
 
+TEST_F(Headless, EveryPanelIsDrawnInAWindowOfAnySize) {
+    open(R"({"wrinkle": 1, "inputs": {"level": {"type": "float", "default": 0.5}}, "nodes": {
+        "a": {"type": "no_such_type"}, "b": {"type": "reroute"}}, "outputs": {}})");
+    state.panes.side_shown = state.inputs_panel.shown = true;
+    state.panes.problems = 0.4F;
+    for (const bool in_2d : {false, true}) {
+        state.view.flat.on = in_2d;
+        for (float side = 1; side < 560; ++side) {
+            ImGui::GetIO().DisplaySize = {side, side};
+            frame();
+        }
+        for (float tall = 90; tall < 400; ++tall) {
+            ImGui::GetIO().DisplaySize = {900, tall};
+            frame();
+        }
+    }
+}
+
 }  // namespace
 }  // namespace wrinkle::editor

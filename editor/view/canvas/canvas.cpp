@@ -263,9 +263,9 @@ void draw_canvas(State& state) {
     view.corner = ImGui::GetCursorScreenPos();
     keep_in_sight(state, ImGui::GetContentRegionAvail());
     view.extent = ImGui::GetContentRegionAvail();
-    ImGui::InvisibleButton("canvas", view.extent,
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
-                               ImGuiButtonFlags_MouseButtonRight);
+    press_area("canvas", view.extent,
+               ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                   ImGuiButtonFlags_MouseButtonRight);
     update_gesture(state, ImGui::IsItemHovered());
     refresh(state);
     if (!view.fitted && view.extent.x > 0) {

@@ -11,11 +11,15 @@ namespace {
 // Horizontal and vertical margins; the breadcrumb and the zoom overlay the outer 44 pixels.
 const ImVec2 wide_margin(32, 60), min_margin(24, 48);
 
+// Also of graphs that are larger. ImGui 1.86 divides by zero in circles with radii below 1e-6.
+constexpr float least_zoom = 1e-4F;
+
 float fitting_zoom(const View& view, const Extent& shown, ImVec2 margin) {
     const ImVec2 size = shown.high - shown.low;
     const ImVec2 room(std::max(view.extent.x - 2 * margin.x, 1.0F),
                       std::max(view.extent.y - 2 * margin.y, 1.0F));
-    return std::min(room.x / std::max(size.x, 1.0F), room.y / std::max(size.y, 1.0F));
+    const float zoom = std::min(room.x / std::max(size.x, 1.0F), room.y / std::max(size.y, 1.0F));
+    return std::max(zoom, least_zoom);
 }
 
 }  // namespace

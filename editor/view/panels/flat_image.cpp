@@ -191,8 +191,8 @@ void draw_flat(State& state, ImVec2 at, ImVec2 size) {
     choose_output(state, panel);
     const float bar = 12 + (state.flat.shown.values.channels.empty() ? flat_bar : 2 * flat_bar + 8);
     ImGui::SetCursorScreenPos(at + ImVec2(0, bar));
-    ImGui::InvisibleButton("flat", size - ImVec2(0, bar),
-                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+    press_area("flat", size - ImVec2(0, bar),
+               ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
     name_area(state, "flat", at, area.end());
     handle_flat(state, panel);
     state.flat.at_pointer.clear();

@@ -203,7 +203,7 @@ void draw_input_row(State& state, const InputRow& row) {
     const float wide = ImGui::GetContentRegionAvail().x, label_wide = std::floor(wide * 0.36F);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string& label = row.input.label.empty() ? row.input.name : row.input.label;
-    ImGui::InvisibleButton("##label", {label_wide, ImGui::GetFrameHeight()});
+    press_area("##label", {label_wide, ImGui::GetFrameHeight()});
     name_item(state, row.target() + ":label");
     const bool hovered = ImGui::IsItemHovered();
     carry_row(state, row, at, wide);

@@ -77,6 +77,8 @@ private:
 void name_area(Interface& interface, const std::string& target, ImVec2 low, ImVec2 high);
 void name_item(Interface& interface, const std::string& target);
 
+// ImGui::InvisibleButton() of at least one pixel; a side of 0 would fail an assertion.
+bool press_area(const char* id, ImVec2 size, ImGuiButtonFlags flags = 0);
 // Invisible button at the cursor, in screen pixels; `target` is its id and its name for scripts.
 struct Area {
     ImVec2 low, high;

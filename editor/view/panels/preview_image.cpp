@@ -218,10 +218,9 @@ void draw_preview_image(State& state, ImVec2 at, ImVec2 size) {
     const bool on_line = splits(state, image) && drag_split(state, area);
     ImGui::SetCursorScreenPos(at);
     if (!on_line) {
-        ImGui::InvisibleButton("picture", size,
-                               ImGuiButtonFlags_MouseButtonLeft |
-                                   ImGuiButtonFlags_MouseButtonRight |
-                                   ImGuiButtonFlags_MouseButtonMiddle);
+        press_area("picture", size,
+                   ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                       ImGuiButtonFlags_MouseButtonMiddle);
         handle(state, area);
     }
     name_area(state, "preview", at, area.end());

@@ -63,7 +63,7 @@ void draw_splitter(const Splitter& splitter) {
     const ImVec2 reach = splitter.upright ? ImVec2(grab, 0) : ImVec2(0, grab);
     const ImVec2 size = splitter.line.size + reach * 2;
     const FixedWindow window(splitter.id, splitter.line.at - reach, size, {.flags = overlay_flags});
-    ImGui::InvisibleButton(splitter.id, size);
+    press_area(splitter.id, size);
     const bool held = ImGui::IsItemActive(), bright = held || ImGui::IsItemHovered();
     if (bright)
         ImGui::SetMouseCursor(splitter.upright ? ImGuiMouseCursor_ResizeEW

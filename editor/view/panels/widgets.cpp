@@ -107,8 +107,12 @@ void name_item(Interface& interface, const std::string& target) {
     name_area(interface, target, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
 }
 
+bool press_area(const char* id, ImVec2 size, ImGuiButtonFlags flags) {
+    return ImGui::InvisibleButton(id, {std::max(size.x, 1.0F), std::max(size.y, 1.0F)}, flags);
+}
+
 Area area_button(Interface& interface, const std::string& target, ImVec2 size) {
-    const bool pressed = ImGui::InvisibleButton(target.c_str(), size);
+    const bool pressed = press_area(target.c_str(), size);
     name_item(interface, target);
     return {ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), pressed,
             ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)};
