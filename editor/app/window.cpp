@@ -269,7 +269,20 @@ void Window::draw_frame(State& state) {
     glClearColor(0.08F, 0.09F, 0.1F, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (state.eyedropper.on) read_pixel(state);
     update_title_and_cursor(state);
+}
+
+void Window::read_pixel(State& state) const {
+    const ImGuiIO& io = ImGui::GetIO();
+    state.eyedropper.pixel.reset();
+    if (!ImGui::IsMousePosValid()) return;
+    const ImVec2 scale = io.DisplayFramebufferScale;
+    const auto x = static_cast<int>(io.MousePos.x * scale.x);
+    const auto y = static_cast<int>(io.DisplaySize.y * scale.y) - 1 -
+                   static_cast<int>(io.MousePos.y * scale.y);
+    glReadBuffer(GL_BACK);
+    glReadPixels(x, y, 1, 1, GL_RGB, GL_FLOAT, state.eyedropper.pixel.emplace().data());
 }
 
 // Updates the window title and the cursor shape if they changed.

@@ -36,6 +36,7 @@ private:
     bool is_lost(const State& state) const;
     bool recreate_context(State& state, std::string& why);
     void update_title_and_cursor(const State& state);
+    void read_pixel(State& state) const;  // for the eyedropper
     bool save_picture(const std::string& file) const;
 
     struct Handle;

@@ -50,6 +50,7 @@ struct Dialogs {
     DropState dropped;
     Offer offer;
     BoxText box_text;
+    Eyedropper eyedropper;
     int field_wait = 0;        // frames left in which typing waits for a field (panels/panels.h)
     bool value_held = false;   // a control of a value was held down in the last frame
     bool holds_value = false;  // the same of the frame being drawn

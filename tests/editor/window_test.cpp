@@ -203,6 +203,29 @@ TEST(Window, IsNeverTooSmallToWorkIn) {
     EXPECT_EQ(image->height, 500U);
 }
 
+TEST(Window, TheEyedropperReadsThePixelUnderThePointer) {
+    const VirtualScreen screen;
+    if (!screen.is_there()) GTEST_SKIP() << "there is no Xvfb here";
+    const TemporaryFolder folder;
+    const auto graph = folder.write("graph.json", R"({"wrinkle": 1, "nodes": {
+        "m": {"type": "material"}}, "outputs": {"material": {"from": "m.material"}}})");
+    const auto script = folder.write("script.txt", R"(
+click field:m.color.0
+key I
+click canvas+-400,150
+key I
+key Escape
+key Enter
+key Ctrl+S
+)");
+    ASSERT_EQ(run(screen.variable(), graph.string() + " --script " + script.string()), 0);
+    const Document saved = parsed(text_of(graph));
+    const json::Value& color = saved.find("m")->find("color")->value;
+    const double ground[] = {0.0074990, 0.0085681, 0.0109601};  // 0x15171B in linear values
+    for (size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(color.at(i).as_number(), ground[i], 1e-6) << i;
+}
+
 TEST(Window, WithoutADisplayItSaysSo) {
     const TemporaryFolder folder;
     const auto graph = folder.write("graph.json", small_graph);

@@ -32,12 +32,6 @@ bool pressed(std::string_view keys) {
            ImGui::IsKeyPressed(key, false);
 }
 
-// Returns true if a text field in an ImGui popup has the keyboard. WantTextInput is not sufficient:
-// it is a result of the previous frame, so a field closed since then would swallow the next key.
-bool is_typing() {
-    return ImGui::GetIO().WantTextInput && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-}
-
 }  // namespace
 
 std::span<const Command> commands() {
@@ -59,11 +53,11 @@ bool run_command(State& state, std::string_view id) {
 }
 
 void run_keys(State& state) {
-    if (is_typing() || state.palette.open || state.help.open || state.offer.open ||
-        state.box_text.open || state.context_menu.open || state.question.open() ||
-        state.bake_dialog.open || state.host_dialog.open || state.dropped.has_question() ||
-        state.browser.purpose != Browser::Purpose::none || state.popup.kind != Popup::Kind::none ||
-        state.gesture.kind != Gesture::Kind::none)
+    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) || state.palette.open || state.help.open ||
+        state.offer.open || state.box_text.open || state.context_menu.open ||
+        state.question.open() || state.bake_dialog.open || state.host_dialog.open ||
+        state.dropped.has_question() || state.browser.purpose != Browser::Purpose::none ||
+        state.popup.kind != Popup::Kind::none || state.gesture.kind != Gesture::Kind::none)
         return;
     for (const Command& command : commands())
         if (!command.keys.empty() && pressed(command.keys) && command.enabled(state))

@@ -16,20 +16,6 @@ namespace {
 constexpr double least_span = 1e-6, most_span = 64;
 constexpr float flat_bar = 28;
 
-// Pixels of the panel and the uv rectangle that they show.
-struct FlatPanel {
-    Rect area;
-    FlatArea shown;
-
-    double pixel() const { return shown.texel * shown.width / static_cast<double>(area.size.x); }
-    double u_at(float x) const { return shown.u + static_cast<double>(x - area.at.x) * pixel(); }
-    double v_at(float y) const { return shown.v + static_cast<double>(area.end().y - y) * pixel(); }
-    float x_of(double u) const { return area.at.x + static_cast<float>((u - shown.u) / pixel()); }
-    float y_of(double v) const {
-        return area.end().y - static_cast<float>((v - shown.v) / pixel());
-    }
-};
-
 // Left or middle drag: moves the view. Wheel: zooms at the pointer.
 void handle_flat(State& state, const FlatPanel& panel) {
     FlatView& view = state.view.flat;
@@ -62,7 +48,7 @@ void draw_tiles(const FlatPanel& panel, ImDrawList& list) {
     constexpr double closest = 12;  // pixels
     if (panel.pixel() * closest > 1) return;
     const ImU32 color = theme::with_alpha(theme::accent, 0.7F);
-    const ImVec2 low = panel.area.at, high = panel.area.end();
+    const ImVec2 low = panel.at, high = panel.end;
     for (double u = std::ceil(panel.u_at(low.x)); u <= panel.u_at(high.x); ++u)
         list.AddLine({panel.x_of(u), low.y}, {panel.x_of(u), high.y}, color);
     for (double v = std::ceil(panel.v_at(high.y)); v <= panel.v_at(low.y); ++v)
@@ -85,15 +71,15 @@ void draw_value_here(State& state, const FlatPanel& panel) {
         text += (i ? ", " : "") + number_text((*lanes)[i]);
     state.flat.at_pointer = text;
     const float wide = text_width(state.fonts.regular(14), 14, text) + 16;
-    const float x = std::min(mouse.x + 14, panel.area.end().x - wide);
-    draw_chip(state.fonts, {x, std::min(mouse.y + 10, panel.area.end().y - 26)}, text);
+    const float x = std::min(mouse.x + 14, panel.end.x - wide);
+    draw_chip(state.fonts, {x, std::min(mouse.y + 10, panel.end.y - 26)}, text);
 }
 
 void draw_histogram(const State& state, const FlatPanel& panel, ImDrawList& list) {
     const FlatImage& image = state.flat.shown;
-    const ImVec2 size(208, 84), at = panel.area.end() - size - ImVec2(12, 12);
+    const ImVec2 size(208, 84), at = panel.end - size - ImVec2(12, 12);
     const uint32_t most = *std::ranges::max_element(image.histogram);
-    if (most == 0 || panel.area.size.x < 320 || panel.area.size.y < 200) return;
+    if (most == 0 || panel.end.x - panel.at.x < 320 || panel.end.y - panel.at.y < 200) return;
     list.AddRectFilled(at, at + size, theme::with_alpha(theme::canvas, 0.88F), 4);
     const float step = (size.x - 16) / static_cast<float>(FlatImage::bins), floor = at.y + 54;
     for (size_t i = 0; i < FlatImage::bins; ++i) {
@@ -130,7 +116,7 @@ void choose_output(State& state, const FlatPanel& panel) {
     std::vector<Item> items;
     for (const std::string& name : values.channels)
         items.push_back({name, "flat:output:" + name});
-    ImGui::SetCursorScreenPos(panel.area.at + ImVec2(12, 44));
+    ImGui::SetCursorScreenPos(panel.at + ImVec2(12, 44));
     const int picked = choose(state, "flat:output", values.channel, items, 180);
     if (picked >= 0) state.view.flat.output = items[static_cast<size_t>(picked)].label;
 }
@@ -141,12 +127,12 @@ void draw_flat_bar(State& state, const FlatPanel& panel) {
     const FlatValues& values = state.flat.shown.values;
     if (values.node.empty()) return;
     const bool gray = values.lanes == 1 || view.channel >= 0;
-    float right = panel.area.end().x - 12;
+    float right = panel.end.x - 12;
     if (values.lanes > 1) {
         const std::vector<Item> items = channel_items(values);
         const float width = 36 * static_cast<float>(items.size());
         right -= width;
-        ImGui::SetCursorScreenPos({right, panel.area.at.y + 12});
+        ImGui::SetCursorScreenPos({right, panel.at.y + 12});
         const int picked = segments(state, items, view.channel + 1, width);
         if (picked >= 0) view.channel = picked - 1;
         right -= 8;
@@ -154,7 +140,7 @@ void draw_flat_bar(State& state, const FlatPanel& panel) {
     if (!gray) return;
     const Item ranges[] = {{"Range", "flat:range", "Black to white over the visible values"},
                            {"0 to 1", "flat:unit", "Black is 0, white is 1"}};
-    ImGui::SetCursorScreenPos({right - 128, panel.area.at.y + 12});
+    ImGui::SetCursorScreenPos({right - 128, panel.at.y + 12});
     const int picked = segments(state, ranges, view.fits_range ? 0 : 1, 128);
     if (picked >= 0) view.fits_range = picked == 0;
 }
@@ -168,8 +154,8 @@ void draw_flat_name(const State& state, const FlatPanel& panel) {
     else if (!values.node.empty())
         text += "  " + std::string(name_of(values.type));
     const float bar = values.node.empty() ? 40 : 340;
-    const float wide = std::max(panel.area.size.x - bar, 96.0F);
-    draw_chip(state.fonts, panel.area.at + ImVec2(12, 12),
+    const float wide = std::max(panel.end.x - panel.at.x - bar, 96.0F);
+    draw_chip(state.fonts, panel.at + ImVec2(12, 12),
               fitting(state.fonts.regular(14), 14, text, wide));
 }
 
@@ -177,12 +163,13 @@ void draw_flat_name(const State& state, const FlatPanel& panel) {
 
 void draw_flat(State& state, ImVec2 at, ImVec2 size) {
     const ImVec2 pixels = ImGui::GetIO().DisplayFramebufferScale;
-    const Rect area{at, size};
-    const FlatPanel panel{area, area_of(state.view.flat, size.x * pixels.x, size.y * pixels.y)};
+    const FlatPanel panel{at, at + size,
+                          area_of(state.view.flat, size.x * pixels.x, size.y * pixels.y)};
+    state.flat.panel = panel;
     feed_flat(state, panel.shown);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.PushClipRect(at, area.end(), true);
-    list.AddRectFilled(at, area.end(), theme::canvas);
+    list.PushClipRect(at, panel.end, true);
+    list.AddRectFilled(at, panel.end, theme::canvas);
     draw_values(state.flat, panel, list);
     draw_tiles(panel, list);
     draw_histogram(state, panel, list);
@@ -193,7 +180,7 @@ void draw_flat(State& state, ImVec2 at, ImVec2 size) {
     ImGui::SetCursorScreenPos(at + ImVec2(0, bar));
     press_area("flat", size - ImVec2(0, bar),
                ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
-    name_area(state, "flat", at, area.end());
+    name_area(state, "flat", at, panel.end);
     handle_flat(state, panel);
     state.flat.at_pointer.clear();
     if (ImGui::IsItemHovered()) draw_value_here(state, panel);

@@ -67,6 +67,7 @@ std::string_view hint_of_gesture(const Gesture& gesture) {
 }
 
 std::string_view hint_of_open(const Dialogs& open) {
+    if (open.eyedropper.on) return "Click takes the color   Esc returns to the picker";
     if (open.palette.open && open.palette.list != Palette::List::types)
         return find_hint<Palette::List>(list_hints, open.palette.list);
     if (open.palette.open && open.palette.wire.kind == Gestures::wire)

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -157,6 +158,14 @@ struct BoxText {
     BoxId box;
     std::string text;
     std::string merge;  // merge key of the undo step that created the box
+};
+
+// Eyedropper of the color picker (panels/color_picker.cpp).
+struct Eyedropper {
+    bool on = false;     // in the last frame
+    bool drawn = false;  // in the frame being drawn
+    // Display color of the pixel under the pointer in the last frame; set by the window.
+    std::optional<std::array<float, 3>> pixel;
 };
 
 // Text field, list or color picker over a field or a header.

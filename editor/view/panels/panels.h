@@ -150,8 +150,8 @@ int choose(Interface& interface, const std::string& target, const std::string& s
 bool draw_ramp(State& state);
 bool draw_curve(State& state);
 
-// Color picker: RGB, HSV and hex code of display values (sRGB), and OKLCh. The color is linear.
-// Returns true if it changed; notes that it is held (note_held()).
+// Color picker: RGB, HSV and hex code of display values (sRGB), OKLCh, and an eyedropper. The color
+// is linear. Returns true if it changed; notes that it is held (note_held()).
 bool pick_color(State& state, const std::string& target, std::array<float, 3>& linear);
 
 // Requests keyboard focus for the text field that is drawn next; call note_field() after drawing

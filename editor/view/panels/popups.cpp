@@ -281,10 +281,11 @@ void draw_popup(State& state) {
                               .ground = theme::panel,
                               .border = theme::accent,
                               .opening = opening});
+    const bool covered = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     bool done = draw_content_of[static_cast<size_t>(kind)](state);
     if (opening) state.popup.opening = false;
-    done |= window.has_lost_focus() && !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
-    const bool escape = is_pressed(ImGuiKey_Escape);
+    done |= window.has_lost_focus() && !covered;
+    const bool escape = is_pressed(ImGuiKey_Escape) && !covered;
     if (!done && !escape) return;
     const Popup closed = std::exchange(state.popup, {});
     if (escape && color) state.history.cancel(closed.merge);

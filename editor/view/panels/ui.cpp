@@ -90,12 +90,14 @@ void draw_panels(State& state) {
     for (const auto draw : floating_panels)
         draw(state);
     state.value_held = std::exchange(state.holds_value, false);
+    state.eyedropper.on = std::exchange(state.eyedropper.drawn, false);
 }
 
 }  // namespace
 
 void draw_ui(State& state) {
     state.targets.clear();
+    state.flat.panel = {};
     state.thumbnails.begin_frame();
     age_field_wait(state);
     run_keys(state);

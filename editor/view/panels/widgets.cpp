@@ -2,10 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/common.hpp>
-
-#include "base/srgb.h"
-#include "editor/model/oklch.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
@@ -17,34 +13,6 @@ namespace {
 constexpr float icon_side = 24;
 constexpr ImGuiWindowFlags frameless = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
-
-// A row of lightness, chroma and hue. A grey has the hue that was chosen last.
-bool draw_oklch(State& state, const std::string& target, float width,
-                std::array<float, 3>& linear) {
-    glm::dvec3 lch = oklch_of({linear[0], linear[1], linear[2]});
-    float& hue = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("hue"));
-    if (lch.y > 1e-4) hue = static_cast<float>(lch.z);
-    float light = static_cast<float>(lch.x), chroma = static_cast<float>(lch.y);
-    const float space = ImGui::GetStyle().ItemInnerSpacing.x;
-    bool changed = false;
-    const auto draw = [&](const char* name, float& value, float step, float most,
-                          const char* format) {
-        ImGui::SetNextItemWidth((width - 2 * space) / 3);
-        changed |= ImGui::DragFloat(name, &value, step, 0, most, format);
-        name_item(state, target + (name + 1));  // "color#C"
-        note_held(state);
-    };
-    draw("##L", light, 0.002F, 4, "L:%.3f");
-    ImGui::SameLine(0, space);
-    draw("##C", chroma, 0.001F, 0.5F, "C:%.3f");
-    ImGui::SameLine(0, space);
-    draw("##h", hue, 0.5F, 360, "h:%.0f");
-    if (!changed) return false;
-    const glm::dvec3 made = glm::max(linear_of_oklch({light, chroma, hue}), 0.0);
-    for (int i = 0; i < 3; ++i)
-        linear[static_cast<size_t>(i)] = static_cast<float>(made[i]);
-    return true;
-}
 
 }  // namespace
 
@@ -91,7 +59,8 @@ PanelPopup::PanelPopup(const char* id) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12, 12));
     shown_ = ImGui::BeginPopup(id);
     ImGui::PopStyleVar();
-    left_ = shown_ && is_pressed(ImGuiKey_Escape, false);
+    const bool covered = shown_ && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+    left_ = shown_ && !covered && is_pressed(ImGuiKey_Escape, false);
     if (left_) ImGui::CloseCurrentPopup();
 }
 
@@ -233,27 +202,6 @@ int choose(Interface& interface, const std::string& target, const std::string& s
     }
     ImGui::EndCombo();
     return picked;
-}
-
-bool pick_color(State& state, const std::string& target, std::array<float, 3>& linear) {
-    std::array<float, 3> shown;
-    std::ranges::transform(linear, shown.begin(), [](float each) {
-        return static_cast<float>(srgb_from_linear(static_cast<double>(each)));
-    });
-    constexpr float width = 220;
-    ImGui::SetNextItemWidth(width);
-    const bool changed = ImGui::ColorPicker3(
-        "##color", shown.data(),
-        ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoAlpha |
-            ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_DisplayRGB |
-            ImGuiColorEditFlags_DisplayHSV | ImGuiColorEditFlags_DisplayHex);
-    name_item(state, target);
-    note_held(state);
-    if (changed)
-        std::ranges::transform(shown, linear.begin(), [](float each) {
-            return static_cast<float>(linear_from_srgb(static_cast<double>(each)));
-        });
-    return draw_oklch(state, target, width, linear) || changed;
 }
 
 void focus_field(Dialogs& dialogs) {

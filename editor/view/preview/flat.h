@@ -1,6 +1,8 @@
 // The 2D view: the shown output (request.h) of one node over a rectangle of uv, with its values.
 #pragma once
 
+#include <imgui.h>
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -61,6 +63,22 @@ private:
 };
 using FlatMaker = Worker<FlatJob, FlatImage>;
 
+// Screen pixels of the view, and the uv rectangle that they show.
+struct FlatPanel {
+    ImVec2 at{0, 0}, end{0, 0};
+    FlatArea shown;
+
+    bool contains(ImVec2 point) const {
+        return point.x >= at.x && point.y >= at.y && point.x < end.x && point.y < end.y;
+    }
+    // uv units of a pixel.
+    double pixel() const { return shown.texel * shown.width / static_cast<double>(end.x - at.x); }
+    double u_at(float x) const { return shown.u + static_cast<double>(x - at.x) * pixel(); }
+    double v_at(float y) const { return shown.v + static_cast<double>(end.y - y) * pixel(); }
+    float x_of(double u) const { return at.x + static_cast<float>((u - shown.u) / pixel()); }
+    float y_of(double v) const { return end.y - static_cast<float>((v - shown.v) / pixel()); }
+};
+
 struct FlatFeed {
     FlatMaker* maker = nullptr;  // nullptr: no 2D view
     FlatImage shown;             // the newest
@@ -69,6 +87,7 @@ struct FlatFeed {
     uint64_t images = 0;         // when it changes, image files are read again
     uint32_t texture = 0;        // texture of `shown`; 0: none
     bool gl = false;             // textures can be made
+    FlatPanel panel;             // of the newest frame; empty if the view was not drawn
     std::string at_pointer;      // position and value, as shown; "": none
 
     // Called when another graph is opened or the textures are lost.
