@@ -177,7 +177,10 @@ void draw_flat(State& state, ImVec2 at, ImVec2 size) {
     draw_flat_bar(state, panel);
     choose_output(state, panel);
     const float bar = 12 + (state.flat.shown.values.channels.empty() ? flat_bar : 2 * flat_bar + 8);
-    ImGui::SetCursorScreenPos(at + ImVec2(0, bar));
+    FlatPanel below_bar = panel;
+    below_bar.at.y += bar;
+    use_flat_handles(state, below_bar);
+    ImGui::SetCursorScreenPos(below_bar.at);
     press_area("flat", size - ImVec2(0, bar),
                ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
     name_area(state, "flat", at, panel.end);

@@ -7,6 +7,7 @@ namespace wrinkle::editor {
 
 void draw_preview_image(State& state, ImVec2 at, ImVec2 size);
 void draw_flat(State& state, ImVec2 at, ImVec2 size);  // the 2D view
+void use_flat_handles(State& state, const FlatPanel& panel);
 float compare_height(float width);
 void draw_compare(State& state, ImVec2 at, float width);
 

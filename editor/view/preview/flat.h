@@ -87,6 +87,8 @@ struct FlatFeed {
     uint64_t images = 0;         // when it changes, image files are read again
     uint32_t texture = 0;        // texture of `shown`; 0: none
     bool gl = false;             // textures can be made
+    std::string handle;          // port of the handle that is dragged; "": none
+    std::string merge;           // merge key of its undo steps
     FlatPanel panel;             // of the newest frame; empty if the view was not drawn
     std::string at_pointer;      // position and value, as shown; "": none
 

@@ -1,0 +1,43 @@
+// Handles of a node in the 2D view: points of uv that set values of its ports.
+//
+//   handle              ports                                  point
+//   center, a, b        a vec2 of that name                    the value
+//   size                a vec2 `size`, width and height        the corner at the upper right
+//   size, radius        a float; a radius only without the     as far from the center, to the
+//                       vec2 `size`: there it is of corners    right
+//   rotation, angle     a float in degrees                     above, outside of the others
+//
+// `size`, `radius` and `rotation` are relative to `center`, and turn with `rotation`. A node reads
+// the uv of the surface for them: one with a wire from another node at `uv` has none. A value on a
+// wire has no handle, nor have those that depend on it.
+#pragma once
+
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "graph/document.h"
+#include "registry/registry.h"
+
+namespace wrinkle::editor {
+
+struct UvHandle {
+    std::string_view port;  // name of the port
+    glm::dvec2 at;          // uv
+    bool operator==(const UvHandle&) const = default;
+};
+
+// Returns the handles; the center is the first, if the node has one.
+std::vector<UvHandle> uv_handles(const Node& node, const NodeType& type);
+
+// Sets the port so that its handle is at `to`, or as near as its range permits. An angle takes the
+// turn nearest to its value. `snaps`: points, sizes and radii become multiples of 0.05, angles of
+// 15 degrees.
+Document with_handle_at(const Document& document, const Node& node, const NodeType& type,
+                        std::string_view port, glm::dvec2 to, bool snaps);
+
+// Corners of the box that the vec2 `size` describes, in order; empty if the node has none.
+std::vector<glm::dvec2> box_of_handles(const Node& node, const NodeType& type);
+
+}  // namespace wrinkle::editor
