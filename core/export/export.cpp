@@ -142,6 +142,11 @@ std::vector<std::string> export_material(const Host& host, const ExportRequest& 
                               "in front");
         return {};
     }
+    if (request.project.top().outputs.empty()) {
+        diagnostics.add(file_problem(Severity::error, RuleId::no_output, request.graph,
+                                     "the graph has no outputs", "an entry in \"outputs\""));
+        return {};
+    }
     std::error_code error;
     const auto refused = [&](const fs::path& path) {
         report_unwritable(path, error, diagnostics);

@@ -140,8 +140,7 @@ struct GodotCompiler {
         std::vector<std::string> taken;
         std::ranges::copy_if(outputs, std::back_inserter(taken), godot_takes);
         GodotShader shader;
-        if (!taken.empty() || outputs.empty())
-            shader.fragment = make(request.name, taken, Differentials::screen);
+        if (!taken.empty()) shader.fragment = make(request.name, taken, Differentials::screen);
         if (std::ranges::count(outputs, "displacement") > 0)
             shader.vertex = make("vertex_" + request.name, {"displacement"}, Differentials::none);
         if (diagnostics.has_errors() || !check_uv_sets(shader.fragment)) return {};
@@ -301,6 +300,7 @@ private:
 
     std::string fragment() {
         const Reflection& reflection = shader_.fragment.reflection;
+        if (reflection.outputs.empty()) return {};  // the graph has outputs of other hosts only
         std::string call;
         const auto values = called(
             reflection, [&](const MemberInfo& member) { return argument(member); }, "material",

@@ -6,6 +6,7 @@
 #include "base/temporary.h"
 #include "base/text.h"
 #include "export/support.h"
+#include "registry/port_type.h"
 #include "support/samples.h"
 
 namespace wrinkle::test {
@@ -24,6 +25,38 @@ TEST_F(ExportTest, EveryHostTakesEveryMaterial) {
             EXPECT_TRUE(std::ranges::count(files, "README.txt")) << host.name << graph;
             EXPECT_GE(files.size(), 2U);
         }
+}
+
+TEST_F(ExportTest, EveryHostTakesAGraphWithOneOutput) {
+    const std::map<PortType, std::string> sources = {
+        {PortType::float_, "a.result"},        {PortType::color_, "c.color"},
+        {PortType::normal_, "surface.normal"}, {PortType::vec3_, "surface.position"},
+        {PortType::height_, "n.height"},       {PortType::material_, "m.material"}};
+    Names outputs(standard_outputs().begin(), standard_outputs().end());
+    outputs.push_back("other");
+    for (const std::string& output : outputs) {
+        const PortType type = standard_output(output).value_or(PortType::float_);
+        ASSERT_TRUE(sources.contains(type)) << output;
+        const fs::path graph = folder.put(
+            "rock.json", R"({"wrinkle": 1, "nodes": {"a": {"type": "add"}, "c": {"type": "color"},
+            "n": {"type": "value_noise"}, "m": {"type": "material"}}, "outputs": {")" +
+                             output + R"(": {"from": ")" + sources.at(type) + "\"}}}");
+        for (const Host& host : hosts()) {
+            const Names files = export_graph(std::string(host.name), graph);
+            EXPECT_FALSE(diagnostics.has_errors()) << host.name << to_text(diagnostics);
+            EXPECT_GE(files.size(), 2U) << host.name << " " << output;
+        }
+    }
+}
+
+TEST_F(ExportTest, AGraphWithoutOutputsIsAnError) {
+    const fs::path graph = folder.put(
+        "rock.json", R"({"wrinkle": 1, "nodes": {"a": {"type": "add"}}, "outputs": {}})");
+    for (const Host& host : hosts()) {
+        EXPECT_TRUE(export_graph(std::string(host.name), graph).empty()) << host.name;
+        EXPECT_TRUE(says("rock.json: error: the graph has no outputs")) << to_text(diagnostics);
+        EXPECT_FALSE(fs::exists(out())) << host.name;
+    }
 }
 
 // A promise of docs/promises.md: a line is changed only with an entry in the CHANGELOG.
