@@ -72,6 +72,7 @@ struct Workers {
     CodeMaker code{make_code, wake_window};
     NodePreviewMaker pictures{NodePainter(), wake_window};
     FlatMaker flat{FlatPainter(), wake_window};
+    GraphImageMaker graph_images{draw_graph_image, wake_window};
     std::atomic<bool> closing = false;
     ImageExaminer examiner{[this](std::filesystem::path&& file) {
                                const auto stopped = [this] { return closing.load(); };
@@ -87,6 +88,7 @@ struct Workers {
         state.code.maker = &code;
         state.node_feed.maker = &pictures;
         state.flat.maker = &flat;
+        state.graph_images.maker = &graph_images;
         state.used.looker = &looker;
         state.images.examiner = &examiner;
         state.tasks.wake = wake_window;
@@ -121,7 +123,7 @@ int run(const Arguments& arguments) {
     state.fonts.load();
     state.thumbnails.use_gl();
     state.node_feed.atlas.use_gl();
-    state.flat.gl = true;
+    state.flat.gl = state.graph_images.gl = true;
     begin(state, arguments);
     if (!settings_error.empty()) state.status = settings_error;
     if (!arguments.timings.empty()) state.timings = &timings;

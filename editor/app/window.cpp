@@ -215,6 +215,7 @@ bool Window::recreate_context(State& state, std::string& why) {
     glfwGetWindowSize(h.window, &options.width, &options.height);
     if (state.preview) state.preview->leave_context();
     state.thumbnails.forget();
+    state.graph_images.forget();
     state.node_feed.atlas.forget();
     state.node_feed.forget();
     state.flat.texture = 0;

@@ -139,6 +139,7 @@ void refresh(State& state) {
     update_layout(state);
     feed_node_previews(state);
     take_flat(state.flat);
+    state.graph_images.take();
 }
 
 bool is_holding_value(const State& state) {
@@ -149,6 +150,7 @@ bool is_settled(const State& state) {
     const bool held = is_holding_value(state);
     return state.is_synced && state.dropped.waiting.empty() && !state.building() &&
            (!state.preview || state.preview->idle() || state.play.moves()) && state.flat.idle() &&
+           state.graph_images.idle() &&
            (held || same_document(state.follow.requested_snapshot, state.document()));
 }
 

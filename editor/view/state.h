@@ -17,6 +17,7 @@
 #include "editor/view/look/thumbnails.h"
 #include "editor/view/panels/open.h"
 #include "editor/view/panels/regions.h"
+#include "editor/view/preview/graph_images.h"
 #include "editor/view/preview/node_feed.h"
 #include "editor/view/preview/play.h"
 #include "editor/view/timings.h"
@@ -62,6 +63,7 @@ struct Interface {
     Look look;
     Panes panes;
     Thumbnails thumbnails;
+    GraphImages graph_images;
     Targets targets;
 };
 

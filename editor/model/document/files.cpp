@@ -73,12 +73,6 @@ std::string words_on_outside(const std::vector<std::string>& names) {
                                : text;
 }
 
-MovedPaths moved_to(const Session& session, const fs::path& path, OutsideFiles files) {
-    const Model model =
-        make_model(session.document(), session.folder(), *session.registry, session.root());
-    return move_paths(session.document(), model, session.folder(), path.parent_path(), files);
-}
-
 }  // namespace
 
 void reset_derived(Session& session, GraphSwitch how) {
@@ -145,6 +139,12 @@ bool save_file(Session& session) {
     }
     session.saved_serial = session.history.serial();
     return true;
+}
+
+MovedPaths moved_to(const Session& session, const fs::path& path, OutsideFiles files) {
+    const Model model =
+        make_model(session.document(), session.folder(), *session.registry, session.root());
+    return move_paths(session.document(), model, session.folder(), path.parent_path(), files);
 }
 
 std::vector<std::string> files_outside(const Session& session, const fs::path& path) {

@@ -29,6 +29,8 @@ bool save_file(Session& session);
 // that are not below it are copied or listed in the status.
 bool save_file_as(Session& session, const std::filesystem::path& path,
                   OutsideFiles files = OutsideFiles::referred);
+// Returns the document and its files for a graph at `path` (document/moved_paths.h).
+MovedPaths moved_to(const Session& session, const std::filesystem::path& path, OutsideFiles files);
 // Returns the files named by the document that are not below the folder of `path`, as named there.
 std::vector<std::string> files_outside(const Session& session, const std::filesystem::path& path);
 

@@ -8,12 +8,14 @@ namespace wrinkle::editor {
 namespace fs = std::filesystem;
 
 Folders user_folders() {
+    const fs::path data = user_folder("XDG_DATA_HOME", ".local/share");
     return {user_folder("XDG_CONFIG_HOME", ".config"),
-            user_folder("XDG_STATE_HOME", ".local/state")};
+            user_folder("XDG_STATE_HOME", ".local/state"),
+            data.empty() ? fs::path() : data / "library"};
 }
 
 Folders folders_below(const fs::path& folder) {
-    return {folder / "config", folder / "state"};
+    return {folder / "config", folder / "state", folder / "library"};
 }
 
 fs::path with_home(const fs::path& typed) {

@@ -1,5 +1,6 @@
-// Folders of files that belong to no graph: $XDG_CONFIG_HOME/wrinkle (settings) and
-// $XDG_STATE_HOME/wrinkle (recovery files), by the XDG Base Directory Specification.
+// Folders of files that belong to no graph: $XDG_CONFIG_HOME/wrinkle (settings),
+// $XDG_STATE_HOME/wrinkle (recovery files) and $XDG_DATA_HOME/wrinkle/library (document/library.h),
+// by the XDG Base Directory Specification.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +12,10 @@
 namespace wrinkle::editor {
 
 struct Folders {
-    std::filesystem::path config, state;  // both empty: nothing is stored
+    std::filesystem::path config, state, library;  // all empty: nothing is stored
 };
 
-// Reads the environment; both folders are empty if it names no home.
+// Reads the environment; all folders are empty if it names no home.
 Folders user_folders();
 // Returns folders below a given one, for scripts and tests.
 Folders folders_below(const std::filesystem::path& folder);

@@ -36,6 +36,7 @@ struct Question {
         failed,   // the file could not be written (`error_text`): use another name?
         open,     // which file? The file browser (panels/browser.h) draws this and the next
         save_as,  // under which name?
+        library,  // replace the entry in the library (document/library.h)?
     };
     Kind kind = Kind::none;
     PendingAction then = {};      // action after everything is saved

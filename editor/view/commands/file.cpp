@@ -1,5 +1,6 @@
 #include "editor/model/bake/bake.h"
 #include "editor/model/document/files.h"
+#include "editor/model/document/library.h"
 #include "editor/view/commands/groups.h"
 #include "editor/view/panels/bake_dialog.h"
 #include "editor/view/panels/browser.h"
@@ -46,6 +47,8 @@ constexpr Command file_table[] = {
     {"open", "Open...", "Ctrl+O", always, open},
     {"save", "Save", "Ctrl+S", always, [](State& s) { save_file(s); }},
     {"save-as", "Save as...", "Ctrl+Shift+S", always, save_as},
+    {"add-to-library", "Add to the library", "",
+     [](const State& s) { return why_not_in_library(s); }, [](State& s) { add_to_library(s); }},
     {"recover", "Recover unsaved graph...", "", no_recoverable, ask_recover},
     {"export-glsl", "Export GLSL...", "Ctrl+E", always,
      [](State& s) { browse(s, Browser::Purpose::export_text, usual_export(s)); }},

@@ -101,6 +101,7 @@ void open_palette(State& state, ImVec2 at, const Gesture& wire) {
     palette.wire = wire;
     palette.graphs = graph_files(state.folder());
     std::erase(palette.graphs, state.path.filename().string());
+    palette.library = library_entries(state.keeping.folders);
 }
 
 void open_list(State& state, Palette::List list) {

@@ -12,6 +12,7 @@
 
 #include "editor/model/bake/choices.h"
 #include "editor/model/document/intent.h"
+#include "editor/model/document/library.h"
 #include "editor/model/document/wiring.h"
 #include "editor/model/hosts/host_choices.h"
 #include "editor/view/canvas/gesture.h"
@@ -28,7 +29,8 @@ struct Palette {
     bool open = false, opening = false;
     ImVec2 at{0, 0};  // screen
     std::string query;
-    std::vector<std::string> graphs;  // files that can be sub-graphs, as written in the graph
+    std::vector<std::string> graphs;    // files that can be sub-graphs, as written in the graph
+    std::vector<LibraryEntry> library;  // other graphs, which are copied first
     int chosen = 0;
     int first = 0;              // first row that is drawn
     bool all_types = false;     // also types that do not fit the wire
@@ -77,19 +79,20 @@ struct HostDialog {
     bool repeat = false;  // at every save
 };
 
-// Sample graph that is installed with the program.
+// Graph on the start page.
 struct Sample {
     std::filesystem::path file;
-    std::filesystem::path image;  // small image of its result; may not exist
+    std::filesystem::path image;  // small image of its result; may not exist; "": is drawn
     std::string name;             // name of the graph; if it has none, of the file
     size_t nodes = 0;
+    const Registry* registry = nullptr;  // to draw the image
 };
 
 // Start page, drawn in place of the canvas while there is no graph.
 struct Start {
     bool left = false;  // the user requested an empty graph
     bool read = false;
-    std::vector<Sample> materials, techniques;
+    std::vector<Sample> library, materials, techniques;
 };
 
 // Help window: the page of a node's type, or the list of shortcuts.

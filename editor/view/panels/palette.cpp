@@ -55,8 +55,14 @@ void add_subgraph(State& state, const std::string& file, ImVec2 at, const Palett
         state.status = file + " has no port for " + std::string(name_of(palette.wire.type)) + ".";
 }
 
+void add_from_library(State& state, const LibraryEntry& entry, ImVec2 at, const Palette& palette) {
+    const std::string file = copy_from_library(state, entry);
+    if (!file.empty()) add_subgraph(state, file, at, palette);
+}
+
 void choose(State& state, const PaletteRow& row) {
     const Palette palette = state.palette;
+    const auto entry = row.entry ? std::optional(*row.entry) : std::nullopt;  // of the old palette
     if (!row.off.empty()) {
         state.status = row.off;
         return;
@@ -76,6 +82,7 @@ void choose(State& state, const PaletteRow& row) {
     }
     const ImVec2 at = to_canvas(state.view, palette.at);
     if (!row.graph.empty()) return add_subgraph(state, row.graph, at, palette);
+    if (entry) return add_from_library(state, *entry, at, palette);
     note_use(state.recent.nodes, row.type->id);
     add_chosen(state, *row.type, at, palette);
 }
@@ -92,8 +99,7 @@ void draw_title(const Fonts& fonts, ImDrawList& list, ImVec2 at, const PaletteRo
             if (matched) ++next;
             ++end;
         }
-        ImFont* font =
-            matched || row.type || !row.graph.empty() ? fonts.bold(16) : fonts.regular(16);
+        ImFont* font = matched || row.is_node() ? fonts.bold(16) : fonts.regular(16);
         const ImU32 color = !row.off.empty() ? theme::text_off
                             : matched        ? theme::accent
                                              : theme::text;
@@ -129,26 +135,45 @@ void draw_star(ImDrawList& list, ImVec2 middle, bool filled) {
         list.AddTriangleFilled(middle, path[i], path[(i + 1) % corners], theme::accent);
 }
 
-void draw_row(const Fonts& fonts, const PaletteRow& row, ImVec2 low, ImVec2 high, bool chosen) {
+// Draws the image of a graph; returns its width with the gap, 0 if there is none.
+float draw_graph_image(State& state, const PaletteRow& row, ImVec2 low) {
+    GraphImageJob wanted{.registry = state.registry};
+    if (row.entry)
+        wanted.file = row.entry->file;
+    else if (!row.graph.empty())
+        wanted.file = state.folder() / row.graph, wanted.root = state.root();
+    const uint32_t texture = wanted.file.empty() ? 0 : state.graph_images.of(wanted);
+    if (!texture) return 0;
+    constexpr float side = 36;
+    const ImVec2 at = low + ImVec2(5, 5);
+    ImGui::GetWindowDrawList()->AddImage(texture_id(texture), at, at + ImVec2(side, side), {0, 1},
+                                         {1, 0});
+    return 48;
+}
+
+void draw_node_row(State& state, const PaletteRow& row, ImVec2 low, ImVec2 high, bool chosen) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    ImFont* small = state.fonts.regular(14);
+    const float image = draw_graph_image(state, row, low), left = std::max(image, 38.0F);
+    if (image == 0) draw_output(list, row.type, {low.x + 18, (low.y + high.y) / 2}, chosen);
+    draw_title(state.fonts, list, low + ImVec2(left, 5), row);
+    draw_text(list, small, 14, low + ImVec2(left, 24), theme::text_dim,
+              fitting(small, 14, row.doc, high.x - low.x - left - star_side));
+    if (row.favorite || (chosen && !row.added_type().empty()))
+        draw_star(list, high - ImVec2(star_side, star_side) * 0.5F, row.favorite);
+    if (chosen)
+        draw_text(list, small, 14, {high.x - 10, low.y + 6}, theme::text_dim, "Enter", true);
+}
+
+void draw_row(State& state, const PaletteRow& row, ImVec2 low, ImVec2 high, bool chosen) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (chosen) list.AddRectFilled(low, high, theme::accent_soft, 4);
-    ImFont* small = fonts.regular(14);
-    const bool is_node = row.type || !row.graph.empty();
-    const std::string right = is_node ? (chosen ? "Enter" : "") : row.key;
-    const float right_edge = high.x - 10;
-    if (is_node) {
-        draw_output(list, row.type, {low.x + 18, (low.y + high.y) / 2}, chosen);
-        draw_title(fonts, list, low + ImVec2(38, 5), row);
-        draw_text(list, small, 14, low + ImVec2(38, 24), theme::text_dim,
-                  fitting(small, 14, row.doc, high.x - low.x - 38 - star_side));
-        if (row.favorite || (chosen && !row.added_type().empty()))
-            draw_star(list, high - ImVec2(star_side, star_side) * 0.5F, row.favorite);
-        return draw_text(list, small, 14, {right_edge, low.y + 6}, theme::text_dim, right, true);
-    }
-    draw_title(fonts, list, low + ImVec2(10, 8), row);
-    const float key = text_width(small, 14, right);
-    draw_text(list, small, 14, {right_edge, low.y + 9}, theme::text_dim, right, true);
-    const float name = text_width(fonts.bold(16), 16, row.title) + 24;
+    if (row.is_node()) return draw_node_row(state, row, low, high, chosen);
+    ImFont* small = state.fonts.regular(14);
+    draw_title(state.fonts, list, low + ImVec2(10, 8), row);
+    const float key = text_width(small, 14, row.key);
+    draw_text(list, small, 14, {high.x - 10, low.y + 9}, theme::text_dim, row.key, true);
+    const float name = text_width(state.fonts.bold(16), 16, row.title) + 24;
     draw_text(
         list, small, 14, low + ImVec2(name, 9), theme::text_off,
         fitting(small, 14, row.off.empty() ? row.doc : row.off, high.x - low.x - name - key - 24));
@@ -181,7 +206,7 @@ int draw_palette_rows(State& state, const std::vector<PaletteRow>& rows) {
         if (area.pressed && !on_star) taken = i;
         const ImVec2 moved = ImGui::GetIO().MouseDelta;
         if (area.hovered && (moved.x != 0 || moved.y != 0)) palette.chosen = i;
-        draw_row(state.fonts, row, area.low, area.high, i == palette.chosen);
+        draw_row(state, row, area.low, area.high, i == palette.chosen);
     }
     return taken;
 }

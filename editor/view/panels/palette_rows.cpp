@@ -50,6 +50,21 @@ void add_subgraph_rows(const State& state, const std::string& wanted, NodeRows& 
     }
 }
 
+// Appends the graphs of the library that match.
+void add_library_rows(const State& state, const std::string& wanted, NodeRows& found) {
+    for (const LibraryEntry& entry : state.palette.library) {
+        auto matched = match(entry.name, "", "", wanted);
+        if (!matched) continue;
+        const NodeKey key{matched->rank, true, true, max_recent + 1,
+                          wanted.empty() ? SIZE_MAX : entry.name.size()};
+        found.emplace_back(key, PaletteRow{.title = entry.name,
+                                           .doc = "Graph in the library",
+                                           .target = "palette:library:" + entry.name,
+                                           .letters = std::move(matched->letters),
+                                           .entry = &entry});
+    }
+}
+
 // Matching node types and graphs, best first (palette.h).
 std::vector<PaletteRow> node_rows(const State& state) {
     const std::string wanted = lower_case(state.palette.query);
@@ -71,6 +86,7 @@ std::vector<PaletteRow> node_rows(const State& state) {
                                            .favorite = favorite});
     }
     add_subgraph_rows(state, wanted, found);
+    add_library_rows(state, wanted, found);
     return best_first(std::move(found));
 }
 

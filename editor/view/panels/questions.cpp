@@ -7,6 +7,7 @@
 #include "base/file.h"
 #include "editor/model/document/files.h"
 #include "editor/model/document/levels.h"
+#include "editor/model/document/library.h"
 #include "editor/model/words.h"
 #include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
@@ -113,6 +114,10 @@ Sheet sheet_of(const Session& session) {
             return {question.file.filename().string() + " is there already.",
                     "Its present contents would be lost.",
                     {{"Replace", "answer:replace", answer_replace}, cancelled}};
+        case Question::Kind::library:
+            return {question.file.filename().string() + " is in the library already.",
+                    "The graph there would be lost.",
+                    {{"Replace", "answer:library", replace_in_library}, cancelled}};
         case Question::Kind::outside:
             return outside_sheet(session);
         case Question::Kind::recover:

@@ -107,7 +107,11 @@ bool draw_recent(State& state, float width) {
 void draw_thumbnail(Interface& interface, ImDrawList& list, ImVec2 at, const Sample& sample) {
     const ImVec2 low = at + ImVec2(1, 1), high = at + ImVec2(card_width - 1, thumbnail_tall);
     list.AddRectFilled(low, high, thumbnail_ground, 6, ImDrawFlags_RoundCornersTop);
-    const uint32_t thumbnail = ImGui::IsItemVisible() ? interface.thumbnails.of(sample.image) : 0;
+    if (!ImGui::IsItemVisible()) return;
+    const uint32_t thumbnail =
+        sample.image.empty()
+            ? interface.graph_images.of({.file = sample.file, .registry = sample.registry})
+            : interface.thumbnails.of(sample.image);
     if (!thumbnail) return;
     const float side = thumbnail_tall - 1, left = std::floor((card_width - side) / 2);
     list.AddImage(texture_id(thumbnail), at + ImVec2(left, 1),
@@ -145,15 +149,33 @@ std::filesystem::path draw_cards(Interface& interface, const char* title,
     return taken;
 }
 
+std::vector<Sample> library_samples(const State& state) {
+    std::vector<Sample> samples;
+    for (const LibraryEntry& entry : library_entries(state.keeping.folders)) {
+        const auto found = list_samples(entry.file.parent_path());
+        for (Sample sample : found) {
+            if (sample.file != entry.file) continue;
+            sample.image.clear();
+            sample.registry = state.registry;
+            samples.push_back(std::move(sample));
+        }
+    }
+    return samples;
+}
+
 void draw_samples(State& state, int columns) {
     Start& start = state.start;
     if (!std::exchange(start.read, true)) {
+        start.library = library_samples(state);
         start.materials = list_samples(samples_folder() / "materials");
         start.techniques = list_samples(samples_folder());
     }
-    std::filesystem::path taken = draw_cards(state, "Materials", start.materials, columns);
-    if (auto other = draw_cards(state, "Techniques", start.techniques, columns); taken.empty())
-        taken = std::move(other);
+    std::filesystem::path taken;
+    for (const auto& [title, samples] :
+         {std::pair{"Library", &start.library}, std::pair{"Materials", &start.materials},
+          std::pair{"Techniques", &start.techniques}})
+        if (auto other = draw_cards(state, title, *samples, columns); taken.empty())
+            taken = std::move(other);
     if (!taken.empty()) open_chosen(state, taken);
 }
 
