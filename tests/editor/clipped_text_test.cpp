@@ -1,8 +1,10 @@
-// No text of panels, dialogs and cards is cut at the right or left border of its box, at four
-// window sizes. Text that scrolls or moves with the canvas is left out.
+// No text of panels, dialogs and cards is cut at the right or left border of its box, or shortened
+// to end with "...", at four window sizes. Text that scrolls or moves with the canvas is left out.
 #include <array>
+#include <map>
 #include <set>
 
+#include "editor/view/commands/commands.h"
 #include "headless.h"
 
 namespace wrinkle::editor {
@@ -19,28 +21,92 @@ bool may_be_cut(std::string_view owner) {
     return owner == "##canvas" || owner.find("##code") != std::string_view::npos;
 }
 
-// Returns the windows with glyphs that stick out of their clip rectangle sideways, with positions.
+// A letter as drawn.
+struct Letter {
+    char32_t code = 0;
+    ImVec2 low, high;  // as far as it has ink
+    ImVec4 clip;
+};
+
+using Codes = std::map<std::pair<float, float>, char32_t>;  // by the corner in the font's texture
+
+Codes codes_of_fonts() {
+    Codes codes;
+    for (const ImFont* font : ImGui::GetIO().Fonts->Fonts)
+        for (const ImFontGlyph& glyph : font->Glyphs)
+            codes[{glyph.U0, glyph.V0}] = static_cast<char32_t>(glyph.Codepoint);
+    return codes;
+}
+
+std::vector<Letter> letters_of(const ImDrawList& list, const Codes& codes) {
+    std::vector<Letter> letters;
+    for (const ImDrawCmd& command : list.CmdBuffer)
+        for (unsigned i = 0; i + 6 <= command.ElemCount; i += 3) {
+            const ImDrawIdx* index = &list.IdxBuffer[static_cast<int>(command.IdxOffset + i)];
+            if (index[3] != index[0] || index[4] != index[2] || index[5] != index[0] + 3) continue;
+            const ImDrawVert* a = &list.VtxBuffer[static_cast<int>(command.VtxOffset + index[0])];
+            if (a[0].uv.x >= a[1].uv.x || a[0].uv.y >= a[2].uv.y) continue;  // no letter
+            const auto code = codes.find({a[0].uv.x, a[0].uv.y});
+            letters.push_back(
+                {code == codes.end() ? U'?' : code->second, a[0].pos, a[2].pos, command.ClipRect});
+        }
+    return letters;
+}
+
+bool is_in_sight(const Letter& letter) {
+    return letter.high.y > letter.clip.y && letter.low.y < letter.clip.w;
+}
+
+bool is_cut(const Letter& letter) {
+    return letter.low.x < letter.clip.x - 1 || letter.high.x > letter.clip.z + 1;
+}
+
+std::string place_of(const ImDrawList& list, const Letter& letter) {
+    return std::string(list._OwnerName) + " at " + std::to_string(static_cast<int>(letter.low.x)) +
+           ", " + std::to_string(static_cast<int>(letter.low.y));
+}
+
+// Returns the word that ends with letter `last`, without spaces.
+std::string word_before(const std::vector<Letter>& letters, size_t last) {
+    std::string word;
+    for (size_t i = last + 1; i-- > 0 && last - i < 24;) {
+        if (i < last && letters[i + 1].low.x - letters[i].high.x > 12) break;
+        if (i < last && letters[i + 1].low.x < letters[i].low.x) break;
+        word.insert(word.begin(), letters[i].code < 128 ? static_cast<char>(letters[i].code) : '?');
+    }
+    return word;
+}
+
+// Labels of commands and buttons that open a dialog, without spaces.
+std::set<std::string> labels_with_dots() {
+    std::set<std::string> labels = {"Browse..."};
+    for (const Command& command : commands()) {
+        std::string label(command.title);
+        std::erase(label, ' ');
+        if (label.ends_with("...")) labels.insert(label);
+    }
+    return labels;
+}
+
+// Returns the windows with letters that stick out of their clip rectangle sideways, and with cut
+// words, with positions. A doc line of the search may be cut: the chosen row shows it whole.
 std::set<std::string> windows_with_cut_text() {
     std::set<std::string> found;
+    const Codes codes = codes_of_fonts();
+    const std::set<std::string> labels = labels_with_dots();
     const ImDrawData& data = *ImGui::GetDrawData();
     for (int n = 0; n < data.CmdListsCount; ++n) {
         const ImDrawList& list = *data.CmdLists[n];
         if (may_be_cut(list._OwnerName)) continue;
-        for (const ImDrawCmd& command : list.CmdBuffer)
-            for (unsigned i = 0; i + 6 <= command.ElemCount; i += 3) {
-                const ImDrawIdx* index = &list.IdxBuffer[static_cast<int>(command.IdxOffset + i)];
-                if (index[3] != index[0] || index[4] != index[2] || index[5] != index[0] + 3)
-                    continue;
-                const ImDrawVert* a =
-                    &list.VtxBuffer[static_cast<int>(command.VtxOffset + index[0])];
-                if (a[0].uv.x >= a[1].uv.x || a[0].uv.y >= a[2].uv.y) continue;  // no glyph
-                const ImVec4 clip = command.ClipRect;
-                if (a[2].pos.y <= clip.y || a[0].pos.y >= clip.w) continue;
-                if (a[0].pos.x >= clip.x - 1 && a[1].pos.x <= clip.z + 1) continue;
-                found.insert(std::string(list._OwnerName) + " at " +
-                             std::to_string(static_cast<int>(a[0].pos.x)) + ", " +
-                             std::to_string(static_cast<int>(a[0].pos.y)));
-            }
+        const std::vector<Letter> letters = letters_of(list, codes);
+        for (size_t i = 0; i < letters.size(); ++i) {
+            if (!is_in_sight(letters[i])) continue;
+            if (is_cut(letters[i])) found.insert(place_of(list, letters[i]));
+            if (std::string_view(list._OwnerName) == "##palette") continue;
+            const std::string word = word_before(letters, i);
+            if (word.ends_with("...") && !labels.contains(word))
+                found.insert(place_of(list, letters[i]) + ": " + word);
+        }
     }
     return found;
 }
@@ -73,6 +139,7 @@ TEST_F(ClippedText, NoneOnTheStartPage) {
 
 TEST_F(ClippedText, NoneWithAGraph) {
     open(text_of(std::filesystem::path(WRINKLE_SOURCE_DIR) / "graphs/materials/lava.json"));
+    state.status.clear();  // a long path is cut
     at_each_size([&] {
         expect_none("code");
         play("key Shift+E");

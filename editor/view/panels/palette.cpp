@@ -12,6 +12,7 @@
 #include "editor/view/input/input_queue.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
+#include "editor/view/look/tooltip.h"
 #include "editor/view/panels/panels.h"
 
 namespace wrinkle::editor {
@@ -157,8 +158,9 @@ void draw_node_row(State& state, const PaletteRow& row, ImVec2 low, ImVec2 high,
     const float image = draw_graph_image(state, row, low), left = std::max(image, 38.0F);
     if (image == 0) draw_output(list, row.type, {low.x + 18, (low.y + high.y) / 2}, chosen);
     draw_title(state.fonts, list, low + ImVec2(left, 5), row);
-    draw_text(list, small, 14, low + ImVec2(left, 24), theme::text_dim,
-              fitting(small, 14, row.doc, high.x - low.x - left - star_side));
+    const std::string doc = fitting(small, 14, row.doc, high.x - low.x - left - star_side);
+    draw_text(list, small, 14, low + ImVec2(left, 24), theme::text_dim, doc);
+    if (chosen && doc != row.doc) show_tooltip(beside_window(), row.doc);
     if (row.favorite || (chosen && !row.added_type().empty()))
         draw_star(list, high - ImVec2(star_side, star_side) * 0.5F, row.favorite);
     if (chosen)

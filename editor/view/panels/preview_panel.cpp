@@ -224,7 +224,7 @@ void draw_preview(State& state) {
     draw_preview_strip(state);
     const float compare = compare_height(whole.x);
     const ImVec2 at = corner + ImVec2(0, preview_head + strip_height);
-    const float time = has_time(state) ? time_height : 0;
+    const float time = has_time(state) && !state.view.flat.on ? time_height : 0;
     const ImVec2 size(whole.x, whole.y - preview_head - strip_height - time - compare);
     if (size.x >= 1 && size.y >= 1)
         state.view.flat.on ? draw_flat(state, at, size) : draw_preview_image(state, at, size);
