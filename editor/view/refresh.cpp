@@ -135,7 +135,6 @@ void refresh(State& state) {
         if (auto result = follow.compiler->take()) take(state, std::move(*result));
     poll_costs(follow);
     poll_preview_diagnostics(state);
-    advance(state, static_cast<double>(ImGui::GetIO().DeltaTime));
     update_layout(state);
     feed_node_previews(state);
     take_flat(state.flat);

@@ -108,6 +108,20 @@ TEST_F(Headless, TidyingBringsAllCardsInSight) {
     }
 }
 
+TEST_F(Headless, CommandsUseTheLayoutOfTheNewestDocument) {
+    open(sums(3));
+    state.commit("Add", parsed(sums(60)));  // as the last event of a frame does
+    queue.chord("Ctrl+L");
+    while (!queue.empty())
+        frame();
+    frame();
+    EXPECT_EQ(state.history.name(state.history.at()), "Tidy");
+    std::set<std::pair<float, float>> positions;
+    for (const Card& card : state.layout.cards)
+        positions.insert({card.at.x, card.at.y});
+    EXPECT_EQ(positions.size(), state.layout.cards.size());
+}
+
 TEST_F(Headless, NamesOnTheCanvasAreWorkedOutWhenAskedFor) {
     open(sums(2000));
     fit(state.view, state.layout, false);

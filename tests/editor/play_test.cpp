@@ -49,6 +49,24 @@ TEST_F(Headless, TimeIsPlayedPausedAndMoved) {
     EXPECT_FALSE(state.play.seconds);
 }
 
+TEST_F(Headless, TimeIsThatOfTheFrames) {
+    open(glowing);
+    const auto run = [&](int frames) {
+        for (int i = 0; i < frames; ++i)
+            frame();
+    };
+    const double delta = static_cast<double>(ImGui::GetIO().DeltaTime);
+    state.play.seconds = 0;
+    state.play.running = true;
+    run(60);
+    EXPECT_NEAR(*state.play.seconds, 60 * delta, 1e-6);
+    state.play = {.turning = true};
+    const float before = state.view.preview_view.yaw;
+    run(60);
+    constexpr double full_turn = 20;  // seconds
+    EXPECT_NEAR(state.view.preview_view.yaw - before, 60 * delta / full_turn * 6.2831853, 1e-4);
+}
+
 TEST_F(Headless, AnotherGraphHasTheTimeOfItsInput) {
     open(glowing);
     play("click time:bar");

@@ -100,9 +100,11 @@ void draw_ui(State& state) {
     state.flat.panel = {};
     state.thumbnails.begin_frame();
     age_field_wait(state);
-    run_keys(state);
     poll_tasks(state);
     poll_repeated_exports(state);
+    advance(state, static_cast<double>(ImGui::GetIO().DeltaTime));
+    refresh(state);  // commands use the layout of the current document
+    run_keys(state);
     refresh(state);
     poll_images(state);
     draw_panels(state);
