@@ -102,10 +102,10 @@ void draw_ui(State& state) {
     age_field_wait(state);
     poll_tasks(state);
     poll_repeated_exports(state);
-    advance(state, static_cast<double>(ImGui::GetIO().DeltaTime));
     refresh(state);  // commands use the layout of the current document
     run_keys(state);
     refresh(state);
+    advance(state, static_cast<double>(ImGui::GetIO().DeltaTime));
     poll_images(state);
     draw_panels(state);
     handle_drops(state);
