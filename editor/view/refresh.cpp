@@ -135,6 +135,7 @@ void refresh(State& state) {
         if (auto result = follow.compiler->take()) take(state, std::move(*result));
     poll_costs(follow);
     poll_preview_diagnostics(state);
+    send_time(state);
     update_layout(state);
     feed_node_previews(state);
     take_flat(state.flat);

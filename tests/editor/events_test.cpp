@@ -151,9 +151,9 @@ TEST_F(Events, AnyAreSurvivedAndUndone) {
     fs::current_path(before);
     std::printf("%zu events in %zu gestures: %zu edits, %llu texts generated\n", events.count(),
                 gestures, edits_, static_cast<unsigned long long>(state.counters.builds));
-    // Usually one event in 11 is an edit. One clang build had one in 21, another time one in 14,
-    // for an unknown reason. The limit detects gestures that miss all targets.
-    EXPECT_GE(edits_ * 40, events.count()) << "the hands aim too badly";
+    // Of 150 seeds the median has an edit in 9.7 events, the worst in 13. It was 49 with a panel or
+    // dialog over the canvas that stayed there.
+    EXPECT_GE(edits_ * 20, events.count()) << "the hands aim too badly";
 }
 
 }  // namespace

@@ -241,5 +241,17 @@ TEST(Shortcuts, NeverMeanTwoThings) {
     }
 }
 
+TEST_F(Headless, EscapeClosesEveryMenuAndPopup) {
+    open(small_graph);
+    for (const char* opener :
+         {"menu:File", "menu:Edit", "menu:View", "menu:Node", "menu:Preview", "menu:Help",
+          "preview:more", "preview:mesh", "preview:light", "code:menu"}) {
+        play(std::string("click ") + opener + "\nwait 3");
+        EXPECT_TRUE(has_open_dialog(state)) << opener;
+        play("key Escape\nwait 3");
+        EXPECT_FALSE(has_open_dialog(state)) << opener;
+    }
+}
+
 }  // namespace
 }  // namespace wrinkle::editor

@@ -70,10 +70,7 @@ std::string RandomEvents::any_text() {
 }
 
 void RandomEvents::next() {
-    const bool covered = state_.question.open() || state_.palette.open || state_.help.open ||
-                         state_.browser.purpose != Browser::Purpose::none ||
-                         state_.popup.kind != Popup::Kind::none;
-    if (covered && pick(4)) return chord("Escape");
+    if (has_open_dialog(state_) && pick(4)) return chord("Escape");
     const size_t what = pick(100);
     if (what < 27) return wire();
     if (what < 47) return drag_value();

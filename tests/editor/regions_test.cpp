@@ -153,6 +153,20 @@ TEST_F(Headless, TheMinimapBringsAPlaceIntoTheMiddle) {
     play("assert clean");
 }
 
+TEST_F(Headless, NodesAreShownInThePlaceOfAMaximisedPanel) {
+    open(small_graph);
+    play("key Home");
+    const float zoom = state.view.zoom;
+    for (const char* key : {"Home", "F"}) {
+        play(
+            std::string("click node:noise\nclick preview:maximise\nassert no-target crumbs\nkey ") +
+            key + "\nassert target crumbs");
+        EXPECT_EQ(state.panes.maximised, Pane::none);
+    }
+    play("key Home");
+    EXPECT_EQ(state.view.zoom, zoom);
+}
+
 TEST_F(Headless, EveryPanelIsDrawnInAWindowOfAnySize) {
     open(R"({"wrinkle": 1, "inputs": {"level": {"type": "float", "default": 0.5}}, "nodes": {
         "a": {"type": "no_such_type"}, "b": {"type": "reroute"}}, "outputs": {}})");

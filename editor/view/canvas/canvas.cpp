@@ -258,6 +258,13 @@ void update_gesture(State& state, bool hovered) {
     }
 }
 
+void show_nodes(State& state, bool selection_only) {
+    Pane& maximised = state.panes.maximised;
+    if (maximised != Pane::canvas) maximised = Pane::none;
+    state.view.extent = regions_of(state).canvas.size;
+    fit(state.view, state.layout, selection_only);
+}
+
 void draw_canvas(State& state) {
     View& view = state.view;
     view.corner = ImGui::GetCursorScreenPos();

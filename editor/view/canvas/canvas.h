@@ -28,6 +28,10 @@ namespace wrinkle::editor {
 //   Escape                   cancel the gesture
 void draw_canvas(State& state);
 
+// Moves all nodes, or the selected ones, into sight (fit(), layout.h); another panel that fills the
+// window gives way to the canvas.
+void show_nodes(State& state, bool selection_only);
+
 // Parts of draw_canvas().
 Hit pick(const State& state, ImVec2 mouse);
 void draw_graph(const State& state, ImDrawList& list);

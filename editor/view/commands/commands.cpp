@@ -52,13 +52,16 @@ bool run_command(State& state, std::string_view id) {
     return true;
 }
 
+bool has_open_dialog(const State& state) {
+    return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) || state.palette.open ||
+           state.help.open || state.offer.open || state.box_text.open || state.context_menu.open ||
+           state.question.open() || state.bake_dialog.open || state.host_dialog.open ||
+           state.dropped.has_question() || state.browser.purpose != Browser::Purpose::none ||
+           state.popup.kind != Popup::Kind::none;
+}
+
 void run_keys(State& state) {
-    if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) || state.palette.open || state.help.open ||
-        state.offer.open || state.box_text.open || state.context_menu.open ||
-        state.question.open() || state.bake_dialog.open || state.host_dialog.open ||
-        state.dropped.has_question() || state.browser.purpose != Browser::Purpose::none ||
-        state.popup.kind != Popup::Kind::none || state.gesture.kind != Gesture::Kind::none)
-        return;
+    if (has_open_dialog(state) || state.gesture.kind != Gesture::Kind::none) return;
     for (const Command& command : commands())
         if (!command.keys.empty() && pressed(command.keys) && command.enabled(state))
             return command.run(state);

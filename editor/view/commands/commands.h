@@ -26,8 +26,10 @@ std::span<const Command> commands();  // in the order of the menus
 const Command* find_command(std::string_view id);
 bool run_command(State& state, std::string_view id);  // false if unknown or disabled
 
-// Runs the first enabled command with its keys pressed in this frame, unless a text field, a dialog
-// or a popup is open or a gesture is in progress.
+// Returns true if a dialog, a popup or a search is open: it takes the keys.
+bool has_open_dialog(const State& state);
+// Runs the first enabled command with its keys pressed in this frame, unless a dialog is open or a
+// gesture is in progress.
 void run_keys(State& state);
 
 }  // namespace wrinkle::editor

@@ -1,3 +1,4 @@
+#include "editor/view/canvas/canvas.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/commands/groups.h"
 #include "editor/view/edit/edits.h"
@@ -66,9 +67,9 @@ bool is_maximised(const State& state) {
 constexpr Command view_table[] = {
     {"commands", "Search commands", "Ctrl+P", always,
      [](State& s) { open_list(s, Palette::List::commands); }},
-    {"fit", "Show all", "Home", always, [](State& s) { fit(s.view, s.layout, false); }},
+    {"fit", "Show all", "Home", always, [](State& s) { show_nodes(s, false); }},
     {"fit-selection", "Show selection", "F", wants_selection,
-     [](State& s) { fit(s.view, s.layout, true); }},
+     [](State& s) { show_nodes(s, true); }},
     {"next-problem", "Next problem", "F8", no_problems, next_problem},
     {"zoom-in", "Zoom in", "Ctrl+Up", always, zoom<1>},
     {"zoom-out", "Zoom out", "Ctrl+Down", always, zoom<-1>},

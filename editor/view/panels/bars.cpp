@@ -47,6 +47,7 @@ void draw_menu(State& state, std::string_view name) {
         for (const Command& command : commands())
             if (command.menu == menu) draw_menu_item(state, command);
         if (menu == "File") draw_recent_files(state);
+        if (is_pressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
         ImGui::EndMenu();
     }
     ImGui::PopStyleVar(2);

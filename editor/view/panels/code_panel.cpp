@@ -121,10 +121,7 @@ void draw_head(State& state) {
     } else {
         if (icon_button(state, "more", "code:menu", "Language, form, parameters"))
             ImGui::OpenPopup("##code-options");
-        if (ImGui::BeginPopup("##code-options")) {
-            draw_options(state, choice);
-            ImGui::EndPopup();
-        }
+        if (const PanelPopup popup("##code-options"); popup) draw_options(state, choice);
     }
     ImGui::SetCursorPos({width - buttons - 4, 7});
     if (icon_button(state, "copy", "code:copy", "Copy the text"))

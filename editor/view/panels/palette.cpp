@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "editor/view/canvas/canvas.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/commands/commands.h"
 #include "editor/view/edit/edits.h"
@@ -71,7 +72,7 @@ void choose(State& state, const PaletteRow& row) {
     state.palette = {};
     if (!row.node.empty()) {
         state.view.selected = {row.node};
-        return fit(state.view, state.layout, true);
+        return show_nodes(state, true);
     }
     if (row.step) {
         state.status = (*row.step == 0 ? "Back at the start" : "Back at: " + row.title);

@@ -85,20 +85,16 @@ void draw_more(State& state) {
     PreviewView& view = state.view.preview_view;
     if (icon_button(state, "more", "preview:more", "Scale, displacement, files"))
         ImGui::OpenPopup("preview-more");
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(12, 12));
-    if (ImGui::BeginPopup("preview-more")) {
-        ImGui::SetNextItemWidth(150);
-        ImGui::DragFloat("Object scale", &view.scale, 0.01F, 0.01F, 100.0F, "%.2f x",
-                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-        name_item(state, "preview:scale");
-        ImGui::Checkbox("Displaced", &view.displaced);
-        name_item(state, "preview:displaced");
-        edit_path(state, "Mesh file", "teapot.glb", "preview:mesh-file", view.mesh, "sphere");
-        edit_path(state, "Environment", "sky.hdr", "preview:environment-file", view.environment,
-                  "");
-        ImGui::EndPopup();
-    }
-    ImGui::PopStyleVar();
+    const PanelPopup popup("preview-more");
+    if (!popup) return;
+    ImGui::SetNextItemWidth(150);
+    ImGui::DragFloat("Object scale", &view.scale, 0.01F, 0.01F, 100.0F, "%.2f x",
+                     ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    name_item(state, "preview:scale");
+    ImGui::Checkbox("Displaced", &view.displaced);
+    name_item(state, "preview:displaced");
+    edit_path(state, "Mesh file", "teapot.glb", "preview:mesh-file", view.mesh, "sphere");
+    edit_path(state, "Environment", "sky.hdr", "preview:environment-file", view.environment, "");
 }
 
 std::string what_is_shown(const Session& session) {

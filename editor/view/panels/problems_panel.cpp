@@ -130,7 +130,7 @@ void apply(State& state, const Row& row, const Fix& fix) {
     if (!found) return;
     const Card card = *found;
     state.view.selected = {fix.node};
-    fit(state.view, state.layout, true);
+    show_nodes(state, true);
     for (const Field& field : card.fields)
         if (field.port == fix.port) return open_field(state, card, field);
 }
@@ -142,7 +142,7 @@ void show_problem(State& state, size_t index) {
     state.status = sentence(problem.message);
     if (!state.document().find(id)) return;
     state.view.selected = {id};
-    fit(state.view, state.layout, true);
+    show_nodes(state, true);
 }
 
 // Draws an octagon with an exclamation mark for an error, a triangle for a warning.

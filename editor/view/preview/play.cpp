@@ -38,6 +38,11 @@ void advance(State& state, double delta) {
         return;
     }
     if (play.running) play.seconds = std::fmod(play.seconds.value_or(0) + delta, time_end(state));
+}
+
+void send_time(State& state) {
+    Play& play = state.play;
+    if (!has_time(state)) return;
     const uint64_t program = state.follow.drawn.version;
     if (play.seconds == play.sent && (!play.seconds || play.program == program)) return;
     send_number(state, time_input, play.seconds);

@@ -29,5 +29,7 @@ bool has_time(const State& state);
 double time_end(const State& state);
 // Advances by `delta` seconds. Called once each frame.
 void advance(State& state, double delta);
+// Sends the time to the program that the preview shows, if it has another one.
+void send_time(State& state);
 
 }  // namespace wrinkle::editor
