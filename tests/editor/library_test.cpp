@@ -142,7 +142,7 @@ std::vector<uint8_t> image_of(const TemporaryFolder& folder, const std::string& 
         "grey": {"type": "material", "in": {"color": [0.5, 0.5, 0.5]}},
         "half": {"type": "add", "in": {"a": 0.25}}}, "outputs": {)" +
                                                      outputs + "}}");
-    return draw_graph_image({.file = file, .registry = &built_in_registry()}).texels;
+    return draw_graph_image({"g", 0, GraphFile{file, {}, &built_in_registry()}}).texels;
 }
 
 TEST(GraphImages, ShowTheColorOrTheMaterialOrTheFirstOutput) {
@@ -158,9 +158,23 @@ TEST(GraphImages, ShowTheColorOrTheMaterialOrTheFirstOutput) {
     EXPECT_FALSE(image_of(folder, R"("height": {"from": "half.result"})").empty());
     EXPECT_EQ(image_of(folder, broken + "," + grey)[0], 188);
     EXPECT_TRUE(image_of(folder, broken).empty());
-    EXPECT_TRUE(
-        draw_graph_image({.file = folder.path() / "none.json", .registry = &built_in_registry()})
-            .texels.empty());
+    const GraphFile none{folder.path() / "none.json", {}, &built_in_registry()};
+    EXPECT_TRUE(draw_graph_image({"none", 0, none}).texels.empty());
+}
+
+TEST(GraphImages, HaveTheInputsOfAPreset) {
+    GraphPreset graph;
+    graph.document = parsed(R"({"wrinkle": 1,
+        "inputs": {"tint": {"type": "color", "default": [1, 0, 0]}},
+        "presets": {"Blue": {"tint": [0, 0, 1]}},
+        "nodes": {"c": {"type": "color", "in": {"color": {"from": "input.tint"}}}},
+        "outputs": {"color": {"from": "c.color"}}})");
+    graph.model = make_model(graph.document, ".", built_in_registry());
+    EXPECT_EQ(draw_graph_image({"a", 0, graph}).texels[0], 255);
+    graph.preset = "Blue";
+    const auto blue = draw_graph_image({"b", 0, graph}).texels;
+    EXPECT_EQ(blue[0], 0);
+    EXPECT_EQ(blue[2], 255);
 }
 
 }  // namespace

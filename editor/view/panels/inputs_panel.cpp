@@ -17,12 +17,20 @@ std::string& chosen_preset(State& state) {
     return state.view.preview_request.preset;
 }
 
+// Returns the texture; 0 while the list is closed.
+uint32_t image_of(State& state, const std::string& preset) {
+    if (!state.inputs_panel.lists_presets) return 0;
+    return state.graph_images.of({state.model, state.document(), preset},
+                                 (state.follow.first << 32) + state.history.serial());
+}
+
 void choose_preset(State& state, float width) {
-    std::vector<Item> items{{no_preset, "preset:defaults"}};
+    std::vector<Item> items{{no_preset, "preset:defaults", {}, image_of(state, "")}};
     for (const Preset& preset : state.document().presets)
-        items.push_back({preset.name, "preset:" + preset.name});
+        items.push_back({preset.name, "preset:" + preset.name, {}, image_of(state, preset.name)});
     const std::string shown = chosen_preset(state).empty() ? no_preset : chosen_preset(state);
     const int picked = choose(state, "preset", shown, items, width);
+    state.inputs_panel.lists_presets = state.targets.find("preset:defaults").has_value();
     if (picked == 0) chosen_preset(state).clear();
     if (picked > 0) chosen_preset(state) = items[static_cast<size_t>(picked)].label;
 }

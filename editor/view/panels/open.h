@@ -119,6 +119,7 @@ struct ContextMenu {
 // State of the panel of the graph's inputs; PreviewRequest has the chosen preset.
 struct InputsPanel {
     bool shown = false;                // instead of the code
+    bool lists_presets = false;        // the list of presets was open in the last frame
     std::string merge;                 // merge key of the undo steps of the control in use
     std::string text;                  // content of the open text field
     std::string name;                  // content of the field of the input's name

@@ -139,7 +139,7 @@ void draw_star(ImDrawList& list, ImVec2 middle, bool filled) {
 
 // Draws the image of a graph; returns its width with the gap, 0 if there is none.
 float draw_graph_image(State& state, const PaletteRow& row, ImVec2 low) {
-    GraphImageJob wanted{.registry = state.registry};
+    GraphFile wanted{{}, {}, state.registry};
     if (row.entry)
         wanted.file = row.entry->file;
     else if (!row.graph.empty())

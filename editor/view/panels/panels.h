@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -139,6 +140,7 @@ bool icon_button(Interface& interface, const char* icon, const std::string& targ
 // Item of a combo box or a row of segments; `target` is its name for scripts.
 struct Item {
     std::string label, target, tooltip = {};
+    std::optional<uint32_t> image = {};  // in a list: its texture, 0 before it is drawn
 };
 // Row of segments, of which `chosen` is active. Returns the index that was clicked, or -1.
 int segments(Interface& interface, std::span<const Item> items, int chosen, float width);

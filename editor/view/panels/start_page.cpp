@@ -108,10 +108,9 @@ void draw_thumbnail(Interface& interface, ImDrawList& list, ImVec2 at, const Sam
     const ImVec2 low = at + ImVec2(1, 1), high = at + ImVec2(card_width - 1, thumbnail_tall);
     list.AddRectFilled(low, high, thumbnail_ground, 6, ImDrawFlags_RoundCornersTop);
     if (!ImGui::IsItemVisible()) return;
-    const uint32_t thumbnail =
-        sample.image.empty()
-            ? interface.graph_images.of({.file = sample.file, .registry = sample.registry})
-            : interface.thumbnails.of(sample.image);
+    const uint32_t thumbnail = sample.image.empty()
+                                   ? interface.graph_images.of({sample.file, {}, sample.registry})
+                                   : interface.thumbnails.of(sample.image);
     if (!thumbnail) return;
     const float side = thumbnail_tall - 1, left = std::floor((card_width - side) / 2);
     list.AddImage(texture_id(thumbnail), at + ImVec2(left, 1),

@@ -14,6 +14,20 @@ constexpr float icon_side = 24;
 constexpr ImGuiWindowFlags frameless = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
 
+// Returns true if the row of a list was clicked.
+bool draw_item(const Interface& interface, const Item& item, bool chosen) {
+    if (!item.image) return ImGui::Selectable(item.label.c_str(), chosen);
+    constexpr float side = 40, gap = 8;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool picked = ImGui::Selectable("##item", chosen, 0, {0, side});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (*item.image)
+        list.AddImage(texture_id(*item.image), at, at + ImVec2(side, side), {0, 1}, {1, 0});
+    draw_text(list, interface.fonts.regular(16), 16, at + ImVec2(side + gap, side / 2 - 8),
+              theme::text, item.label);
+    return picked;
+}
+
 }  // namespace
 
 FixedWindow::FixedWindow(const char* id, ImVec2 at, ImVec2 size, const WindowStyle& style)
@@ -184,7 +198,8 @@ int choose(Interface& interface, const std::string& target, const std::string& s
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8, 8));
     ImGui::PushStyleColor(ImGuiCol_Border, theme::control);
     const bool open =
-        ImGui::BeginCombo(("##" + target).c_str(), fitted.c_str(), ImGuiComboFlags_NoArrowButton);
+        ImGui::BeginCombo(("##" + target).c_str(), fitted.c_str(),
+                          ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     draw_icon(list, "down", {high.x - 14, (low.y + high.y) / 2},
@@ -196,7 +211,7 @@ int choose(Interface& interface, const std::string& target, const std::string& s
     for (int i = 0; i < static_cast<int>(items.size()); ++i) {
         const Item& item = items[static_cast<size_t>(i)];
         ImGui::PushID(i);
-        if (ImGui::Selectable(item.label.c_str(), item.label == shown)) picked = i;
+        if (draw_item(interface, item, item.label == shown)) picked = i;
         ImGui::PopID();
         name_item(interface, item.target);
     }

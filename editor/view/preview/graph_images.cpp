@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/file.h"
+#include "editor/model/document/inputs.h"
 #include "editor/model/document/request.h"
 #include "editor/view/look/thumbnails.h"
 #include "editor/view/preview/flat_values.h"
@@ -32,34 +33,52 @@ std::vector<uint8_t> texels_of_values(const FlatValues& values) {
     return texels;
 }
 
-}  // namespace
-
-GraphImage draw_graph_image(GraphImageJob&& job) {
-    GraphImage image{job.file, job.written, {}};
-    std::string why;
-    Diagnostics problems;
-    const auto bytes = read_file(job.file, why);
-    if (!bytes) return image;
-    const Document document = read_document(*bytes, job.file.string(), problems);
-    const Model model = make_model(document, job.file.parent_path(), *job.registry, job.root);
+std::vector<uint8_t> draw(const Model& model, const Document& document) {
     constexpr FlatArea tile{0, 0, 1.0 / GraphImage::side, GraphImage::side, GraphImage::side};
     TextureStore textures;
     for (const std::string& node : shown_nodes(model, document))
-        if (const auto values = evaluate_flat(model, document, node, "", tile, textures)) {
-            image.texels = texels_of_values(*values);
-            break;
-        }
-    return image;
+        if (const auto values = evaluate_flat(model, document, node, "", tile, textures))
+            return texels_of_values(*values);
+    return {};
 }
 
-uint32_t GraphImages::of(GraphImageJob wanted) {
-    if (!maker || !gl) return 0;
+std::vector<uint8_t> texels_of_graph(const GraphFile& graph) {
+    std::string why;
+    Diagnostics problems;
+    const auto bytes = read_file(graph.file, why);
+    if (!bytes) return {};
+    const Document document = read_document(*bytes, graph.file.string(), problems);
+    return draw(make_model(document, graph.file.parent_path(), *graph.registry, graph.root),
+                document);
+}
+
+std::vector<uint8_t> texels_of_graph(const GraphPreset& graph) {
+    return draw(graph.model, with_preset_as_defaults(graph.model, graph.document, graph.preset));
+}
+
+}  // namespace
+
+GraphImage draw_graph_image(GraphImageJob&& job) {
+    return {job.key, job.stamp,
+            std::visit([](const auto& graph) { return texels_of_graph(graph); }, job.graph)};
+}
+
+uint32_t GraphImages::of(const GraphFile& file) {
     std::error_code ignored;
-    wanted.written = std::filesystem::last_write_time(wanted.file, ignored);
-    const auto found = drawn_.find(wanted.file);
+    const auto time = std::filesystem::last_write_time(file.file, ignored).time_since_epoch();
+    return find_or_draw({file.file.string(), static_cast<uint64_t>(time.count()), file});
+}
+
+uint32_t GraphImages::of(const GraphPreset& preset, uint64_t version) {
+    return find_or_draw({"preset " + preset.preset, version, preset});
+}
+
+uint32_t GraphImages::find_or_draw(GraphImageJob job) {
+    if (!maker || !gl) return 0;
+    const auto found = drawn_.find(job.key);
     const uint32_t texture = found == drawn_.end() ? 0 : found->second.texture;
-    const bool current = found != drawn_.end() && found->second.written == wanted.written;
-    if (!current && maker->idle()) maker->post(std::move(wanted));
+    const bool current = found != drawn_.end() && found->second.stamp == job.stamp;
+    if (!current && maker->idle()) maker->post(std::move(job));
     return texture;
 }
 
@@ -67,8 +86,8 @@ void GraphImages::take() {
     if (!maker) return;
     const auto image = maker->take();
     if (!image) return;
-    Drawn& drawn = drawn_[image->file];
-    drawn.written = image->written;
+    Drawn& drawn = drawn_[image->key];
+    drawn.stamp = image->stamp;
     if (gl && !image->texels.empty())
         allocate_texture(drawn.texture, GraphImage::side, GraphImage::side, image->texels.data());
 }
