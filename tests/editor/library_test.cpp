@@ -132,7 +132,7 @@ TEST_F(Libraries, AreOnTheStartPage) {
     state.keeping.settings.recent.clear();
     state.start = {};
     frame();
-    play("click sample:rock\nassert nodes 2\nassert errors 0");
+    play("click library:rock\nassert nodes 2\nassert errors 0");
     EXPECT_EQ(state.path, entry() / "rock.json");
 }
 

@@ -120,8 +120,10 @@ void draw_thumbnail(Interface& interface, ImDrawList& list, ImVec2 at, const Sam
 // Returns true if the card was clicked.
 bool draw_card(Interface& interface, const Sample& sample) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    const std::string target =
+        (sample.image.empty() ? "library:" : "sample:") + sample.file.stem().string();
     const auto [at, end, clicked, hovered] =
-        area_button(interface, "sample:" + sample.file.stem().string(), {card_width, card_tall});
+        area_button(interface, target, {card_width, card_tall});
     list.AddRectFilled(at, end, theme::node, 6);
     draw_thumbnail(interface, list, at, sample);
     list.AddRect(at, end, hovered ? theme::accent : theme::border, 6, 0, hovered ? 2 : 1);
