@@ -146,7 +146,8 @@ int main(int argc, char** argv) {
     app.add_option("--timings", arguments.timings,
                    "Writes how long frames took, and edits until their pixels were there");
     app.add_option("--size", arguments.size, "Width and height of the window")->expected(2);
-    app.add_option("--state", arguments.state, "Keeps settings, recovery files and the library here");
+    app.add_option("--state", arguments.state,
+                   "Keeps settings, recovery files and the library here");
     app.add_option("--plugin-path", arguments.plugin_paths, "A plugin, or a folder of plugins")
         ->allow_extra_args(false)  // one per option: the next argument may be FILE
         ->take_all();
