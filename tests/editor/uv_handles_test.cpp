@@ -92,10 +92,9 @@ TEST(UvHandles, OfEveryTypeAreWhereTheyWereMovedTo) {
             const glm::dvec2 found = at(changed, handle.port);
             const bool has_center = handles_of(start)[0].port == "center";
             const glm::dvec2 middle = has_center ? at(changed, "center") : glm::dvec2(0);
-            if (handle.port == "radius" || (handle.port == "size" && type.id != "sd_box" &&
-                                            std::fabs(handle.at.y - middle.y) < 1e-9))
+            if (handle.kind == UvHandle::Kind::distance)
                 EXPECT_NEAR(glm::distance(found, middle), glm::distance(to, middle), 1e-6);
-            else if (handle.port == "rotation" || handle.port == "angle")
+            else if (handle.kind == UvHandle::Kind::angle)
                 expect_at(glm::normalize(found - middle), glm::normalize(to - middle), 1e-6);
             else
                 expect_at(found, to, 1e-6);

@@ -1,6 +1,5 @@
 #include "editor/model/document/uv_handles.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -95,17 +94,19 @@ double angle_at(const Placement& placement, glm::dvec2 to, bool snaps) {
 std::vector<UvHandle> uv_handles(const Node& node, const NodeType& type) {
     if (!reads_surface_uv(node, type)) return {};
     const Placement placement{node, type};
+    using Kind = UvHandle::Kind;
     std::vector<UvHandle> handles;
     for (const std::string_view name : {"center", "a", "b"})
         if (const Port* port = placement.free_port(name, PortType::vec2_))
-            handles.push_back({port->name, placement.point(*port)});
+            handles.push_back({Kind::point, port->name, placement.point(*port)});
     if (const Port* box = placement.box)
-        handles.push_back({box->name, placement.placed(placement.point(*box) * 0.5)});
+        handles.push_back({Kind::corner, box->name, placement.placed(placement.point(*box) * 0.5)});
     if (const Port* distance = placement.distance)
-        handles.push_back({distance->name, placement.placed({placement.number(*distance), 0})});
+        handles.push_back(
+            {Kind::distance, distance->name, placement.placed({placement.number(*distance), 0})});
     if (const Port* angle = placement.angle) {
         const glm::dvec2 arm = turned({0, placement.arm()}, placement.number(*angle));
-        handles.push_back({angle->name, placement.middle() + arm});
+        handles.push_back({Kind::angle, angle->name, placement.middle() + arm});
     }
     return handles;
 }

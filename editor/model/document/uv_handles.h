@@ -12,6 +12,7 @@
 // wire has no handle, nor have those that depend on it.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string_view>
@@ -23,6 +24,8 @@
 namespace wrinkle::editor {
 
 struct UvHandle {
+    enum class Kind : uint8_t { point, corner, distance, angle };  // rows of the table
+    Kind kind = Kind::point;
     std::string_view port;  // name of the port
     glm::dvec2 at;          // uv
     bool operator==(const UvHandle&) const = default;

@@ -1,4 +1,5 @@
 // Handles over the 2D view, which set values of the node by a drag (document/uv_handles.h).
+#include <algorithm>
 #include <cmath>
 
 #include "editor/model/document/uv_handles.h"
@@ -37,9 +38,8 @@ void draw_guides(const FlatPanel& panel, const std::vector<UvHandle>& handles,
     const ImVec2 middle = on_screen(panel, center->at);
     for (const UvHandle& handle : handles) {
         const ImVec2 at = on_screen(panel, handle.at), arm = at - middle;
-        const bool is_angle = handle.port == "rotation" || handle.port == "angle";
-        if (is_angle) list.AddLine(middle, at, color);
-        if (handle.port == "radius" || (handle.port == "size" && box.empty()))
+        if (handle.kind == UvHandle::Kind::angle) list.AddLine(middle, at, color);
+        if (handle.kind == UvHandle::Kind::distance)
             list.AddCircle(middle, std::max(std::hypot(arm.x, arm.y), 1.0F), color);
     }
 }

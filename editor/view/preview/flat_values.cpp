@@ -200,4 +200,12 @@ void append_texel(std::vector<uint8_t>& texels, glm::dvec3 color) {
     texels.push_back(255);
 }
 
+std::vector<uint8_t> texels_of(const FlatValues& values) {
+    std::vector<uint8_t> texels;
+    const Range range = range_of_values(values.values);
+    for (size_t i = 0; i + values.lanes <= values.values.size(); i += values.lanes)
+        append_texel(texels, flat_color(values.type, values.values.data() + i, range));
+    return texels;
+}
+
 }  // namespace wrinkle::editor

@@ -52,5 +52,7 @@ Range range_of_values(const std::vector<double>& values);
 glm::dvec3 flat_color(PortType type, const double* lanes, const Range& range);
 
 void append_texel(std::vector<uint8_t>& texels, glm::dvec3 color);  // RGBA
+// Returns the display colors of all points; numbers and heights as gray over their range.
+std::vector<uint8_t> texels_of(const FlatValues& values);
 
 }  // namespace wrinkle::editor

@@ -1,6 +1,5 @@
 #include "editor/view/preview/graph_images.h"
 
-#include <algorithm>
 
 #include "base/file.h"
 #include "editor/model/document/inputs.h"
@@ -25,20 +24,12 @@ std::vector<std::string> shown_nodes(const Model& model, const Document& documen
     return nodes;
 }
 
-std::vector<uint8_t> texels_of_values(const FlatValues& values) {
-    std::vector<uint8_t> texels;
-    const Range range = range_of_values(values.values);
-    for (size_t i = 0; i + values.lanes <= values.values.size(); i += values.lanes)
-        append_texel(texels, flat_color(values.type, values.values.data() + i, range));
-    return texels;
-}
-
 std::vector<uint8_t> draw(const Model& model, const Document& document) {
     constexpr FlatArea tile{0, 0, 1.0 / GraphImage::side, GraphImage::side, GraphImage::side};
     TextureStore textures;
     for (const std::string& node : shown_nodes(model, document))
         if (const auto values = evaluate_flat(model, document, node, "", tile, textures))
-            return texels_of_values(*values);
+            return texels_of(*values);
     return {};
 }
 

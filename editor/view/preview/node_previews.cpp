@@ -13,14 +13,6 @@ FlatArea patch(uint32_t magnification) {
             NodePreviews::height};
 }
 
-std::vector<uint8_t> texels_of(const FlatValues& drawn) {
-    std::vector<uint8_t> texels;
-    const Range range = range_of_values(drawn.values);
-    for (size_t i = 0; i < drawn.values.size(); i += drawn.lanes)
-        append_texel(texels, flat_color(drawn.type, drawn.values.data() + i, range));
-    return texels;
-}
-
 // Differences below 4 of 255 count as none: they are hardly visible.
 bool has_one_color(const std::vector<uint8_t>& texels) {
     for (size_t i = 4; i < texels.size(); ++i)
