@@ -91,6 +91,7 @@ void draw_panels(State& state) {
         draw(state);
     state.value_held = std::exchange(state.holds_value, false);
     state.eyedropper.on = std::exchange(state.eyedropper.drawn, false);
+    if (!state.eyedropper.on) state.eyedropper.pixel.reset();
 }
 
 }  // namespace
