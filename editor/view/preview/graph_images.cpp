@@ -1,6 +1,5 @@
 #include "editor/view/preview/graph_images.h"
 
-
 #include "base/file.h"
 #include "editor/model/document/inputs.h"
 #include "editor/model/document/request.h"
