@@ -13,7 +13,7 @@ using EditorHostExport = Baking;
 TEST_F(EditorHostExport, TheDialogWritesTheFilesOfTheProgram) {
     open(rock);
     play(
-        "key Ctrl+Shift+E\nassert target host:start\nclick host:to\nclick host:to:gltf\n"
+        "key Ctrl+Shift+E\nassert target host:start\nclick host:to:gltf\n"
         "click host:mesh\nclick host:mesh:torus\nclick host:size\nclick host:size:256\n"
         "click host:start\nassert no-target host:start\nfinish\n"
         "assert status Wrote 2 files for glTF 2.0 into graph_gltf");
@@ -27,7 +27,7 @@ TEST_F(EditorHostExport, AnExportIsRepeatedAtEverySave) {
     open(rock);
     const fs::path into = folder.path() / "graph_gltf";
     play(
-        "assert no-target status:exported\nkey Ctrl+Shift+E\nclick host:to\nclick host:to:gltf\n"
+        "assert no-target status:exported\nkey Ctrl+Shift+E\nclick host:to:gltf\n"
         "click host:size\nclick host:size:256\nclick host:repeat\nclick host:start\nfinish");
     fs::remove_all(into);
     play("key Space\ntype weave\nkey Enter\nfinish");
@@ -67,7 +67,7 @@ TEST_F(EditorHostExport, EveryHostIsOffered) {
     open(rock);
     std::string script = "key Ctrl+Shift+E\n";
     for (const Host& host : hosts())
-        script += "click host:to\nclick host:to:" + std::string(host.name) + "\n";
+        script += "click host:to:" + std::string(host.name) + "\n";
     play(script + "key Escape\nassert no-target host:start");
 }
 

@@ -28,16 +28,23 @@ void choose_host(State& state, const Host& host) {
     if (!repeated) dialog.choices.into = usual_folder(state, host);
 }
 
-void draw_host_row(State& state) {
-    const HostChoices& choices = state.host_dialog.choices;
-    begin_control(state.fonts, "Host");
-    std::vector<Item> items;
-    for (const Host& host : hosts())
-        items.push_back({std::string(host.label), "host:to:" + std::string(host.name)});
-    const int picked =
-        choose(state, "host:to", std::string(choices.host->label), items, host_control_wide);
-    if (picked < 0) return;
-    choose_host(state, hosts()[static_cast<size_t>(picked)]);
+// Draws all hosts in two columns. Returns true if one was double-clicked.
+bool draw_hosts(State& state) {
+    constexpr float gap = 8, host_tall = 28, each_wide = (host_control_wide - gap) / 2;
+    begin_control(state.fonts, "Host", "A double click exports");
+    ImGui::BeginGroup();
+    bool taken = false;
+    for (size_t i = 0; i < hosts().size(); ++i) {
+        const Host& host = hosts()[i];
+        if (i % 2 == 1) ImGui::SameLine(0, gap);
+        const bool chosen = state.host_dialog.choices.host == &host;
+        if (button(state, std::string(host.label).c_str(), "host:to:" + std::string(host.name),
+                   chosen, {each_wide, host_tall}))
+            choose_host(state, host);
+        taken |= ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+    }
+    ImGui::EndGroup();
+    return taken;
 }
 
 // Returns true on Enter.
@@ -56,7 +63,7 @@ bool draw_into_row(State& state) {
     return entered;
 }
 
-// Returns true when the dialog is to be closed.
+// Returns true when the dialog is to be closed. `entered`: by Enter in a field, or a double click.
 bool draw_host_buttons(State& state, bool entered) {
     const bool ready = why_no_host_export(state).empty();
     const bool on_top = !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
@@ -85,12 +92,12 @@ bool draw_host_rows(State& state) {
     draw_text(*ImGui::GetWindowDrawList(), state.fonts.bold(24), 24, at, theme::text,
               "Export to a host");
     ImGui::Dummy({1, 32});
-    draw_host_row(state);
+    bool entered = draw_hosts(state);
     draw_dialog_mesh(state, "host", choices.mesh, host_control_wide, Browser::Purpose::host_mesh);
     begin_control(state.fonts, "Maps", "Side of baked maps, in texels");
     draw_numbers(state, "host:size", host_sizes, choices.size, host_control_wide,
                  [](uint32_t texels) { return grouped(texels) + " px"; });
-    const bool entered = draw_into_row(state);
+    entered |= draw_into_row(state);
     begin_control(state.fonts, "Repeat", "Until another graph is opened");
     draw_control(state, "host:repeat", 0, [&] {
         return ImGui::Checkbox("Export again at every save", &state.host_dialog.repeat);
