@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "editor/view/canvas/layout.h"
 #include "editor/view/look/draw.h"
@@ -19,25 +20,27 @@ public:
         : corner_(corner),
           wide_(std::max(static_cast<int>(extent.x / side), 0)),
           tall_(std::max(static_cast<int>(extent.y / side), 0)),
-          covered_(static_cast<size_t>(wide_) * static_cast<size_t>(tall_), false) {}
+          cells_(static_cast<size_t>(wide_) * static_cast<size_t>(tall_), free) {}
 
     void cover(ImVec2 low, ImVec2 high) {
         const Squares of = squares(low, high);
+        const int x = std::max(of.x0, 0), count = std::min(of.x1, wide_ - 1) - x + 1;
+        if (count <= 0) return;
         for (int y = std::max(of.y0, 0); y <= std::min(of.y1, tall_ - 1); ++y)
-            for (int x = std::max(of.x0, 0); x <= std::min(of.x1, wide_ - 1); ++x)
-                covered_[index(x, y)] = true;
+            std::fill_n(&cells_[index(x, y)], count, covered);
     }
     bool is_free(ImVec2 low, ImVec2 high) const {
         const Squares of = squares(low, high);
         if (of.x0 < 0 || of.y0 < 0 || of.x1 >= wide_ || of.y1 >= tall_) return false;
+        const auto count = static_cast<size_t>(of.x1 - of.x0 + 1);
         for (int y = of.y0; y <= of.y1; ++y)
-            for (int x = of.x0; x <= of.x1; ++x)
-                if (covered_[index(x, y)]) return false;
+            if (std::memchr(&cells_[index(of.x0, y)], covered, count)) return false;
         return true;
     }
 
 private:
     static constexpr float side = 2;
+    static constexpr char free = 0, covered = 1;
     struct Squares {
         int x0, y0, x1, y1;
     };
@@ -54,7 +57,7 @@ private:
 
     ImVec2 corner_;
     int wide_, tall_;
-    std::vector<bool> covered_;
+    std::vector<char> cells_;
 };
 
 class Names {
