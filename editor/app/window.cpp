@@ -267,7 +267,8 @@ void Window::draw_frame(State& state) {
     sharpen(*ImGui::GetDrawData(), io.DisplayFramebufferScale.x);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, pixels_x, pixels_y);
-    glClearColor(0.08F, 0.09F, 0.1F, 1);
+    const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(theme::canvas);
+    glClearColor(ground.x, ground.y, ground.z, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     if (state.eyedropper.on) read_pixel(state);

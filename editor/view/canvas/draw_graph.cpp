@@ -139,7 +139,6 @@ void draw_lazy(const State& state, ImDrawList& list) {
 
 void draw_graph(const State& state, ImDrawList& list) {
     const Painter p(state, list);
-    list.AddRectFilled(state.view.corner, state.view.corner + state.view.extent, theme::canvas);
     draw_grid(p);
     draw_boxes(p);
     draw_wires(p);

@@ -52,7 +52,7 @@ void draw_side_pane(State& state) {
 struct DockedPanel {
     const char* window;
     Rect Regions::*rect;
-    const ImU32* background;
+    const ImU32* background;  // nullptr: theme::canvas, with which the window is cleared
     ImVec2 padding;
     void (*draw)(State&);
 };
@@ -61,7 +61,7 @@ const DockedPanel docked_panels[] = {
     {"##tools", &Regions::tools, &theme::bar, {8, 6}, draw_toolbar},
     {"##task", &Regions::task, &theme::bar, {12, 6}, draw_task},
     {"##status", &Regions::status, &theme::bar, {12, 4}, draw_status_bar},
-    {"##canvas", &Regions::canvas, &theme::canvas, {0, 0}, draw_graph_pane},
+    {"##canvas", &Regions::canvas, nullptr, {0, 0}, draw_graph_pane},
     {"##problems", &Regions::problems, &theme::panel, {12, 5}, draw_problems},
     {"##preview", &Regions::preview, &theme::panel, {0, 0}, draw_preview},
     {"##code", &Regions::code, &theme::code, {0, 0}, draw_side_pane},
@@ -82,9 +82,10 @@ void draw_panels(State& state) {
     for (const DockedPanel& panel : docked_panels) {
         const Rect& rect = regions.*panel.rect;
         if (rect.size.x <= 0 || rect.size.y <= 0) continue;
+        const ImU32 background = panel.background ? *panel.background : 0;
         const FixedWindow window(
             panel.window, rect.at, rect.size,
-            {.padding = panel.padding, .ground = *panel.background, .flags = docked_flags});
+            {.padding = panel.padding, .ground = background, .flags = docked_flags});
         panel.draw(state);
     }
     for (const auto draw : floating_panels)

@@ -20,7 +20,7 @@ namespace {
 
 // Frames of the interface may wait in the same driver: a rendering that takes longer than this is
 // drawn in strips, with frames between them, and with one sample per pixel until it is still.
-constexpr double slow_milliseconds = 20, strip_milliseconds = 8;
+constexpr double slow_milliseconds = 15, strip_milliseconds = 8;
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start)
