@@ -1,6 +1,6 @@
-// Tests of arbitrary events in arbitrary order on the real interface: no check of the program or of
-// ImGui fails, enough events are edits, every edit can be undone to the byte, nothing stays open.
-// WRINKLE_EVENTS sets the number of events, WRINKLE_SEED the seed.
+// Tests of arbitrary events in arbitrary order at three zooms on the real interface: no check of
+// the program or of ImGui fails, enough events are edits, every edit can be undone to the byte,
+// nothing stays open. WRINKLE_EVENTS sets the number of events, WRINKLE_SEED the seed.
 #include <GLFW/glfw3.h>
 
 #include <cstdlib>
@@ -57,6 +57,15 @@ protected:
     void drain() {
         while (!queue.empty())
             frame();
+    }
+
+    // Opens the graph again at the zoom of the round.
+    void begin_round(size_t round) {
+        open_file(state, folder.write("graph.json", small_graph));
+        ImGui::GetIO().DisplaySize = {1600, 900};
+        frame();
+        constexpr float zooms[] = {1, 0.25F, 2.5F};
+        zoom_at(state.view, state.layout, {500, 400}, zooms[round % 3] / state.view.zoom);
     }
 
     // Closes everything that is open with Escape.
@@ -125,7 +134,7 @@ TEST_F(Events, AnyAreSurvivedAndUndone) {
     const auto count = static_cast<size_t>(from_environment("WRINKLE_EVENTS", 3000));
     const fs::path before = fs::current_path();
     fs::current_path(folder.path());
-    open(small_graph);
+    begin_round(0);
     RandomEvents events(state, queue, static_cast<unsigned>(from_environment("WRINKLE_SEED", 1)));
     std::mt19937 random(1);
     size_t gestures = 0, rounds = 0;
@@ -136,14 +145,12 @@ TEST_F(Events, AnyAreSurvivedAndUndone) {
         if (random() % 300 == 0)
             ImGui::GetIO().DisplaySize = {400.0F + static_cast<float>(random() % 1600),
                                           300.0F + static_cast<float>(random() % 900)};
-        if (state.document().nodes.size() < 30 && events.count() < (rounds + 1) * 2000) continue;
+        if (state.document().nodes.size() < 30 && events.count() < (rounds + 1) * 1000) continue;
         leave_all(events);
         undo_and_redo_all();
         expect_round_trip();
-        rounds = events.count() / 2000;
-        open_file(state, folder.write("graph.json", small_graph));
-        ImGui::GetIO().DisplaySize = {1600, 900};
-        frame();
+        rounds = events.count() / 1000;
+        begin_round(rounds);
     }
     leave_all(events);
     undo_and_redo_all();

@@ -77,25 +77,30 @@ void draw_value_here(State& state, const FlatPanel& panel) {
 
 void draw_histogram(const State& state, const FlatPanel& panel, ImDrawList& list) {
     const FlatImage& image = state.flat.shown;
-    const ImVec2 size(208, 84), at = panel.end - size - ImVec2(12, 12);
-    const uint32_t most = *std::ranges::max_element(image.histogram);
-    if (most == 0 || panel.end.x - panel.at.x < 320 || panel.end.y - panel.at.y < 200) return;
+    const uint32_t highest = *std::ranges::max_element(image.histogram);
+    if (highest == 0 || panel.end.x - panel.at.x < 320 || panel.end.y - panel.at.y < 200) return;
+    const std::string least = number_text(image.range.least, 3);
+    const std::string mean = "mean " + number_text(image.mean, 3);
+    const std::string most = number_text(image.range.most, 3);
+    ImFont* font = state.fonts.regular(14);
+    const auto wide = [&](const std::string& text) { return text_width(font, 14, text); };
+    constexpr float pad = 8, gap = 12;
+    const float words = wide(least) + gap + wide(mean) + gap + wide(most);
+    const ImVec2 size(std::max(words, 192.0F) + 2 * pad, 84),
+        at = panel.end - size - ImVec2(12, 12);
     list.AddRectFilled(at, at + size, theme::with_alpha(theme::canvas, 0.88F), 4);
-    const float step = (size.x - 16) / static_cast<float>(FlatImage::bins), floor = at.y + 54;
+    const float left = at.x + pad, right = at.x + size.x - pad, floor = at.y + 54;
+    const float step = (right - left) / static_cast<float>(FlatImage::bins);
     for (size_t i = 0; i < FlatImage::bins; ++i) {
         const float tall =
-            46 * std::sqrt(static_cast<float>(image.histogram[i]) / static_cast<float>(most));
-        const float x = at.x + 8 + step * static_cast<float>(i);
+            46 * std::sqrt(static_cast<float>(image.histogram[i]) / static_cast<float>(highest));
+        const float x = left + step * static_cast<float>(i);
         list.AddRectFilled({x, floor - tall}, {x + step - 0.5F, floor}, theme::text_dim);
     }
-    ImFont* small = state.fonts.regular(14);
-    draw_text(list, small, 14, {at.x + 8, at.y + 62}, theme::text,
-              number_text(image.range.least, 3));
-    draw_text(list, small, 14, {at.x + size.x - 8, at.y + 62}, theme::text,
-              number_text(image.range.most, 3), true);
-    const std::string mean = "mean " + number_text(image.mean, 3);
-    draw_text(list, small, 14, {at.x + (size.x - text_width(small, 14, mean)) / 2, at.y + 62},
-              theme::text_dim, mean);
+    const float middle = (left + wide(least) + right - wide(most)) / 2;
+    draw_text(list, font, 14, {left, at.y + 62}, theme::text, least);
+    draw_text(list, font, 14, {middle - wide(mean) / 2, at.y + 62}, theme::text_dim, mean);
+    draw_text(list, font, 14, {right, at.y + 62}, theme::text, most, true);
 }
 
 std::vector<Item> channel_items(const FlatValues& values) {
