@@ -1,4 +1,5 @@
-// Blender 3.4 and later: maps, and a script that builds a Principled BSDF from them.
+// Blender 3.4 and later: maps, and a script that builds a Principled BSDF from them and from a
+// group of nodes.
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +8,7 @@
 #include "base/standard_outputs.h"
 #include "base/text.h"
 #include "export/baked_material.h"
+#include "export/blender_group.h"
 #include "export/files.h"
 #include "export/host_text.h"
 #include "export/host_values.h"
@@ -38,15 +40,20 @@ struct InputNames {
 class BlenderMaterial {
 public:
     BlenderMaterial(const ExportRequest& request, const BakedMaterial& baked,
-                    const fs::path& folder, Diagnostics& diagnostics)
-        : request_(request), baked_(baked), folder_(folder), diagnostics_(diagnostics) {}
+                    const BlenderGroup& group, const fs::path& folder, Diagnostics& diagnostics)
+        : request_(request),
+          baked_(baked),
+          group_(group),
+          folder_(folder),
+          diagnostics_(diagnostics) {}
 
     std::string inputs, normals, displacement = "None", occlusion = "None";
     std::string fuzz_albedos;
 
     void write() {
-        add_color({"Base Color", ""}, "color", base_color_outputs(baked_),
-                  [&](size_t texel) { return host_base_color(baked_, texel); });
+        if (!add_computed({"Base Color", ""}, "color"))
+            add_color({"Base Color", ""}, "color", base_color_outputs(baked_),
+                      [&](size_t texel) { return host_base_color(baked_, texel); });
         add({"Metallic", ""}, "metalness");
         roughness();
         specular();
@@ -54,7 +61,7 @@ public:
         fuzz();
         add({"Transmission", "Transmission Weight"}, "transmission_weight");
         add({"Subsurface", "Subsurface Weight"}, "subsurface_weight");
-        if (baked_.find("subsurface_color"))
+        if (has("subsurface_color") && !add_computed({"Subsurface Color", ""}, "subsurface_color"))
             add_color({"Subsurface Color", ""}, "subsurface_color", {"subsurface_color"},
                       [&](size_t texel) { return baked_.at("subsurface_color", texel); });
         emission();
@@ -85,7 +92,10 @@ private:
     // Returns the name of the file, below the folder of the export.
     std::string save(const std::string& map, const Image& image, PixelType type) {
         const char* extension = type == PixelType::float32 ? ".exr" : ".png";
-        const std::string file = "textures/" + request_.name + "_" + map + extension;
+        std::string stem = "textures/" + request_.name + "_" + map;
+        while (group_.files.contains(stem + extension))
+            stem += "_baked";
+        const std::string file = stem + extension;
         WriterOptions options;
         options.type = type;
         std::error_code error;
@@ -101,6 +111,13 @@ private:
         return "{\"image\": \"" + file + "\", \"space\": \"" + space + "\"}";
     }
 
+    // Returns false if no node computes the output.
+    bool add_computed(const InputNames& names, const std::string& output) {
+        if (!group_.outputs.contains(output)) return false;
+        add_line(names, "{\"output\": \"" + output + "\"}");
+        return true;
+    }
+
     // A number if the outputs are constant, else a map of 16 bits.
     void add_number(const InputNames& names, const std::string& map, Names outputs,
                     const std::function<float(size_t)>& of) {
@@ -112,7 +129,7 @@ private:
     }
 
     void add(const InputNames& names, const std::string& output) {
-        if (has(output))
+        if (has(output) && !add_computed(names, output))
             add_number(names, output, {output}, [&](size_t texel) { return value(output, texel); });
     }
 
@@ -138,6 +155,7 @@ private:
         const auto across = [&](size_t texel) {
             return 1 - std::clamp(value("specular_roughness_anisotropy", texel), 0.0F, 0.999F);
         };
+        if (add_computed({"Roughness", ""}, "roughness")) return;
         add_number({"Roughness", ""}, "roughness", {"roughness", "specular_roughness_anisotropy"},
                    [&](size_t texel) {
                        const float s = across(texel);
@@ -229,6 +247,7 @@ private:
 
     const ExportRequest& request_;
     const BakedMaterial& baked_;
+    const BlenderGroup& group_;
     const fs::path& folder_;
     Diagnostics& diagnostics_;
 };
@@ -301,8 +320,15 @@ std::string camera_matrix(const Mesh& mesh) {
     return text + "(0, 0, 0, 1))";
 }
 
-std::string blender_readme(const ExportRequest& request) {
-    return "To look at it:\n\n    blender --background --python-exit-code 1 --python " +
+std::string blender_readme(const ExportRequest& request, const BlenderGroup& group) {
+    std::string text;
+    if (!group.outputs.empty())
+        text += "The node group " + request.name + " computes " + joined(group.outputs, ", ") +
+                ", for any resolution and any mesh.\n";
+    if (!group.input_labels.empty())
+        text += "Its inputs are " + joined(group.input_labels, ", ") + ".\n";
+    if (!text.empty()) text += "\n";
+    return text + "To look at it:\n\n    blender --background --python-exit-code 1 --python " +
            request.name +
            ".py -- --render preview.png\n\n"
            "To use it, open " +
@@ -329,12 +355,17 @@ bool write_blender(const ExportRequest& request, const fs::path& folder, Diagnos
         if (std::ranges::count(baked->graph_outputs, output))
             warn_unsupported(request, "Blender", output, diagnostics);
     warn_of_back_faces(request, *baked, diagnostics);
-    BlenderMaterial material(request, *baked, folder, diagnostics);
+    const BlenderGroup group = blender_group(request, *baked, folder, diagnostics);
+    if (diagnostics.has_errors()) return false;
+    BlenderMaterial material(request, *baked, group, folder, diagnostics);
     material.write();
     const auto python_bool = [](bool value) { return std::string(value ? "True" : "False"); };
     const std::string script = with_fields(
         texts::blender_py,
         {{"NAME", request.name},
+         {"GROUP_INPUTS", group.inputs_text},
+         {"GROUP_NODES", group.nodes_text},
+         {"GROUP_OUTPUTS", group.outputs_text},
          {"INPUTS", material.inputs},
          {"NORMALS", material.normals},
          {"DISPLACEMENT", material.displacement},
@@ -347,7 +378,7 @@ bool write_blender(const ExportRequest& request, const fs::path& folder, Diagnos
     return !diagnostics.has_errors() &&
            write_export_file(folder / (request.name + ".py"), script, diagnostics) &&
            write_export_file(folder / "mesh.obj", obj_text(request.mesh), diagnostics) &&
-           write_readme(request, "Blender", blender_readme(request), folder, diagnostics);
+           write_readme(request, "Blender", blender_readme(request, group), folder, diagnostics);
 }
 
 }  // namespace wrinkle

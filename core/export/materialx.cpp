@@ -7,43 +7,15 @@
 #include "base/standard_outputs.h"
 #include "base/text.h"
 #include "export/baked_material.h"
+#include "export/computed_outputs.h"
 #include "export/files.h"
 #include "export/hosts.h"
 #include "export/mtlx_flatten.h"
 #include "export/mtlx_textures.h"
-#include "ir/rewrite.h"
-#include "lower/check.h"
-#include "lower/lower.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;
 namespace {
-
-// Graph inputs that stay parameters.
-using LiveInputs = std::set<std::string>;
-
-// The module without its other parameters, and without marks that only derivatives read.
-Module with_constants(Module source, const LiveInputs& live) {
-    const Replace replace = [](void* context, Module& target, const Module& from, Id id,
-                               std::span<const Id> mapped) -> Id {
-        if (from[id].op == Op::detach_ || from[id].op == Op::with_covariance_) return mapped[0];
-        if (from[id].op != Op::parameter_) return no_id;
-        const Parameter& parameter = target.parameters[from[id].extra];
-        if (parameter.graph_input && static_cast<LiveInputs*>(context)->contains(parameter.port))
-            return no_id;
-        return target.constant(parameter.type,
-                               std::span(parameter.value.data(), info(parameter.type).lanes));
-    };
-    LiveInputs context = live;
-    return rebuild(std::move(source), replace, &context);
-}
-
-LiveInputs inputs_of(const Module& module) {
-    LiveInputs inputs;
-    for (const Parameter& parameter : module.parameters)
-        if (parameter.graph_input) inputs.insert(parameter.port);
-    return inputs;
-}
 
 bool has_input(const StandardOutput& row) {
     return row.name != "occlusion" && row.name != "height" && row.type != "vec3";
@@ -84,43 +56,22 @@ public:
 
 private:
     bool lower_graph() {
-        check(request_.project, request_.registry, types_, diagnostics_);
+        Module module = module_for_nodes(request_, types_, diagnostics_);
         if (diagnostics_.has_errors()) return false;
-        LowerOptions options;
-        options.inline_up_to = options.max_nodes;
-        module_ = lower(request_.project, types_, options, diagnostics_).module;
-        if (diagnostics_.has_errors()) return false;
-        const LiveInputs live = inputs_of(module_);
-        module_ = with_constants(std::move(module_), live);
-        divide();
-        return true;
-    }
-
-    // Retains the outputs that nodes compute in the module; the others are baked with the inputs
-    // that they read.
-    void divide() {
-        const MtlxSupport support(module_);
-        std::vector<ModuleOutput> computed;
-        std::vector<Id> baked;
-        for (const ModuleOutput& output : module_.outputs) {
+        const MtlxSupport support(module);
+        std::erase_if(module.outputs, [&](const ModuleOutput& output) {
             const StandardOutput* row = find_standard_output(output.name);
-            if (!row || !has_input(*row)) {
-                warn_unsupported(request_, "MaterialX", output.name, diagnostics_);
-            } else if (row->type == "normal" ? support.has_normal(output.value)
-                                             : support.has(output.value)) {
-                computed.push_back(output);
-            } else {
-                baked.push_back(output.value);
-                baked_.insert(output.name);
-            }
-        }
-        LiveInputs live = inputs_of(module_);
-        const std::vector<bool> reached = reachable(module_, baked);
-        for (Id id = 1; id < module_.size(); ++id)
-            if (reached[id] && module_[id].op == Op::parameter_)
-                live.erase(module_.parameters[module_[id].extra].port);
-        module_.outputs = std::move(computed);
-        module_ = with_constants(std::move(module_), live);
+            if (row && has_input(*row)) return false;
+            warn_unsupported(request_, "MaterialX", output.name, diagnostics_);
+            return true;
+        });
+        ComputedOutputs divided = computed_outputs(module, [&](const ModuleOutput& output) {
+            const bool is_normal = find_standard_output(output.name)->type == "normal";
+            return is_normal ? support.has_normal(output.value) : support.has(output.value);
+        });
+        module_ = std::move(divided.module);
+        baked_ = std::move(divided.baked);
+        return true;
     }
 
     bool bake() {

@@ -1,4 +1,4 @@
-"""Makes the material @NAME@ of Blender 3.4 or later from the maps beside this file.
+"""Makes the material @NAME@ of Blender 3.4 or later from nodes and the maps beside this file.
 
 In the Text editor: open this file, run it; the material goes to the active mesh object.
 From a shell:
@@ -15,8 +15,18 @@ import bpy
 from mathutils import Matrix, Vector
 
 NAME = "@NAME@"
-# Inputs of the Principled BSDF: their names in Blender 3.4 and 4.x, and a number, a color, or an
-# image with its color space.
+# The node group @NAME@. Inputs: name, type, default and range.
+GROUP_INPUTS = [
+@GROUP_INPUTS@]
+# Nodes: type, operation or other setting, label, and inputs, which are numbers, vectors and links
+# [NODE, OUTPUT]. Node 0 is the input of the group.
+GROUP_NODES = [
+@GROUP_NODES@]
+# Outputs: name, type, and link or number.
+GROUP_OUTPUTS = [
+@GROUP_OUTPUTS@]
+# Inputs of the Principled BSDF: their names in Blender 3.4 and 4.x, and a number, a color, an image
+# with its color space, or an output of the group.
 INPUTS = [
 @INPUTS@]
 NORMALS = [
@@ -46,15 +56,85 @@ def input_of(node, names):
     return next((node.inputs[name] for name in names if name in node.inputs.keys()), None)
 
 
-def image_node(tree, file, color_space):
-    node = tree.nodes.new("ShaderNodeTexImage")
+def load_image(node, file, color_space):
     node.image = bpy.data.images.load(os.path.join(folder(), file), check_existing=True)
     node.image.colorspace_settings.name = color_space
+
+
+def image_node(tree, file, color_space):
+    node = tree.nodes.new("ShaderNodeTexImage")
+    load_image(node, file, color_space)
     return node.outputs["Color"]
 
 
+def add_socket(tree, direction, name, kind):
+    """Of a node group; Blender 4.0 changed how."""
+    if hasattr(tree, "interface"):
+        return tree.interface.new_socket(name, in_out=direction, socket_type=kind)
+    return (tree.inputs if direction == "INPUT" else tree.outputs).new(kind, name)
+
+
+def set_up(node, setting):
+    if node.type == "TEX_IMAGE":
+        load_image(node, setting["image"], setting["space"])
+        node.image.alpha_mode = "CHANNEL_PACKED"
+        node.interpolation, node.extension = setting["interpolation"], setting["extension"]
+    elif node.type == "MAP_RANGE":
+        node.interpolation_type = setting
+    elif setting:
+        node.operation = setting
+
+
+def connect(tree, made, target, value):
+    if isinstance(value, list):
+        tree.links.new(made[value[0]].outputs[value[1]], target)
+    elif target.type == "RGBA":
+        target.default_value = (*value, 1)
+    else:
+        target.default_value = value
+
+
+def make_group():
+    old = bpy.data.node_groups.get(NAME)
+    if old:
+        bpy.data.node_groups.remove(old)
+    tree = bpy.data.node_groups.new(NAME, "ShaderNodeTree")
+    for name, kind, default, limits in GROUP_INPUTS:
+        socket = add_socket(tree, "INPUT", name, kind)
+        socket.default_value = default
+        if limits:
+            socket.min_value, socket.max_value = limits
+    made, depths, rows = [tree.nodes.new("NodeGroupInput")], [0], {}
+    for kind, setting, label, inputs in GROUP_NODES:
+        node = tree.nodes.new(kind)
+        node.label = label
+        set_up(node, setting)
+        for target, value in zip(node.inputs, inputs):
+            connect(tree, made, target, value)
+        depth = 1 + max((depths[each[0]] for each in inputs if isinstance(each, list)), default=0)
+        rows[depth] = rows.get(depth, 0) + 1
+        node.location = (200 * depth, -200 * rows[depth])
+        made.append(node)
+        depths.append(depth)
+    for name, kind, _ in GROUP_OUTPUTS:
+        add_socket(tree, "OUTPUT", name, kind)
+    end = tree.nodes.new("NodeGroupOutput")
+    end.location = (200 * (max(depths) + 1), 0)
+    for (_, _, value), target in zip(GROUP_OUTPUTS, end.inputs):
+        connect(tree, made, target, value)
+    return tree
+
+
+def add_group(tree):
+    node = tree.nodes.new("ShaderNodeGroup")
+    node.name, node.node_tree = NAME, make_group()
+    node.location, node.width = (-350, 300), 240
+
+
 def set_input(tree, target, value):
-    if isinstance(value, dict):
+    if isinstance(value, dict) and "output" in value:
+        tree.links.new(tree.nodes[NAME].outputs[value["output"]], target)
+    elif isinstance(value, dict):
         tree.links.new(image_node(tree, value["image"], value["space"]), target)
     elif target.type == "RGBA":
         target.default_value = (*value, 1) if isinstance(value, tuple) else (value, value, value, 1)
@@ -158,6 +238,8 @@ def make_material():
     output.location = (400, 0)
     surface = tree.nodes.new("ShaderNodeBsdfPrincipled")
     tree.links.new(surface.outputs["BSDF"], output.inputs["Surface"])
+    if GROUP_OUTPUTS:
+        add_group(tree)
     for names, value in INPUTS:
         target = input_of(surface, names)
         if target is not None:
