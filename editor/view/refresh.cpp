@@ -48,6 +48,12 @@ void request_build(State& state) {
         take(state, build(job));
 }
 
+// Of another structure of the graph, for which there are no pixels yet.
+void request_build_of_structure(State& state) {
+    request_build(state);
+    if (state.timings) state.timings->structure(state.follow.requested_version);
+}
+
 void rebuild_model(State& state) {
     state.model = make_model(state.document(), state.folder(), *state.registry, state.root());
     use_current_names(state);
@@ -59,7 +65,7 @@ void begin(State& state) {
     state.follow.first = state.follow.requested_version + 1;
     state.follow.drawn.uniform = state.follow.drawn.shown = std::nullopt;
     rebuild_model(state);
-    request_build(state);
+    request_build_of_structure(state);
 }
 
 void follow_document(State& state) {
@@ -85,8 +91,7 @@ void follow_document(State& state) {
             break;
         }
         case Change::Kind::structure:
-            request_build(state);
-            if (state.timings) state.timings->structure(follow.requested_version);
+            request_build_of_structure(state);
             break;
     }
 }
@@ -127,10 +132,8 @@ void refresh(State& state) {
         begin(state);
     else if (!same_document(follow.requested_snapshot, state.document()))
         follow_document(state);
-    if (follow.requested != wanted_request(state) && !shows_other_preset(state)) {
-        request_build(state);
-        if (state.timings) state.timings->structure(follow.requested_version);
-    }
+    if (follow.requested != wanted_request(state) && !shows_other_preset(state))
+        request_build_of_structure(state);
     if (follow.compiler)
         if (auto result = follow.compiler->take()) take(state, std::move(*result));
     poll_costs(follow);

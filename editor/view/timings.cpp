@@ -48,9 +48,9 @@ void Timings::frame_ends(uint64_t shown) {
     Section& section = sections_.back();
     section.frames.push_back(milliseconds(now - frame_));
     if (first_frame_ == 0) first_frame_ = milliseconds(now - start_);
-    if (first_picture_ == 0 && shown > 0) first_picture_ = milliseconds(now - start_);
     std::erase_if(pending_, [&](const Pending& edit) {
         if (edit.picture == 0 || edit.picture > shown) return false;
+        if (first_picture_ == 0) first_picture_ = milliseconds(now - start_);
         (edit.compile != 0 ? section.structure : section.values)
             .push_back(milliseconds(now - edit.since));
         return true;
