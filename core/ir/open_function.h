@@ -1,6 +1,7 @@
 // Closes the functions that lowering left open (ir/open_input.h). Part of expand(), which visits a
 // function's body before its first call: the results of the body are then ordinary arithmetic over
-// the function's inputs and their derivatives.
+// the function's inputs and their derivatives. A function stays open until then because expand()
+// decides which derivatives a bump reads, so lowering does not know its parameters.
 //
 // Closing (lambda lifting) creates a Region of kind function. Its parameters are
 //   1. the inputs that it reads,
@@ -10,6 +11,28 @@
 //      only on it. They are computed once outside the function, and passed.
 // A caller differentiates its own arguments for 2. A result that is differentiated outside is
 // differentiated by a derived function (ir/derive.h). Constant stack; linear in the bodies.
+//
+// A sub-graph with the bump of its squared input, called with uv0.x, as print() writes it open:
+//
+//   %8 float = region_param 0.0                       input 0 of the open functions
+//   %9 float = mul %8 %8
+//   %11 gradient = gradient_from_height %9
+//   %12 vec3 = gradient_vector %11
+//   @1 function half (float) -> %12
+//   %13 tuple = call @1 %2
+//
+// and closed, with h' the input's change to the next pixel in x and in y:
+//
+//   %19 float = region_param 1.0                      1: h
+//   %20 float = region_param 1.1                      2: h' in x
+//   %21 float = region_param 1.2                      2: h' in y
+//   %22 vec3 = region_param 1.3                       3: the normal
+//   ...                                               3: position' in y and x, 2 / area
+//   %28 vec2 = construct %20 %21
+//   %29 vec2 = mul %28 %19                            half of the square's change
+//   ...
+//   @1 function half (float, float, float, vec3, vec3, float, vec3) -> %36
+//   %39 tuple = call @1 %2 %37 %38 %6 %7 %18 %10
 #pragma once
 
 #include <unordered_map>

@@ -40,7 +40,7 @@ private:
         uint64_t compile = 0, picture = 0;  // versions; 0: not known yet, or none
     };
     Clock::time_point start_ = Clock::now(), frame_ = start_;
-    double first_frame_ = 0, first_picture_ = 0;  // ends, since the start; picture of the graph
+    double first_frame_ = 0, first_picture_ = 0;  // ends, since the start
     std::vector<Section> sections_{1};
     std::vector<Pending> pending_;
 };
