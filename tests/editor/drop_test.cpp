@@ -209,6 +209,20 @@ TEST_F(Headless, AFreeInputOfAnAdditionIsUsed) {
         assert errors 0)");
 }
 
+TEST_F(Headless, ANormalMapIsNotConnectedToASumOfHeights) {
+    texture("weave_normal.png");
+    open(R"({ "wrinkle": 1, "nodes": {
+        "noise": { "type": "gradient_noise" },
+        "sum": { "type": "height_add", "in": { "a": { "from": "noise.height" } } } },
+        "outputs": { "height": { "from": "sum.height" } } })");
+    play(R"(
+        drop textures/weave_normal.png wire:sum.a
+        assert wire noise.height sum.a
+        assert no-wire weave_normal.gradient sum.b)");
+    for (const Wire& wire : state.layout.wires)
+        EXPECT_NE(wire.conversion, Conversion::illegal) << wire.port;
+}
+
 TEST_F(Headless, APictureOnANodeReplacesItsPicture) {
     texture("rivets_normal.png");
     texture("weave_normal.png");

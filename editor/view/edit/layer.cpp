@@ -32,13 +32,15 @@ const NodeType* adder(const State& state, PortType from, PortType to, PortType b
     return fits(PortType::gradient_) ? state.registry->find("gradient_add") : nullptr;
 }
 
-// Returns the other input of an addition at the wire's end if it is free; otherwise "".
-std::string free_input(const State& state, const Document& document, const Wire& wire) {
+// Returns the other input of an addition at the wire's end if it is free and takes the bump;
+// otherwise "".
+std::string free_input(const State& state, const Document& document, const Wire& wire,
+                       PortType bump) {
     const Node* reader = document.find(wire.node);
     if (!reader || (reader->type != "gradient_add" && reader->type != "height_add")) return {};
     const std::string other = wire.port == "a" ? "b" : "a";
-    const bool has_it = input_port(state.registry->find(reader->type), other);
-    return has_it && !reader->find(other) ? other : "";
+    const Port* port = input_port(state.registry->find(reader->type), other);
+    return port && converts(bump, port->type) && !reader->find(other) ? other : "";
 }
 
 }  // namespace
@@ -86,11 +88,11 @@ std::optional<Document> with_bump_on_wire(const State& state, const Document& do
                                           const Wire& dropped_on, const Link& bump, ImVec2 at,
                                           std::string& why) {
     const Wire wire = before_resolve(state, document, dropped_on);
-    if (const std::string port = free_input(state, document, wire); !port.empty())
-        return connect(document, bump, wire.node, port);
     const Node* source = document.find(bump.node);
     const Port* output =
         output_port(source ? state.registry->find(source->type) : nullptr, bump.port);
+    const std::string port = output ? free_input(state, document, wire, output->type) : "";
+    if (!port.empty()) return connect(document, bump, wire.node, port);
     const NodeType* type =
         output ? adder(state, wire.from_type, wire.to_type, output->type) : nullptr;
     if (!type) {
