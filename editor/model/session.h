@@ -44,6 +44,7 @@ struct OpenGraph {
     uint64_t saved_serial = 0;
     std::string save_refused;  // why the file must not be overwritten; "": it may be
     DiskCopy disk;
+    Stamp postponed;  // of a change by another program that the user decides on later
     RecoveryFile recovery_file;
     uint64_t recovery_serial = 0;  // serial of the state in the recovery file, if there is one
     RepeatedExports repeated_exports;

@@ -124,6 +124,25 @@ TEST_F(Headless, OfTwoChangedVersionsTheUserChooses) {
     play("wait\nclick answer:theirs\nassert clean\nassert nodes 4\nkey Ctrl+Z\nassert nodes 2");
 }
 
+TEST_F(Headless, ADecisionForLaterIsAskedForAtTheNextChangeAndWhenSaving) {
+    open(small_graph);
+    play(rename_a_node);
+    folder.write("graph.json", with_name("Theirs"));
+    look(state);
+    play("wait\nkey Escape\nassert no-target answer:later\nassert nodes 3");
+    look(state);
+    EXPECT_FALSE(state.question.open());
+    folder.write("graph.json", with_name("Once more"));
+    look(state);
+    play("wait\nclick answer:later");
+    look(state);
+    EXPECT_FALSE(state.question.open());
+    play("key Ctrl+S\nassert target answer:mine\nkey Escape");
+    EXPECT_EQ(text_of(file), with_name("Once more"));
+    play("key Ctrl+S\nclick answer:mine\nassert clean");
+    EXPECT_EQ(text_of(file).find("Once more"), std::string::npos);
+}
+
 TEST_F(Headless, SavingOverWhatAnotherProgramWroteAsksFirst) {
     open(small_graph);
     play(rename_a_node);

@@ -254,6 +254,23 @@ TEST_F(RampEditor, IsUsedByTheKeyboardAlone) {
     play("key Escape\nkey Ctrl+Z\nkey Ctrl+Z\nkey Ctrl+Z\nkey Ctrl+Z\nassert clean");
 }
 
+TEST_F(RampEditor, EnterInAFieldLeavesItOpen) {
+    play("click field:rust.stops\nclick ramp:stop3\ndouble ramp:position\nkey Ctrl+A\ntype 0.8");
+    play("key Enter\nassert target ramp:strip");
+    EXPECT_NEAR(stops()[2].position, 0.8, 1e-6);
+    play("key Enter\nassert no-target ramp:strip");
+}
+
+TEST_F(RampEditor, StaysInsideTheWindow) {
+    const auto field = state.targets.find("field:rust.stops");
+    ASSERT_TRUE(field);
+    state.view.pan.y += ImGui::GetIO().DisplaySize.y - 300 - field->y0;
+    play("wait\nclick field:rust.stops\nwait\nclick ramp:stop3\nwait");
+    const auto pick = state.targets.find("ramp:color#pick");
+    ASSERT_TRUE(pick);
+    EXPECT_LE(pick->y1, ImGui::GetIO().DisplaySize.y);
+}
+
 TEST_F(RampEditor, AColorOnAWireIsNotReplaced) {
     play("click field:rust.stops\nclick ramp:stop2\nassert no-target ramp:color");
     play("click ramp:stop3\nassert target ramp:color\nclick ramp:remove");

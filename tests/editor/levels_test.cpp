@@ -191,7 +191,7 @@ TEST_F(Levels, WhatCannotBeSavedStaysOpen) {
     play("key Ctrl+Q\nclick answer:save");
     EXPECT_FALSE(state.quit);
     EXPECT_TRUE(state.question.open());
-    play("click answer:cancel\nassert node thread\nassert dirty");
+    play("click answer:later\nassert node thread\nassert dirty");
     EXPECT_EQ(state.parent_graphs.size(), 1U);
 }
 

@@ -126,6 +126,18 @@ TEST_F(Tasks, AnotherMeshAndLightTakeTwo) {
     EXPECT_TRUE(state.view.preview_view.environment.ends_with("sky.hdr"));
 }
 
+TEST_F(Tasks, AMeshAndALightAreBrowsedFor) {
+    folder.write("ball.obj", "v 0 0 0\n");
+    folder.write("sky.hdr", "none");
+    open(small_graph);
+    play("click preview:mesh\nclick preview:mesh:browse\ntype ball\nkey Enter");
+    EXPECT_TRUE(state.view.preview_view.mesh.ends_with("ball.obj"));
+    play("click preview:light\nclick light:browse\ntype sky\nkey Enter");
+    EXPECT_TRUE(state.view.preview_view.environment.ends_with("sky.hdr"));
+    play("click preview:mesh\nclick preview:mesh:torus");
+    EXPECT_EQ(state.view.preview_view.mesh, "torus");
+}
+
 TEST_F(Tasks, ANaiveBlendBesideTakesOne) {
     open(R"({ "wrinkle": 1, "nodes": {
         "a": { "type": "tangent_normal_map" }, "b": { "type": "tangent_normal_map" },

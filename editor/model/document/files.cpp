@@ -199,6 +199,13 @@ void keep_local_version(Session& session) {
     session.saved_serial = Session::never_saved;
 }
 
+void decide_later(Session& session) {
+    session.postponed = stamp_of(session.path);
+    session.question = {};
+    session.status =
+        name_of(session.path) + " was changed by another program; saving prompts again.";
+}
+
 void check_disk_changes(Session& session) {
     switch (compare(session.disk, session.path)) {
         case OnDisk::same:
@@ -210,6 +217,7 @@ void check_disk_changes(Session& session) {
             return;
         case OnDisk::changed:
             if (!session.dirty()) return reload_from_disk(session);
+            if (stamp_of(session.path) == session.postponed) return;
             session.question = {.kind = Question::Kind::changed};
     }
 }

@@ -39,5 +39,7 @@ std::vector<std::string> files_outside(const Session& session, const std::filesy
 void check_disk_changes(Session& session);
 void reload_from_disk(Session& session);
 void keep_local_version(Session& session);
+// Prompts again when the user saves, or when the file changes again.
+void decide_later(Session& session);
 
 }  // namespace wrinkle::editor

@@ -79,23 +79,16 @@ bool may_write(const fs::path& folder) {
     return access(folder.c_str(), W_OK) == 0;
 }
 
-// Returns "textures"; for the root folder its path.
-std::string name_of_folder(const fs::path& folder) {
-    return folder.has_filename() ? folder.filename().string() : folder.string();
-}
-
 enum class Outside : uint8_t { asking, copy, refer, cancel };
 
 Outside draw_outside_answers(Interface& interface, const fs::path& copies, const fs::path& theirs) {
     Outside answer = Outside::asking;
     if (may_write(copies)) {
-        const std::string label = "Copy into " + name_of_folder(copies);
-        if (button(interface, label.c_str(), "copy:yes")) answer = Outside::copy;
+        if (button(interface, "Copy", "copy:yes")) answer = Outside::copy;
         ImGui::SameLine();
     }
     if (!theirs.empty()) {
-        const std::string label = "Refer to " + name_of_folder(theirs);
-        if (button(interface, label.c_str(), "copy:refer")) answer = Outside::refer;
+        if (button(interface, "Link", "copy:refer")) answer = Outside::refer;
         ImGui::SameLine();
     }
     const bool escape = is_pressed(ImGuiKey_Escape);
@@ -114,9 +107,8 @@ std::string words_on_outside(const State& state, const fs::path& copies, const f
                 ? "A copy goes into " + copies.string() + "."
                 : "Nothing can be copied into " + copies.string() + ", which is read-only.";
     if (!theirs.empty())
-        text += "\nTo refer to " + std::string(many ? "them" : "it") +
-                ", this unsaved graph gets " + theirs.string() +
-                " as its folder: it is proposed when you save.";
+        text += "\nTo link " + std::string(many ? "them" : "it") + ", this unsaved graph gets " +
+                theirs.string() + " as its folder: it is proposed when you save.";
     return text;
 }
 

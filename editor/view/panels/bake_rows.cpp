@@ -194,8 +194,9 @@ void draw_rule() {
 }  // namespace
 
 void draw_map_rows(State& state) {
-    draw_dialog_mesh(state, "bake", state.bake_dialog.choices.mesh, control_wide,
-                     Browser::Purpose::bake_mesh);
+    begin_control(state.fonts, "Mesh");
+    choose_mesh(state, "bake", state.bake_dialog.choices.mesh, control_wide,
+                Browser::Purpose::bake_mesh);
     draw_maps_row(state);
     draw_size_row(state);
     draw_scale_row(state);

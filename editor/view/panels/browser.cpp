@@ -48,6 +48,10 @@ std::vector<std::string> text_extensions() {
     return extensions;
 }
 
+std::vector<std::string> mesh_extensions() {
+    return {".obj", ".gltf", ".glb"};
+}
+
 const PurposeInfo& info(Purpose purpose) {
     static const PurposeInfo infos[] = {
         {"", nullptr, {}},
@@ -65,7 +69,7 @@ const PurposeInfo& info(Purpose purpose) {
          {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr", ".pfm", ".pnm", ".ppm"}},
         {"Choose a mesh",
          [](State& s, const fs::path& file) { s.bake_dialog.choices.mesh = file.string(); },
-         {".obj", ".gltf", ".glb"}},
+         mesh_extensions()},
         {"Bake into a folder, or a file",
          [](State& s, const fs::path& file) { s.bake_dialog.choices.into = file; },
          {".png", ".tif", ".exr"},
@@ -73,12 +77,18 @@ const PurposeInfo& info(Purpose purpose) {
          true},
         {"Choose a mesh",
          [](State& s, const fs::path& file) { s.host_dialog.choices.mesh = file.string(); },
-         {".obj", ".gltf", ".glb"}},
+         mesh_extensions()},
         {"Export into a folder",
          [](State& s, const fs::path& file) { s.host_dialog.choices.into = file; },
          {},
          "",
          true},
+        {"Choose a mesh",
+         [](State& s, const fs::path& file) { s.view.preview_view.mesh = file.string(); },
+         mesh_extensions()},
+        {"Choose an environment",
+         [](State& s, const fs::path& file) { s.view.preview_view.environment = file.string(); },
+         {".hdr", ".exr"}},
     };
     return infos[static_cast<size_t>(purpose)];
 }

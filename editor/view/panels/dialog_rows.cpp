@@ -21,12 +21,12 @@ void begin_control(const Fonts& fonts, const char* label, const char* tip, float
     ImGui::SameLine(0, 0);
 }
 
-void draw_dialog_mesh(State& state, const std::string& prefix, std::string& mesh, float wide,
-                      Browser::Purpose purpose) {
-    begin_control(state.fonts, "Mesh");
-    std::vector<Item> items = mesh_items();
-    for (Item& item : items)
-        item.target.insert(0, prefix + ":");
+void choose_mesh(State& state, const std::string& prefix, std::string& mesh, float wide,
+                 Browser::Purpose purpose) {
+    std::vector<Item> items;
+    for (const Shape& shape : shapes())
+        items.push_back(
+            {mesh_label(std::string(shape.name)), prefix + ":mesh:" + std::string(shape.name)});
     const std::string& shown = state.view.preview_view.mesh;
     const size_t shapes_end = items.size();
     // A mesh file follows the shapes: the preview's, or the chosen one.

@@ -34,9 +34,9 @@ void draw_numbers(Interface& interface, const std::string& target, const Numbers
     if (picked >= 0) chosen = numbers[static_cast<size_t>(picked)];
 }
 
-// Draws the row of a mesh: the shapes, the mesh of the preview, and files, which the browser of the
+// Combo box of a mesh: the shapes, the mesh of the preview, and files, which the browser of the
 // purpose chooses. Targets begin with `prefix`.
-void draw_dialog_mesh(State& state, const std::string& prefix, std::string& mesh, float wide,
-                      Browser::Purpose purpose);
+void choose_mesh(State& state, const std::string& prefix, std::string& mesh, float wide,
+                 Browser::Purpose purpose);
 
 }  // namespace wrinkle::editor

@@ -93,7 +93,8 @@ bool draw_host_rows(State& state) {
               "Export to a host");
     ImGui::Dummy({1, 32});
     bool entered = draw_hosts(state);
-    draw_dialog_mesh(state, "host", choices.mesh, host_control_wide, Browser::Purpose::host_mesh);
+    begin_control(state.fonts, "Mesh");
+    choose_mesh(state, "host", choices.mesh, host_control_wide, Browser::Purpose::host_mesh);
     begin_control(state.fonts, "Maps", "Side of baked maps, in texels");
     draw_numbers(state, "host:size", host_sizes, choices.size, host_control_wide,
                  [](uint32_t texels) { return grouped(texels) + " px"; });

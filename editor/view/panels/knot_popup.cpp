@@ -46,7 +46,8 @@ std::optional<KnotEditor> edit_knots(State& state, RepeatedPorts (*ports_of)(con
 }
 
 bool end_knots(State& state) {
-    if (state.popup.opening) return false;  // the key that opened it is still pressed
+    // The key that opened it is still pressed, or a field takes it.
+    if (state.popup.opening || ImGui::GetIO().WantTextInput) return false;
     if (is_pressed(ImGuiKey_Tab, false)) state.popup.next = 1;
     return state.popup.next != 0 || is_pressed(ImGuiKey_Enter, false);
 }

@@ -50,7 +50,9 @@ struct Browser {
         bake_mesh,
         bake_into,  // a folder, or a file
         host_mesh,
-        host_into  // a folder
+        host_into,  // a folder
+        preview_mesh,
+        preview_light
     };
     Purpose purpose = Purpose::none;
     std::filesystem::path folder;
@@ -183,6 +185,7 @@ struct Popup {
     size_t knot = 0;  // for kinds ramp and curve: index of the selected stop or point
     ImVec2 at{0, 0};
     float width = 0;
+    ImVec2 size{0, 0};  // in the last frame
     std::string text = {};
     std::vector<std::string> files = {};  // for kind file: listed when the popup opened
     std::string query = {};               // filters a list

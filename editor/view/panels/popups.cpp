@@ -109,6 +109,7 @@ std::optional<size_t> draw_list(State& state, const std::vector<std::string>& na
     const float rows =
         std::min(static_cast<float>(std::max<size_t>(shown.size(), 1)), choices_shown);
     ImGui::BeginChild("##names", {0, rows * choice_tall}, false, ImGuiWindowFlags_NoNavInputs);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     if (popup.chosen != before)
         ImGui::SetScrollY((static_cast<float>(popup.chosen) - rows / 2) * choice_tall);
     if (shown.empty()) ImGui::TextDisabled("No name matches.");
@@ -125,6 +126,7 @@ std::optional<size_t> draw_list(State& state, const std::vector<std::string>& na
         draw_text(*ImGui::GetWindowDrawList(), font, 16, low + ImVec2(8, 4), theme::text,
                   fitting(font, 16, name, high.x - low.x - 16));
     });
+    ImGui::PopStyleVar();
     ImGui::EndChild();
     if (entered && !taken) popup.opening = true;  // focus the field again
     return taken;
@@ -275,7 +277,11 @@ void draw_popup(State& state) {
     const float width = color || knots ? 0 : std::max(state.popup.width, list ? 240.0F : 0.0F);
     const float padding = knots ? 12 : list || color ? 6 : 0;
     ImVec2 at = state.popup.at;
-    if (list) at.x = std::min(at.x, ImGui::GetIO().DisplaySize.x - width - 8);
+    if (list || color || knots) {
+        const ImVec2 size = state.popup.size, room = ImGui::GetIO().DisplaySize;
+        at.x = std::max(std::min(at.x, room.x - std::max(width, size.x) - 8), 0.0F);
+        at.y = std::max(std::min(at.y, room.y - size.y - 8), 0.0F);
+    }
     const FixedWindow window("##popup", at, {width, 0},
                              {.padding = {padding, padding},
                               .ground = theme::panel,
@@ -284,6 +290,7 @@ void draw_popup(State& state) {
     const bool covered = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
     bool done = draw_content_of[static_cast<size_t>(kind)](state);
     if (opening) state.popup.opening = false;
+    state.popup.size = ImGui::GetWindowSize();
     done |= window.has_lost_focus() && !covered;
     const bool escape = is_pressed(ImGuiKey_Escape) && !covered;
     if (!done && !escape) return;

@@ -10,6 +10,8 @@
 #include "editor/view/commands/commands.h"
 #include "editor/view/look/draw.h"
 #include "editor/view/look/theme.h"
+#include "editor/view/panels/browser.h"
+#include "editor/view/panels/dialog_rows.h"
 #include "editor/view/panels/panels.h"
 #include "editor/view/panels/preview_parts.h"
 #include "mesh/shapes.h"
@@ -60,8 +62,14 @@ void choose_light(State& state, float width) {
         items.push_back(light.item);
         if (light.shown_in(view)) shown = light.item.label;
     }
+    items.push_back({"Choose a file...", "light:browse"});
     const int picked = choose(state, "preview:light", shown, items, width);
     if (picked < 0) return;
+    if (static_cast<size_t>(picked) == all.size()) {
+        const std::filesystem::path& file = view.environment;
+        return browse(state, Browser::Purpose::preview_light,
+                      file.empty() ? state.folder() / "x" : file);
+    }
     const Light& light = all[static_cast<size_t>(picked)];
     view.lighting = light.lighting;
     if (light.lighting == gpu::Lighting::phong) return;
@@ -139,8 +147,7 @@ void draw_preview_head(State& state) {
     PreviewView& view = state.view.preview_view;
     const float room = std::floor((controls - icons - 16) / 2);
     ImGui::SetCursorPos({width - controls, 5});
-    const int mesh = choose(state, "preview:mesh", mesh_label(view.mesh), mesh_items(), room);
-    if (mesh >= 0) view.mesh = std::string(shapes()[static_cast<size_t>(mesh)].name);
+    choose_mesh(state, "preview", view.mesh, room, Browser::Purpose::preview_mesh);
     ImGui::SameLine(0, 6);
     choose_light(state, room);
     ImGui::SameLine(0, 8);
@@ -205,13 +212,6 @@ std::string capitalised(std::string text) {
 
 std::string mesh_label(const std::string& mesh) {
     return make_shape(mesh) ? capitalised(mesh) : std::filesystem::path(mesh).filename().string();
-}
-
-std::vector<Item> mesh_items() {
-    std::vector<Item> items;
-    for (const Shape& shape : shapes())
-        items.push_back({capitalised(std::string(shape.name)), "mesh:" + std::string(shape.name)});
-    return items;
 }
 
 void draw_preview(State& state) {

@@ -14,7 +14,6 @@ void draw_compare(State& state, ImVec2 at, float width);
 // Returns the label of the method or value on side B of the comparison: "UDN blend".
 std::string against_label(const PreviewRequest& request);
 
-std::vector<Item> mesh_items();                   // the shapes of the preview
 std::string mesh_label(const std::string& mesh);  // "Sphere", "teapot.glb"
 
 std::string capitalised(std::string text);  // ASCII

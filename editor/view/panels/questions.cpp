@@ -106,10 +106,11 @@ Sheet sheet_of(const Session& session) {
                      cancelled}};
         case Question::Kind::changed:
             return {session.file_name() + " was changed by another program.",
-                    "Mine keeps what is shown here. Theirs loads the file; undo brings yours back.",
+                    "Mine keeps the graph in this window, and saving overwrites the file. Theirs "
+                    "loads the file; undo brings yours back. Later prompts again when you save.",
                     {{"Keep mine", "answer:mine", take_mine},
                      {"Load theirs", "answer:theirs", take_theirs},
-                     cancelled}};
+                     {"Later", "answer:later", decide_later}}};
         case Question::Kind::replace:
             return {question.file.filename().string() + " is there already.",
                     "Its present contents would be lost.",

@@ -58,7 +58,7 @@ void draw_drop_area(Interface& interface, float width) {
                                       at + ImVec2(0, narrow ? 24 : 54), width, theme::text,
                                       "Drop two images here to layer them");
     draw_centered(list, interface.fonts, false, 16, {at.x, below + 8}, width, theme::text_dim,
-                  "Normal maps, heights, slopes: their pixels say which. I chooses one by name.");
+                  "Normal maps, heights, slopes: their pixels say which. Press I for a list.");
     name_area(interface, "start:drop", at, end);
     ImGui::Dummy({width, drop_tall});
 }

@@ -77,7 +77,11 @@ float draw_action(State& state, const Writer& w, float x, float room) {
 std::string sizes(const State& state) {
     const std::set<std::string>& selected = state.view.selected;
     std::string text;
-    if (selected.size() == 1) text = *selected.begin() + " selected     ";
+    if (selected.size() == 1) {
+        std::string name = *selected.begin();
+        if (name.starts_with('$')) name.erase(0, 1);  // the outputs, the surface
+        text = name + " selected     ";
+    }
     if (selected.size() > 1) text = std::to_string(selected.size()) + " selected     ";
     return text + counted(state.document().nodes.size(), "node") + ", " +
            counted(state.layout.wires.size(), "wire") + "     " + percent(state.view.zoom);
