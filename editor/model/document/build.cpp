@@ -6,6 +6,7 @@
 #include "compile/shader.h"
 #include "editor/model/document/inputs.h"
 #include "editor/model/words.h"
+#include "graph/edit.h"
 #include "graph/order.h"
 #include "lower/check.h"
 #include "lower/material.h"
@@ -63,6 +64,15 @@ void build_shown(const Model& model, const Document& document, const std::string
     result.replaced = requested.replaced;
 }
 
+// An empty graph is shown as the bare mesh.
+void build_bare(const Model& model, const Document& document, const std::string& name,
+                Build& result) {
+    Diagnostics problems;
+    const Document bare = set_output(document, "normal", {std::string(Link::surface), "normal"});
+    const Project project = project_to_compile(model, bare, problems);
+    result.shown = emit_text(project, *model.registry, name, problems);
+}
+
 void build_displacement(const Project& project, const Registry& registry, Build& result) {
     if (!result.request.displaced || !project.top().find_output("displacement")) return;
     MaterialOptions options;
@@ -115,7 +125,10 @@ Build build(const CompileJob& job) {
         append_new(result.problems, result.live);
         build_displacement(needed, registry, result);
     }
-    build_shown(model, drawn, job.name, result);
+    if (holds_nothing(document))
+        build_bare(model, drawn, job.name, result);
+    else
+        build_shown(model, drawn, job.name, result);
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     result.milliseconds = time.count();
     return result;
