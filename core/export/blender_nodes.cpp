@@ -9,10 +9,10 @@
 namespace wrinkle {
 namespace {
 
-// An op that is one node for each component, or one for a vector of two or three.
+// An op that is one node of Math for each component, or one of Vector Math for two or three.
 struct Call {
     Op op;
-    const char* math;
+    const char* math;         // null: components of the result depend on all of the operands'
     const char* vector_math;  // null: none
     const char* inputs;       // operands a and b, and numbers
 };
@@ -52,18 +52,18 @@ const Call* call_of(Op op) {
         {Op::and_, "MULTIPLY", nullptr, "a b"},
         {Op::or_, "MAXIMUM", nullptr, "a b"},
         {Op::not_, "SUBTRACT", nullptr, "1 a"},
-        {Op::dot_, "", "DOT_PRODUCT", "a b"},
-        {Op::cross_, "", "CROSS_PRODUCT", "a b"},
-        {Op::length_, "", "LENGTH", "a"},
-        {Op::normalize_, "", "NORMALIZE", "a"},
+        {Op::dot_, nullptr, "DOT_PRODUCT", "a b"},
+        {Op::cross_, nullptr, "CROSS_PRODUCT", "a b"},
+        {Op::length_, nullptr, "LENGTH", "a"},
+        {Op::normalize_, nullptr, "NORMALIZE", "a"},
     };
     const auto found = std::ranges::find(calls, op, &Call::op);
     return found == std::end(calls) ? nullptr : found;
 }
 
-// An op of vectors, not of each component.
 bool is_geometry(Op op) {
-    return op == Op::dot_ || op == Op::cross_ || op == Op::length_ || op == Op::normalize_;
+    const Call* call = call_of(op);
+    return call && !call->math;
 }
 
 bool is_number(const std::string& text) {
@@ -323,7 +323,7 @@ BlenderNodes::Value BlenderNodes::emit_swizzle(Id id) {
     return made;
 }
 
-// Its vector are the colors, its fourth component is the other output of the node.
+// The vector has the colors; the fourth component is the other output of the node, the alpha.
 BlenderNodes::Value BlenderNodes::emit_sample(Id id) {
     const Inst& inst = module_[id];
     const std::string colors =

@@ -22,7 +22,7 @@ GROUP_INPUTS = [
 # [NODE, OUTPUT]. Node 0 is the input of the group.
 GROUP_NODES = [
 @GROUP_NODES@]
-# Outputs: name, type, and link or number.
+# Outputs: name, type and link.
 GROUP_OUTPUTS = [
 @GROUP_OUTPUTS@]
 # Inputs of the Principled BSDF: their names in Blender 3.4 and 4.x, and a number, a color, an image
@@ -88,8 +88,6 @@ def set_up(node, setting):
 def connect(tree, made, target, value):
     if isinstance(value, list):
         tree.links.new(made[value[0]].outputs[value[1]], target)
-    elif target.type == "RGBA":
-        target.default_value = (*value, 1)
     else:
         target.default_value = value
 
