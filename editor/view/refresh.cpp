@@ -48,7 +48,7 @@ void request_build(State& state) {
         take(state, build(job));
 }
 
-// Of another structure of the graph, for which there are no pixels yet.
+// For a changed structure; measures the time until its pixels.
 void request_build_of_structure(State& state) {
     request_build(state);
     if (state.timings) state.timings->structure(state.follow.requested_version);
