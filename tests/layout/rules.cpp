@@ -25,7 +25,7 @@ const std::map<std::string, Names, std::less<>> allowed = {
     {"core/emit", {"base", "ir", "contract"}},
     {"core/spirv", {"base", "ir", "emit", "contract", "glslang", "spirv tools"}},
     {"core/cpu", {"base", "ir", "image", "contract"}},
-    {"core/image", {"base", "oiio", "openexr", "libdeflate", "png", "tbb"}},
+    {"core/image", {"base", "oiio", "openexr", "libdeflate", "png", "tbb", "zlib"}},
     {"core/maps", {"base", "image", "tbb", "kissfft"}},
     {"core/report", {"base", "json", "image", "tbb"}},
     {"core/difference", {"base", "json", "graph"}},
@@ -136,6 +136,7 @@ std::string library_of_file(std::string_view path) {
     if (path == "kissfft.hh") return "kissfft";
     if (path == "libdeflate.h") return "libdeflate";
     if (path == "png.h") return "png";
+    if (path == "zlib.h") return "zlib";
     if (path == "httplib.h") return "httplib";
     if (path == "xxhash.h") return "xxhash";
     if (path == "mimalloc.h") return "mimalloc";

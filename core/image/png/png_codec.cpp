@@ -1,5 +1,7 @@
 #include "image/png/png_codec.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <bit>
 #include <memory>
@@ -140,7 +142,10 @@ void declare(Session& session, const WriterOptions& options) {
                      color_types[options.channels.size() - 1], PNG_INTERLACE_NONE,
                      PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         if (!options.numbers.empty()) png_set_text(png, info, &text, 1);
-        png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);  // much smaller files
+        // Nearly all repetition in filtered rows is in runs: maps of materials are 0 to 12 % larger
+        // than by the defaults of libpng and zlib, in a fourth to an eighth of the time.
+        png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
+        png_set_compression_strategy(png, Z_RLE);
         png_write_info(png, info);
         if (std::endian::native == std::endian::little) png_set_swap(png);
     });
