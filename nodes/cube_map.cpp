@@ -21,8 +21,8 @@ static vec4 read_cube(Image image, Arrangement arrangement, vec3 direction) {
     const CubeFace face = cube_face(direction, direction);
     const bool strip = arrangement == Arrangement::strip;
     const vec2 faces = strip ? vec2(6, 1) : vec2(3, 2);
-    const vec2 place =
-        named("place", named("ratio", divide(face.place, face.depth)) * 0.5 + vec2(0.5));
+    const Float width = named("width", 2 * (face.depth + Float(face.depth == 0)));
+    const vec2 place = named("place", face.place / width + vec2(0.5));
     const vec2 column_row = strip ? vec2(face.index, 0)
                                   : vec2(select(face.index < 2.5, face.index, face.index - 3),
                                          select(face.index < 2.5, 1.0, 0.0));

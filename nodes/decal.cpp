@@ -120,12 +120,12 @@ static constinit Node decal_list[] = {
                    "reaches every side",
                    slider(0, 4), limits(0, 64))
         .out<vec2>("uv", "Longitude and latitude, 0 to 1, as seen from outside")
-        .out<vec3>("direction", "Out of the centre, unit, in object space")
+        .out<vec3>("direction", "Out of the centre, in object space and length units")
         .out<Float>("attenuation", attenuation_doc)
         .body([](DecalSphere in) {
             const vec3 way = named("way", in.point - in.origin), out = normalize(way);
             const vec2 uv = longitude_latitude(round_place(way, in.axis, in.front));
-            return std::tuple{uv, out,
+            return std::tuple{uv, way,
                               inside(length(way) / in.radius, in.edge) *
                                   angle_fade(in.normal, out, in.angle_fade)};
         }),
@@ -145,7 +145,7 @@ static constinit Node decal_list[] = {
                    "reaches every side",
                    slider(0, 4), limits(0, 64))
         .out<vec2>("uv", "u once around, v from end to end; beyond the ends v stays")
-        .out<vec3>("direction", "Out of the line, unit, in object space")
+        .out<vec3>("direction", "Out of the line, in object space and length units")
         .out<Float>("attenuation", attenuation_doc)
         .body([](DecalCapsule in) {
             const vec3 line = in.end - in.start, way = named("way", in.point - in.start);
@@ -153,7 +153,7 @@ static constinit Node decal_list[] = {
             const Float along = named("along", saturate(ratio));
             const vec3 off = named("off", way - line * along), out = normalize(off);
             const vec2 uv(turns_of(round_place(off, line, in.front)), along);
-            return std::tuple{uv, out,
+            return std::tuple{uv, off,
                               inside(length(off) / in.radius, in.edge) *
                                   angle_fade(in.normal, out, in.angle_fade)};
         }),

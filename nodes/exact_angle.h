@@ -1,5 +1,5 @@
-// The angle of a vector, more exact than atan() of GLSL, which may be off by 1e-4: patterns repeat
-// around a point by a multiple of it.
+// The angle of a vector, more exact than atan() of GLSL, which may be off by 1e-4: patterns around
+// a point multiply the angle, and with it the error.
 #pragma once
 
 #include "nodes/constants.h"
@@ -8,7 +8,7 @@
 namespace wrinkle::nodes {
 
 // Returns the angle anticlockwise from x, -pi to pi, within 3e-7; 0 for the zero vector. Its slope
-// is that of the angle. Polynomial: Abramowitz and Stegun, 4.4.49, within 2e-8.
+// is exact. Polynomial: Abramowitz and Stegun, 4.4.49, within 2e-8.
 inline sdk::Float exact_angle(sdk::vec2 p) {
     using namespace sdk;
     const auto angle = function("exact_angle(p)", [](vec2 p) {

@@ -60,16 +60,16 @@ static auto copy_function() {
     return function("hex_copy(uv, corner, size, rotation)", [](vec2 uv, vec2 corner, Float size,
                                                                Float rotation) {
         const Uint bits = named("bits", hash(Int(corner.x()), Int(corner.y())));
-        const Uint more = named("more", hash(bits)), most = named("most", hash(more));
-        const Float turn = named("turn", 2 * unit_float(bits) - 1);
-        const Float angle = named("angle", turn * pi() * rotation);
+        const Uint more = named("more", hash(bits));
+        const Float angle = named("angle", (unit_float(bits) - 0.5) * (two_pi() * rotation));
         const vec2 right = named("right", vec2(cos(angle), sin(angle)));
         const vec2 up = named("up", vec2(-right.y(), right.x()));
         const vec2 centre =
             named("centre", vec2(corner.x() + 0.5 * corner.y(), corner.y() * sin_60()) / size);
         const vec2 way = named("way", uv - centre);
-        const vec2 moved = named("moved", vec2(unit_float(more), unit_float(most)));
-        return vec4(right * way.x() + up * way.y() + centre + moved, right);
+        const Float two_16 = named("two_16 // each half of the bits to [0, 1)", Float(65536));
+        const vec2 moved = named("moved", vec2(Float(more >> 16u), Float(more & 0xffffu)) / two_16);
+        return vec4(right * way.x() + up * way.y() + moved, right);
     });
 }
 
@@ -85,29 +85,31 @@ static HexBlend hexagons_at(vec2 uv, Float hexagons, Float rotation) {
     return {weights, {tap(first), tap(second), tap(third)}};
 }
 
-// Applies Perlin's gain to the weights and normalises them to sum 1.
-static vec3 contrasted(vec3 weights, Float contrast) {
-    const vec3 even = weights / dot(weights, vec3(1));
-    const Float k = log(1 - contrast) / -0.6931471805599453;
-    const vec3 gained = by_components(even, [&](Float x) {
-        return select(x < 0.5, 0.5 * pow(2 * x, k), 1 - 0.5 * pow(2 - 2 * x, k));
-    });
-    return detach(gained / dot(gained, vec3(1)));
+static Float min_weight() {
+    return named("min_weight // of a corner, for a sum above zero", Float(1e-4));
 }
 
-// `strength`: visibility of each sample, 0 to 1; it scales the weights from 0.4 to 1.
+// Returns twice Perlin's gain of weights of sum 1.
+static vec3 contrasted(vec3 weights, Float contrast) {
+    const Float k = log(1 - contrast) / -0.6931471805599453;
+    return by_components(weights, [&](Float weight) {
+        const Float twice = named("twice", 2 * weight);
+        const Bool low = named("low", twice < 1);
+        const Float part = named("part", pow(max(min(twice, 2 - twice), min_weight()), k));
+        return select(low, part, 2 - part);
+    });
+}
+
+// `strength`: visibility of each sample, 0 to 1; one of strength 1 weighs 2.5 times one of 0.
 static vec3 blend_weights(const HexBlend& at, vec3 strength, Float exponent, Float contrast) {
-    const vec3 shown = vec3(0.4) + 0.6 * strength;
-    return contrasted(
-        shown * pow(max(at.weights, vec3(named("min_weight // of a corner, for a sum above zero",
-                                               Float(1e-4)))),
-                    exponent),
-        contrast);
+    const vec3 shown = vec3(2.0 / 3) + strength;
+    const vec3 weights = shown * pow(max(at.weights, vec3(min_weight())), exponent);
+    return detach(contrasted(weights / dot(weights, vec3(1)), contrast));
 }
 
 template <class T>
 static T blend(vec3 weights, T a, T b, T c) {
-    return a * weights.x() + b * weights.y() + c * weights.z();
+    return (a * weights.x() + b * weights.y() + c * weights.z()) / dot(weights, vec3(1));
 }
 
 // Adds the ports of the tiling.

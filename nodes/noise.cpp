@@ -11,77 +11,93 @@
 namespace wrinkle::nodes {
 using namespace sdk;
 
-// Returns (slope, height) of a corner of the lattice at the position corner + way: one of the
-// twelve directions to the edges of a cube (K. Perlin 2002), of length sqrt(2), and its product
-// with way.
-static vec4 gradient_corner(vec3 corner, vec3 way) {
-    const auto from = function("gradient_corner(corner, way)", [](vec3 corner, vec3 way) {
-        const Uint bits = named("bits", hash(corner));
-        const Uint axis = named("axis", ((bits >> 8u) * 3u) >> 24u);  // where the direction is 0
+// Returns (slope, height) of a corner of the lattice with these random bits, at the position
+// corner + way: one of the twelve directions to the edges of a cube (K. Perlin 2002), of length
+// sqrt(2), and its product with way.
+static vec4 gradient_corner(Uint bits, vec3 way) {
+    const auto from = function("gradient_corner(bits, way)", [](Uint bits, vec3 way) {
+        const Uint third = named("third // a third of all hashes", Uint(0x55555600u));
+        const Uint two_thirds = named("two_thirds // of all hashes", Uint(0xaaaaab00u));
+        const Bool no_x = named("no_x", bits < third), no_z = named("no_z", bits >= two_thirds);
         const Float a = named("a", 1 - 2 * Float(bits & 1u)), b = named("b", 1 - Float(bits & 2u));
-        const Float first = named("first", select(axis == 0u, a, 0));
-        const Float last = named("last", select(axis == 2u, b, 0));
-        const vec3 slope(named("x", a - first), named("y", first + last), named("z", b - last));
-        return vec4(slope, dot(slope, way));
+        const Float x = named("x", select(no_x, 0, a)), z = named("z", select(no_z, 0, b));
+        const Float y = named("y", a - x + b - z);
+        return vec4(x, y, z, dot(vec3(x, y, z), way));
     });
-    return from(corner, way);
+    return from(bits, way);
 }
 
-// A position in its cell of the lattice, Perlin's quintic of it by component, and its derivative.
-struct Cell {
-    vec3 corner, way, t, t_slope;
+// Perlin's quintic of a position in a cell, by component, and its derivative.
+struct Fade {
+    vec3 t, dt;
 };
-static Cell cell_of(vec3 p, int seed) {
-    const vec3 corner = named("cell", floor(p)), way = named("f", p - corner);
-    const vec3 back = named("back", way - 1);
-    return {seeded_cell(corner, seed), way,
-            named("t", way * way * way * (way * (way * 6 - vec3(15)) + vec3(10))),
-            named("t_slope", 30 * way * way * back * back)};
+static Fade quintic(vec3 f) {
+    const vec3 back = named("back", f - 1);
+    return {named("t", f * f * f * (f * (f * 6 - vec3(15)) + vec3(10))),
+            named("dt", 30 * f * f * back * back)};
+}
+
+// Calls cell(the bits of four edges, the position in the cell). The edges are those along x at the
+// corner, one step along y, one along z, and along both; hash(bits) and hash(bits + 1u) are
+// hash(Int, Int, Int) of an edge's corners.
+template <class CellFunction>
+static vec4 in_cell(vec3 p, int seed, CellFunction cell) {
+    const vec3 corner = named("cell", floor(p)), at = seeded_cell(corner, seed);
+    const Uint x = named("x", Uint(Int(at.x()))), y = named("y", Uint(Int(at.y())));
+    const Uint z = named("z", Uint(Int(at.z()))), y_1 = named("y_1", y + 1u);
+    const Uint z_bits = named("z_bits", hash(z)), z_bits_1 = named("z_bits_1", hash(z + 1u));
+    return cell(named("bits", x + hash(y + z_bits)), named("bits_y", x + hash(y_1 + z_bits)),
+                named("bits_z", x + hash(y + z_bits_1)), named("bits_yz", x + hash(y_1 + z_bits_1)),
+                p - corner);
 }
 
 // Interpolates (slope, height) of the eight corners: along x, then y, then z. Each step adds the
 // slope along its axis.
-static vec4 gradient_noise(vec3 p, int seed) {
+static vec4 gradient_cell(Uint bits, Uint bits_y, Uint bits_z, Uint bits_yz, vec3 f) {
     const auto edge =
-        function("gradient_edge(corner, way, t, t_slope)",
-                 [](vec3 corner, vec3 way, Float t, Float t_slope) {
-                     const vec3 x(1, 0, 0);
-                     const vec4 a = named("a", gradient_corner(corner, way));
-                     const vec4 b = named("b", gradient_corner(corner + x, way - x));
-                     return named("mixed", mix(a, b, t)) + vec4(t_slope * (b.w() - a.w()), 0, 0, 0);
-                 });
-    const Cell cell = cell_of(p, seed);
-    const auto along_x = [&](const char* name, vec3 at) {
-        return named(name, edge(cell.corner + at, cell.way - at, cell.t.x(), cell.t_slope.x()));
-    };
-    const vec4 a = along_x("a", vec3(0)), b = along_x("b", {0, 1, 0});
-    const vec4 c = along_x("c", {0, 0, 1}), d = along_x("d", {0, 1, 1});
-    const vec4 y(0, cell.t_slope.y(), 0, 0), z(0, 0, cell.t_slope.z(), 0);
-    const vec4 low = named("low", named("ab", mix(a, b, cell.t.y())) + y * (b.w() - a.w()));
-    const vec4 high = named("high", named("cd", mix(c, d, cell.t.y())) + y * (d.w() - c.w()));
-    return named("joined", mix(low, high, cell.t.z())) + z * (high.w() - low.w());
+        function("gradient_edge(bits, way, t, dt)", [](Uint bits, vec3 way, Float t, Float dt) {
+            const vec4 a = named("a", gradient_corner(named("a_bits", hash(bits)), way));
+            const vec4 b =
+                named("b", gradient_corner(named("b_bits", hash(bits + 1u)), way - vec3(1, 0, 0)));
+            return named("mixed", mix(a, b, t)) + vec4(dt * (b.w() - a.w()), 0, 0, 0);
+        });
+    const auto [t, dt] = quintic(f);
+    const vec4 a = named("a", edge(bits, f, t.x(), dt.x()));
+    const vec4 b = named("b", edge(bits_y, f - vec3(0, 1, 0), t.x(), dt.x()));
+    const vec4 c = named("c", edge(bits_z, f - vec3(0, 0, 1), t.x(), dt.x()));
+    const vec4 d = named("d", edge(bits_yz, f - vec3(0, 1, 1), t.x(), dt.x()));
+    const vec4 y(0, dt.y(), 0, 0), z(0, 0, dt.z(), 0);
+    const vec4 low = named("low", named("ab", mix(a, b, t.y())) + y * (b.w() - a.w()));
+    const vec4 high = named("high", named("cd", mix(c, d, t.y())) + y * (d.w() - c.w()));
+    return named("joined", mix(low, high, t.z())) + z * (high.w() - low.w());
+}
+static vec4 gradient_noise(vec3 p, int seed) {
+    return in_cell(p, seed,
+                   function("gradient_cell(bits, bits_y, bits_z, bits_yz, f)", gradient_cell));
 }
 
 // The same for corners that have only a height: each step makes one component of the slope.
+static vec4 value_cell(Uint bits, Uint bits_y, Uint bits_z, Uint bits_yz, vec3 f) {
+    const auto [t, dt] = quintic(f);
+    const auto edge = function("value_edge(bits, t, dt)", [](Uint bits, Float t, Float dt) {
+        const Float a = named("a", unit_float(hash(bits)) * 2 - 1);
+        const Float b = named("b", unit_float(hash(bits + 1u)) * 2 - 1);
+        return vec2(dt * (b - a), mix(a, b, t));
+    });
+    const auto along_y = [&t = t, &dt = dt](vec2 a, vec2 b) {
+        const vec2 mixed = mix(a, b, t.y());
+        return vec3(mixed.x(), dt.y() * (b.y() - a.y()), mixed.y());
+    };
+    const vec2 a = named("a", edge(bits, t.x(), dt.x())),
+               b = named("b", edge(bits_y, t.x(), dt.x()));
+    const vec2 c = named("c", edge(bits_z, t.x(), dt.x())),
+               d = named("d", edge(bits_yz, t.x(), dt.x()));
+    const vec3 low = named("low", along_y(a, b)), high = named("high", along_y(c, d));
+    const vec3 mixed = named("mixed", mix(low, high, t.z()));
+    return vec4(mixed.xy(), vec2(dt.z() * (high.z() - low.z()), mixed.z()));
+}
 static vec4 value_noise(vec3 p, int seed) {
-    const auto edge =
-        function("value_edge(corner, t, t_slope)", [](vec3 corner, Float t, Float t_slope) {
-            const Float a = named("a", unit_float(hash(corner)) * 2 - 1);
-            const Float b = named("b", unit_float(hash(corner + vec3(1, 0, 0))) * 2 - 1);
-            return vec2(t_slope * (b - a), mix(a, b, t));
-        });
-    const Cell cell = cell_of(p, seed);
-    const auto along_x = [&](const char* name, vec3 at) {
-        return named(name, edge(cell.corner + at, cell.t.x(), cell.t_slope.x()));
-    };
-    const auto along_y = [&](vec2 a, vec2 b) {
-        const vec2 mixed = mix(a, b, cell.t.y());
-        return vec3(mixed.x(), cell.t_slope.y() * (b.y() - a.y()), mixed.y());
-    };
-    const vec3 low = named("low", along_y(along_x("a", vec3(0)), along_x("b", {0, 1, 0})));
-    const vec3 high = named("high", along_y(along_x("c", {0, 0, 1}), along_x("d", {0, 1, 1})));
-    const vec3 mixed = named("mixed", mix(low, high, cell.t.z()));
-    return vec4(mixed.xy(), vec2(cell.t_slope.z() * (high.z() - low.z()), mixed.z()));
+    return in_cell(p, seed, function("value_cell(bits, bits_y, bits_z, bits_yz, f)", value_cell));
 }
 
 // Sums the four corners of a simplex in the skewed lattice: the cell's corner, one step along the
@@ -97,7 +113,7 @@ static vec4 simplex(vec3 p, int seed) {
     const auto height = function("simplex_corner(corner, way)", [](vec3 corner, vec3 way) {
         const Float near = named("near", max(0.5 - dot(way, way), 0));
         const Float cube = named("cube", near * near * near);
-        const vec4 linear = named("linear", gradient_corner(corner, way));
+        const vec4 linear = named("linear", gradient_corner(hash(corner), way));
         return vec4(cube * (near * linear.xyz() - 8 * linear.w() * way), cube * near * linear.w());
     });
     const Float unskew = named("unskew // 1 / 6: a step of the lattice, per axis", Float(1.0 / 6));

@@ -52,14 +52,18 @@ vec3 triplanar_weights(vec3 normal, Float sharpness) {
 }
 
 CubeFace cube_face(vec3 direction, vec3 point) {
-    const vec3 size = named("size", abs(direction)), side = side_of(direction);
-    const Planes planes = planes_at(point, side);
+    const vec3 size = named("size", abs(direction));
     const Bool x = named("on_x", size.x() >= size.y() && size.x() >= size.z());
-    const Bool y = named("on_y", size.y() >= size.z());
-    const vec3 behind = named("behind", (vec3(1) - side) * 0.5);
-    return {named("on_face", select(x, planes.x, select(y, planes.y, planes.z))),
-            named("face_depth", select(x, size.x(), select(y, size.y(), size.z()))),
-            named("face", select(x, behind.x(), select(y, 2 + behind.y(), 4 + behind.z())))};
+    const Bool y = named("on_y", size.y() > size.x() && size.y() >= size.z());
+    const auto chosen = [&](Float of_x, Float of_y, Float of_z) {
+        return select(x, of_x, select(y, of_y, of_z));
+    };
+    const Float along = named("along", chosen(direction.x(), direction.y(), direction.z()));
+    const Float side = named("side", sign_nonzero(along));
+    const Float flipped = named("flipped", point.z() * -side);
+    const Float right = chosen(flipped, point.x(), point.x() * side);
+    return {named("on_face", vec2(right, select(y, flipped, point.y()))),
+            named("face_depth", along * side), named("face", chosen(0.5, 2.5, 4.5) - 0.5 * side)};
 }
 
 Axes axes_of(vec3 z, vec3 up) {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "nodes/cells.h"
+#include "nodes/constants.h"
 
 namespace wrinkle::nodes {
 using namespace sdk;

@@ -184,6 +184,8 @@ Value derive_transcendental(const Operands& x, Op o) {
 Value derive_vector(const Operands& x, Op o) {
     switch (o) {
         case Op::dot_:
+            if (x.a.id == x.b.id) return dot(x.a, x.ta) * 2;
+            [[fallthrough]];
         case Op::cross_:
         case Op::transform_:
         case Op::matrix_product_:

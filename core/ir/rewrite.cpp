@@ -65,8 +65,9 @@ void keep_what_does_not_read(const Module& m, Id root, std::span<const Id> from,
 
 Id sample_lod_of(Module& module, uint32_t resource, Id uv_dx, Id uv_dy) {
     const Value size{&module, module.add(Op::image_size_, {}, resource)};
-    const Value x = size * Value{&module, uv_dx};
-    const Value y = size * Value{&module, uv_dy};
+    // In the order of a height map's own footprint, so that both are one value.
+    const Value x = Value{&module, uv_dx} * size;
+    const Value y = Value{&module, uv_dy} * size;
     const Value square = max(max(dot(x, x), dot(y, y)), constant(footprint_name, x, min_footprint));
     return (op(Op::log2_, square) * 0.5).id;
 }

@@ -21,34 +21,33 @@ WrinkleMaterial_box_crate wrinkle_box_crate(WrinkleSurface_box_crate s) {
     vec3 surface_dpdx = dpdx - normal * dot(normal, dpdx);
     vec3 sides_size = abs(normal);  // sides: Box UV
     bool sides_on_x = sides_size.x >= sides_size.y && sides_size.x >= sides_size.z;
-    float sides_negated = -(normal.x < 0.0 ? -1.0 : 1.0);
-    vec2 sides_vector = vec2(sides_negated * s.position.z, s.position.y);
-    bool sides_on_y = sides_size.y >= sides_size.z;
-    float sides_negated_2 = -(normal.y < 0.0 ? -1.0 : 1.0);
-    vec2 sides_vector_2 = vec2(s.position.x, sides_negated_2 * s.position.z);
-    float sides_side_z = normal.z < 0.0 ? -1.0 : 1.0;
-    vec2 sides_vector_3 = vec2(sides_side_z * s.position.x, s.position.y);
-    vec2 sides_on_face = sides_on_x ? sides_vector : (sides_on_y ? sides_vector_2 : sides_vector_3);
-    vec2 sides_uv = sides_on_face * 2.0;
-    vec2 sides_vector_4 = vec2(dpdx.x, dpdx.z * sides_negated_2);
-    vec2 sides_choice = sides_on_y ? sides_vector_4 : vec2(dpdx.x * sides_side_z, dpdx.y);
-    vec2 sides_on_face_dx = sides_on_x ? vec2(dpdx.z * sides_negated, dpdx.y) : sides_choice;
+    bool sides_on_y = sides_size.y > sides_size.x && sides_size.y >= sides_size.z;
+    float sides_along = sides_on_x ? normal.x : (sides_on_y ? normal.y : normal.z);
+    float sides_side = sides_along < 0.0 ? -1.0 : 1.0;
+    float sides_negated = -sides_side;
+    float sides_flipped = s.position.z * sides_negated;
+    float sides_choice = sides_on_y ? s.position.x : s.position.x * sides_side;
+    float sides_choice_2 = sides_on_x ? sides_flipped : sides_choice;
+    vec2 sides_uv = vec2(sides_choice_2, sides_on_y ? sides_flipped : s.position.y) * 2.0;
+    float sides_flipped_slope_dx = dpdx.z * sides_negated;
+    float sides_choice_3 = sides_on_y ? dpdx.x : dpdx.x * sides_side;
+    vec2 sides_on_face_dx = vec2(sides_on_x ? sides_flipped_slope_dx : sides_choice_3, sides_on_y ?
+            sides_flipped_slope_dx : dpdx.y);
     vec2 sides_uv_dx = sides_on_face_dx * 2.0;
-    vec2 sides_vector_5 = vec2(dpdy.x, dpdy.z * sides_negated_2);
-    vec2 sides_choice_2 = sides_on_y ? sides_vector_5 : vec2(dpdy.x * sides_side_z, dpdy.y);
-    vec2 sides_on_face_dy = sides_on_x ? vec2(dpdy.z * sides_negated, dpdy.y) : sides_choice_2;
+    float sides_flipped_slope_dy = dpdy.z * sides_negated;
+    float sides_choice_4 = sides_on_y ? dpdy.x : dpdy.x * sides_side;
+    vec2 sides_on_face_dy = vec2(sides_on_x ? sides_flipped_slope_dy : sides_choice_4, sides_on_y ?
+            sides_flipped_slope_dy : dpdy.y);
     vec2 sides_uv_dy = sides_on_face_dy * 2.0;
-    vec2 sides_vector_6 = vec2(surface_dpdy.z * sides_negated, surface_dpdy.y);
-    vec2 sides_vector_7 = vec2(surface_dpdy.x, surface_dpdy.z * sides_negated_2);
-    vec2 sides_vector_8 = vec2(surface_dpdy.x * sides_side_z, surface_dpdy.y);
-    vec2 sides_on_face_dy_2 = sides_on_x ? sides_vector_6 :
-            (sides_on_y ? sides_vector_7 : sides_vector_8);
+    float sides_flipped_slope_dy_2 = surface_dpdy.z * sides_negated;
+    float sides_choice_5 = sides_on_y ? surface_dpdy.x : surface_dpdy.x * sides_side;
+    vec2 sides_on_face_dy_2 = vec2(sides_on_x ? sides_flipped_slope_dy_2 : sides_choice_5,
+            sides_on_y ? sides_flipped_slope_dy_2 : surface_dpdy.y);
     vec2 sides_uv_dy_2 = sides_on_face_dy_2 * 2.0;
-    vec2 sides_vector_9 = vec2(surface_dpdx.z * sides_negated, surface_dpdx.y);
-    vec2 sides_vector_10 = vec2(surface_dpdx.x, surface_dpdx.z * sides_negated_2);
-    vec2 sides_vector_11 = vec2(surface_dpdx.x * sides_side_z, surface_dpdx.y);
-    vec2 sides_on_face_dx_2 = sides_on_x ? sides_vector_9 :
-            (sides_on_y ? sides_vector_10 : sides_vector_11);
+    float sides_flipped_slope_dx_2 = surface_dpdx.z * sides_negated;
+    float sides_choice_6 = sides_on_y ? surface_dpdx.x : surface_dpdx.x * sides_side;
+    vec2 sides_on_face_dx_2 = vec2(sides_on_x ? sides_flipped_slope_dx_2 : sides_choice_6,
+            sides_on_y ? sides_flipped_slope_dx_2 : surface_dpdx.y);
     vec2 sides_uv_dx_2 = sides_on_face_dx_2 * 2.0;
     // g: Tangent normal map
     vec4 g_texel = textureGrad(box_crate_g_image, sides_uv, sides_uv_dx, sides_uv_dy);

@@ -12,6 +12,8 @@ uniform sampler2D decals_bricks_image;  // textures/bricks_height.png (linear, r
 uniform sampler2D decals_weave_image;   // textures/weave_height.png (linear, repeat)
 uniform sampler2D decals_ball_image;    // textures/ball_cube.png (normal_gl, repeat)
 const vec3 decals_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const uint decals_third = 1431655936u;                       // a third of all hashes
+const uint decals_two_thirds = 2863311616u;                  // of all hashes
 const float decals_nearest = 1e-06;                          // distance from the projector
 const float decals_min_ratio = 0.0078125;                    // slopes are at most 128
 
@@ -21,52 +23,55 @@ uint wrinkle_decals_pcg_hash(uint x) {
     return (word >> 22u) ^ word;
 }
 
-uint wrinkle_decals_hash3(vec3 cell) {
-    uint z = wrinkle_decals_pcg_hash(uint(int(cell.z)));
-    uint yz = wrinkle_decals_pcg_hash(uint(int(cell.y)) + z);
-    return wrinkle_decals_pcg_hash(uint(int(cell.x)) + yz);
-}
-
-vec4 wrinkle_decals_gradient_corner(vec3 corner, vec3 way) {
-    uint bits = wrinkle_decals_hash3(corner);
+vec4 wrinkle_decals_gradient_corner(uint bits, vec3 way) {
+    bool no_x = bits < decals_third;
     float a = 1.0 - 2.0 * float(bits & 1u);
-    uint axis = ((bits >> 8u) * 3u) >> 24u;
-    float first = axis == 0u ? a : 0.0;
-    float x = a - first;
+    float x = no_x ? 0.0 : a;
     float b = 1.0 - float(bits & 2u);
-    float last = axis == 2u ? b : 0.0;
-    float y = first + last;
-    float z = b - last;
+    bool no_z = bits >= decals_two_thirds;
+    float z = no_z ? 0.0 : b;
+    float y = a - x + b - z;
     return vec4(x, y, z, dot(vec3(x, y, z), way));
 }
 
-vec4 wrinkle_decals_gradient_edge(vec3 corner, vec3 way, float t, float t_slope) {
-    vec4 a = wrinkle_decals_gradient_corner(corner, way);
-    vec4 b = wrinkle_decals_gradient_corner(vec3(corner.x + 1.0, corner.yz),
-            vec3(way.x - 1.0, way.yz));
+vec4 wrinkle_decals_gradient_edge(uint bits, vec3 way, float t, float dt) {
+    uint a_bits = wrinkle_decals_pcg_hash(bits);
+    vec4 a = wrinkle_decals_gradient_corner(a_bits, way);
+    uint b_bits = wrinkle_decals_pcg_hash(bits + 1u);
+    vec4 b = wrinkle_decals_gradient_corner(b_bits, vec3(way.x - 1.0, way.yz));
     vec4 mixed = mix(a, b, t);
-    return vec4(mixed.x + t_slope * (b.w - a.w), mixed.yzw);
+    return vec4(mixed.x + dt * (b.w - a.w), mixed.yzw);
+}
+
+vec4 wrinkle_decals_gradient_cell(uint bits, uint bits_y, uint bits_z, uint bits_yz, vec3 f) {
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 dt = 30.0 * f * f * back * back;
+    vec4 a = wrinkle_decals_gradient_edge(bits, f, t.x, dt.x);
+    vec4 b = wrinkle_decals_gradient_edge(bits_y, vec3(f.x, f.y - 1.0, f.z), t.x, dt.x);
+    vec4 ab = mix(a, b, t.y);
+    vec4 low = vec4(ab.x, ab.y + dt.y * (b.w - a.w), ab.zw);
+    vec4 c = wrinkle_decals_gradient_edge(bits_z, vec3(f.xy, f.z - 1.0), t.x, dt.x);
+    vec4 d = wrinkle_decals_gradient_edge(bits_yz, vec3(f.x, f.yz - 1.0), t.x, dt.x);
+    vec4 cd = mix(c, d, t.y);
+    vec4 high = vec4(cd.x, cd.y + dt.y * (d.w - c.w), cd.zw);
+    vec4 joined = mix(low, high, t.z);
+    return vec4(joined.xy, joined.z + dt.z * (cd.w - ab.w), joined.w);
 }
 
 vec4 wrinkle_decals_gradient_noise(vec3 p) {
     vec3 cell = floor(p);
-    vec3 f = p - cell;
-    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
-    vec3 back = f - 1.0;
-    vec3 t_slope = 30.0 * f * f * back * back;
-    vec4 a = wrinkle_decals_gradient_edge(cell, f, t.x, t_slope.x);
-    vec4 b = wrinkle_decals_gradient_edge(vec3(cell.x, cell.y + 1.0, cell.z),
-            vec3(f.x, f.y - 1.0, f.z), t.x, t_slope.x);
-    vec4 ab = mix(a, b, t.y);
-    vec4 low = vec4(ab.x, ab.y + t_slope.y * (b.w - a.w), ab.zw);
-    vec4 c = wrinkle_decals_gradient_edge(vec3(cell.xy, cell.z + 1.0), vec3(f.xy, f.z - 1.0), t.x,
-            t_slope.x);
-    vec4 d = wrinkle_decals_gradient_edge(vec3(cell.x, cell.yz + 1.0), vec3(f.x, f.yz - 1.0), t.x,
-            t_slope.x);
-    vec4 cd = mix(c, d, t.y);
-    vec4 high = vec4(cd.x, cd.y + t_slope.y * (d.w - c.w), cd.zw);
-    vec4 joined = mix(low, high, t.z);
-    return vec4(joined.xy, joined.z + t_slope.z * (cd.w - ab.w), joined.w);
+    uint x = uint(int(cell.x));
+    uint y = uint(int(cell.y));
+    uint z = uint(int(cell.z));
+    uint z_bits = wrinkle_decals_pcg_hash(z);
+    uint bits = x + wrinkle_decals_pcg_hash(y + z_bits);
+    uint y_1 = y + 1u;
+    uint bits_y = x + wrinkle_decals_pcg_hash(y_1 + z_bits);
+    uint z_bits_1 = wrinkle_decals_pcg_hash(z + 1u);
+    uint bits_z = x + wrinkle_decals_pcg_hash(y + z_bits_1);
+    uint bits_yz = x + wrinkle_decals_pcg_hash(y_1 + z_bits_1);
+    return wrinkle_decals_gradient_cell(bits, bits_y, bits_z, bits_yz, p - cell);
 }
 
 vec3 wrinkle_decals_fbm_slope(vec3 point, float width, float scale, int octaves, float lacunarity,
@@ -218,80 +223,13 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec3 weave_slope_3 = vec3(weave_dot_product_2, weave_product, weave_dot_product_3) * 0.03;
     // with_weave: Add decal
     vec3 with_weave_sum = with_bricks_sum + weave_slope_3 * stamp_attenuation;
-    vec3 hit_way = s.position - vec3(0.1, -0.55, 0.9);  // hit: Sphere decal
-    float hit_extent = length(hit_way);
-    bool hit_test = dot(hit_way, hit_way) > 0.0;
-    vec3 hit_unit = normalize(hit_way);
-    vec3 hit_direction = hit_test ? hit_unit : vec3(0.0);
-    float hit_clamped = clamp(dot(slide_product_2, hit_direction), 0.0, 1.0);
-    float hit_choice = hit_clamped > 0.0 ? pow(hit_clamped, 0.0) : 1.0;
-    float hit_attenuation = (1.0 - smoothstep(0.7, 1.0, hit_extent / 0.5)) * hit_choice;
-    vec3 hit_quotient = (slide_way_dx - hit_unit * dot(hit_unit, slide_way_dx)) / hit_extent;
-    vec3 hit_direction_dx = hit_test ? hit_quotient : vec3(0.0);
-    vec3 hit_quotient_2 = (slide_way_dy - hit_unit * dot(hit_unit, slide_way_dy)) / hit_extent;
-    vec3 hit_direction_dy = hit_test ? hit_quotient_2 : vec3(0.0);
-    vec3 ball_size = abs(hit_direction);  // ball: Cube normal map
-    bool ball_on_x = ball_size.x >= ball_size.y && ball_size.x >= ball_size.z;
-    bool ball_on_y = ball_size.y >= ball_size.z;
-    float ball_face_depth = ball_on_x ? ball_size.x : (ball_on_y ? ball_size.y : ball_size.z);
-    bool ball_test = ball_face_depth != 0.0;
-    float ball_side_x = hit_direction.x < 0.0 ? -1.0 : 1.0;
-    float ball_negated = -ball_side_x;
-    vec2 ball_vector = vec2(ball_negated * hit_direction.z, hit_direction.y);
-    float ball_side_y = hit_direction.y < 0.0 ? -1.0 : 1.0;
-    float ball_negated_2 = -ball_side_y;
-    vec2 ball_vector_2 = vec2(hit_direction.x, ball_negated_2 * hit_direction.z);
-    float ball_side_z = hit_direction.z < 0.0 ? -1.0 : 1.0;
-    vec2 ball_vector_3 = vec2(ball_side_z * hit_direction.x, hit_direction.y);
-    vec2 ball_on_face = ball_on_x ? ball_vector : (ball_on_y ? ball_vector_2 : ball_vector_3);
-    vec2 ball_quotient = ball_on_face / ball_face_depth;
-    vec2 ball_place = (ball_test ? ball_quotient : vec2(0.0)) * 0.5 + 0.5;
-    vec2 ball_vector_4 = vec2(hit_direction_dx.z * ball_negated, hit_direction_dx.y);
-    vec2 ball_vector_5 = vec2(hit_direction_dx.x, hit_direction_dx.z * ball_negated_2);
-    vec2 ball_vector_6 = vec2(hit_direction_dx.x * ball_side_z, hit_direction_dx.y);
-    vec2 ball_on_face_dx = ball_on_x ? ball_vector_4 : (ball_on_y ? ball_vector_5 : ball_vector_6);
-    vec3 ball_sign = sign(hit_direction);
-    vec3 ball_size_dx = hit_direction_dx * ball_sign;
-    float ball_choice = ball_on_y ? ball_size_dx.y : ball_size_dx.z;
-    vec2 ball_product = (ball_on_x ? ball_size_dx.x : ball_choice) * ball_quotient;
-    vec2 ball_quotient_2 = (ball_on_face_dx - ball_product) / ball_face_depth;
-    vec2 ball_place_dx = (ball_test ? ball_quotient_2 : vec2(0.0)) * 0.5;
-    vec2 ball_face_size = vec2(textureSize(decals_ball_image, 0)) / vec2(6.0, 1.0);
-    float ball_extent = length(ball_place_dx * ball_face_size);
-    vec2 ball_vector_7 = vec2(hit_direction_dy.z * ball_negated, hit_direction_dy.y);
-    vec2 ball_vector_8 = vec2(hit_direction_dy.x, hit_direction_dy.z * ball_negated_2);
-    vec2 ball_vector_9 = vec2(hit_direction_dy.x * ball_side_z, hit_direction_dy.y);
-    vec2 ball_on_face_dy = ball_on_x ? ball_vector_7 : (ball_on_y ? ball_vector_8 : ball_vector_9);
-    vec3 ball_size_dy = hit_direction_dy * ball_sign;
-    float ball_choice_2 = ball_on_y ? ball_size_dy.y : ball_size_dy.z;
-    vec2 ball_product_2 = (ball_on_x ? ball_size_dy.x : ball_choice_2) * ball_quotient;
-    vec2 ball_quotient_3 = (ball_on_face_dy - ball_product_2) / ball_face_depth;
-    vec2 ball_place_dy = (ball_test ? ball_quotient_3 : vec2(0.0)) * 0.5;
-    float ball_footprint = max(max(ball_extent, length(ball_place_dy * ball_face_size)), 0.5);
-    vec2 ball_border = min(ball_footprint / ball_face_size, vec2(0.5));
-    vec2 ball_inside = min(max(ball_place, ball_border), 1.0 - ball_border);
-    vec3 ball_behind = (1.0 - vec3(ball_side_x, ball_side_y, ball_side_z)) * 0.5;
-    float ball_choice_3 = ball_on_y ? 2.0 + ball_behind.y : 4.0 + ball_behind.z;
-    float ball_sum = ball_inside.x + (ball_on_x ? ball_behind.x : ball_choice_3);
-    vec2 ball_at = vec2(ball_sum, ball_inside.y) / vec2(6.0, 1.0);
-    float ball_limit = min(min(ball_face_size.x, ball_face_size.y) / ball_footprint, 1.0);
-    vec2 ball_at_dx = ball_place_dx * ball_limit / vec2(6.0, 1.0);
-    vec2 ball_at_dy = ball_place_dy * ball_limit / vec2(6.0, 1.0);
-    vec3 ball_texel = textureGrad(decals_ball_image, ball_at, ball_at_dx, ball_at_dy).xyz - 0.5;
-    vec3 ball_texel_2 = ball_texel * 2.0;
-    float ball_outward = dot(hit_direction, ball_texel_2);
-    float ball_greatest = max(abs(ball_outward),
-            max(length(ball_texel_2) * decals_min_ratio, decals_nearest));
-    vec3 ball_volume = (hit_direction * ball_outward - ball_texel_2) / ball_greatest;
-    vec3 with_dent_product = with_weave_sum * (1.0 - hit_attenuation);  // with_dent: Masked decal
-    vec3 with_dent_difference = with_dent_product - ball_volume * hit_attenuation;
     vec3 scratch_way = s.position - vec3(-0.85, -0.35, 0.5);  // scratch: Capsule decal
     float scratch_ratio = (scratch_way.x * 0.6 + scratch_way.z * 0.45) / 0.5625;
     float scratch_along = clamp(scratch_ratio, 0.0, 1.0);
     float scratch_difference = scratch_way.x - 0.6 * scratch_along;
     float scratch_difference_2 = scratch_way.z - 0.45 * scratch_along;
-    vec3 scratch_off = vec3(scratch_difference, scratch_way.y, scratch_difference_2);
-    float scratch_extent = length(scratch_off);
+    vec3 scratch_direction = vec3(scratch_difference, scratch_way.y, scratch_difference_2);
+    float scratch_extent = length(scratch_direction);
     bool scratch_test = scratch_ratio < 0.0 || 1.0 < scratch_ratio;
     float scratch_along_slope = scratch_test ? 0.0 : 1.0666667;
     float scratch_product = scratch_difference * (1.0 - scratch_along_slope * 0.6);
@@ -303,12 +241,65 @@ WrinkleMaterial_decals wrinkle_decals(WrinkleSurface_decals s) {
     vec3 scratch_quotient_2 = (scratch_extent > 0.0 ? scratch_quotient : vec3(0.0)) / 0.15;
     float scratch_t = clamp((scratch_extent / 0.15 - 0.7) / 0.3, 0.0, 1.0);
     vec3 scratch_negated = -(scratch_quotient_2 * (scratch_t * (1.0 - scratch_t) * 6.0) / 0.3);
-    bool scratch_test_2 = dot(scratch_off, scratch_off) > 0.0;
-    vec3 scratch_direction = scratch_test_2 ? normalize(scratch_off) : vec3(0.0);
-    float scratch_clamped = clamp(dot(slide_product_2, scratch_direction), 0.0, 1.0);
-    float scratch_choice = scratch_clamped > 0.0 ? pow(scratch_clamped, 0.0) : 1.0;
+    bool scratch_test_2 = dot(scratch_direction, scratch_direction) > 0.0;
+    vec3 scratch_choice = scratch_test_2 ? normalize(scratch_direction) : vec3(0.0);
+    float scratch_clamped = clamp(dot(slide_product_2, scratch_choice), 0.0, 1.0);
+    float scratch_choice_2 = scratch_clamped > 0.0 ? pow(scratch_clamped, 0.0) : 1.0;
+    vec3 hit_direction = s.position - vec3(0.1, -0.55, 0.9);  // hit: Sphere decal
+    float hit_difference = 1.0 - smoothstep(0.7, 1.0, length(hit_direction) / 0.5);
+    bool hit_test = dot(hit_direction, hit_direction) > 0.0;
+    vec3 ball_out = hit_test ? normalize(hit_direction) : vec3(0.0);  // ball: Cube normal map
+    vec3 ball_size = abs(hit_direction);
+    bool ball_on_x = ball_size.x >= ball_size.y && ball_size.x >= ball_size.z;
+    bool ball_on_y = ball_size.y > ball_size.x && ball_size.y >= ball_size.z;
+    float ball_choice = ball_on_y ? hit_direction.y : hit_direction.z;
+    float ball_along = ball_on_x ? hit_direction.x : ball_choice;
+    float ball_side = ball_along < 0.0 ? -1.0 : 1.0;
+    float ball_negated = -ball_side;
+    float ball_flipped = hit_direction.z * ball_negated;
+    float ball_choice_2 = ball_on_y ? hit_direction.x : hit_direction.x * ball_side;
+    float ball_choice_3 = ball_on_y ? ball_flipped : hit_direction.y;
+    float ball_face_depth = ball_along * ball_side;
+    float ball_width = 2.0 * (ball_face_depth + float(ball_face_depth == 0.0));
+    vec2 ball_quotient = vec2(ball_on_x ? ball_flipped : ball_choice_2, ball_choice_3) / ball_width;
+    float ball_flipped_slope_dx = slide_way_dx.z * ball_negated;
+    float ball_choice_4 = ball_on_y ? slide_way_dx.x : slide_way_dx.x * ball_side;
+    vec2 ball_on_face_dx = vec2(ball_on_x ? ball_flipped_slope_dx : ball_choice_4, ball_on_y ?
+            ball_flipped_slope_dx : slide_way_dx.y);
+    float ball_choice_5 = ball_on_y ? slide_way_dx.y : slide_way_dx.z;
+    float ball_width_slope_dx = (ball_on_x ? slide_way_dx.x : ball_choice_5) * ball_side * 2.0;
+    vec2 ball_place_dx = (ball_on_face_dx - ball_width_slope_dx * ball_quotient) / ball_width;
+    vec2 ball_face_size = vec2(textureSize(decals_ball_image, 0)) / vec2(6.0, 1.0);
+    float ball_extent = length(ball_place_dx * ball_face_size);
+    float ball_flipped_slope_dy = slide_way_dy.z * ball_negated;
+    float ball_choice_6 = ball_on_y ? slide_way_dy.x : slide_way_dy.x * ball_side;
+    vec2 ball_on_face_dy = vec2(ball_on_x ? ball_flipped_slope_dy : ball_choice_6, ball_on_y ?
+            ball_flipped_slope_dy : slide_way_dy.y);
+    float ball_choice_7 = ball_on_y ? slide_way_dy.y : slide_way_dy.z;
+    float ball_width_slope_dy = (ball_on_x ? slide_way_dy.x : ball_choice_7) * ball_side * 2.0;
+    vec2 ball_place_dy = (ball_on_face_dy - ball_width_slope_dy * ball_quotient) / ball_width;
+    float ball_footprint = max(max(ball_extent, length(ball_place_dy * ball_face_size)), 0.5);
+    vec2 ball_border = min(ball_footprint / ball_face_size, vec2(0.5));
+    vec2 ball_greatest = max(ball_quotient + 0.5, ball_border);
+    vec2 ball_inside = min(ball_greatest, 1.0 - ball_border);
+    float ball_face = (ball_on_x ? 0.5 : (ball_on_y ? 2.5 : 4.5)) - 0.5 * ball_side;
+    vec2 ball_at = vec2(ball_inside.x + ball_face, ball_inside.y) / vec2(6.0, 1.0);
+    float ball_limit = min(min(ball_face_size.x, ball_face_size.y) / ball_footprint, 1.0);
+    vec2 ball_at_dx = ball_place_dx * ball_limit / vec2(6.0, 1.0);
+    vec2 ball_at_dy = ball_place_dy * ball_limit / vec2(6.0, 1.0);
+    vec3 ball_texel = textureGrad(decals_ball_image, ball_at, ball_at_dx, ball_at_dy).xyz - 0.5;
+    vec3 ball_texel_2 = ball_texel * 2.0;
+    float ball_outward = dot(ball_out, ball_texel_2);
+    float ball_greatest_2 = max(abs(ball_outward),
+            max(length(ball_texel_2) * decals_min_ratio, decals_nearest));
+    vec3 ball_volume = (ball_out * ball_outward - ball_texel_2) / ball_greatest_2;
+    // hit: Sphere decal (continued)
+    float hit_clamped = clamp(dot(slide_product_2, ball_out), 0.0, 1.0);
+    float hit_attenuation = hit_difference * (hit_clamped > 0.0 ? pow(hit_clamped, 0.0) : 1.0);
+    vec3 with_dent_product = with_weave_sum * (1.0 - hit_attenuation);  // with_dent: Masked decal
+    vec3 with_dent_difference = with_dent_product - ball_volume * hit_attenuation;
     // g: Add bumps
-    vec3 g_gradient = with_dent_difference - scratch_negated * scratch_choice * 0.06;
+    vec3 g_gradient = with_dent_difference - scratch_negated * scratch_choice_2 * 0.06;
     WrinkleMaterial_decals m;
     // normal: Resolve
     m.normal = normalize(normal * (s.facing + dot(normal, g_gradient)) - g_gradient);

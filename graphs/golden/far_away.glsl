@@ -28,9 +28,9 @@ WrinkleMaterial_far_away wrinkle_far_away(WrinkleSurface_far_away s) {
     vec2 weave_slope = weave_texel.xy / weave_depth;
     vec3 weave_vector = vec3(weave_slope * weave_slope + 1.0, weave_slope.x * weave_slope.y);
     vec2 weave_size = vec2(textureSize(far_away_weave_image, 0));
-    vec2 weave_product = weave_size * tile_uv_dx;
+    vec2 weave_product = tile_uv_dx * weave_size;
     float weave_dot_product = dot(weave_product, weave_product);
-    vec2 weave_product_2 = weave_size * tile_uv_dy;
+    vec2 weave_product_2 = tile_uv_dy * weave_size;
     float weave_greatest = max(weave_dot_product, dot(weave_product_2, weave_product_2));
     float weave_minified = clamp(log2(max(weave_greatest, far_away_min_footprint)) * 0.5, 0.0, 1.0);
     float weave_product_3 = max(1.0 - dot(weave_texel, weave_texel) * 4.0, 0.0) * weave_minified;

@@ -16,8 +16,9 @@ const float hex_pebbles_hex_size = 6.928203;                      // 2 sqrt(3) t
 const float hex_pebbles_tan_30 = 0.57735026;                      // 1 / sqrt(3)
 const float hex_pebbles_sec_30 = 1.1547005;                       // 2 / sqrt(3)
 const float hex_pebbles_two_24 = 16777216.0;                      // the upper 24 bits to [0, 1)
-const float hex_pebbles_pi = 3.1415927;                           // half a turn, in radians
+const float hex_pebbles_two_pi = 6.2831855;                       // a turn, in radians
 const float hex_pebbles_sin_60 = 0.8660254;                       // sqrt(3) / 2
+const float hex_pebbles_two_16 = 65536.0;                         // each half of the bits to [0, 1)
 const float hex_pebbles_min_ratio = 0.0078125;                    // of z to x and y: slopes are at most 128
 const float hex_pebbles_min_z = 5e-07;                            // of a normal map: the zero vector is flat
 const float hex_pebbles_min_weight = 1e-04;                       // of a corner, for a sum above zero
@@ -51,8 +52,7 @@ uint wrinkle_hex_pebbles_pcg_hash(uint x) {
 vec4 wrinkle_hex_pebbles_hex_copy(vec2 uv, vec2 corner, float size, float rotation) {
     uint bits = wrinkle_hex_pebbles_pcg_hash(uint(int(corner.x)) +
             wrinkle_hex_pebbles_pcg_hash(uint(int(corner.y))));
-    float turn = 2.0 * (float(bits >> 8u) / hex_pebbles_two_24) - 1.0;
-    float angle = turn * hex_pebbles_pi * rotation;
+    float angle = (float(bits >> 8u) / hex_pebbles_two_24 - 0.5) * (hex_pebbles_two_pi * rotation);
     float cosine = cos(angle);
     float sine = sin(angle);
     vec2 right = vec2(cosine, sine);
@@ -60,9 +60,8 @@ vec4 wrinkle_hex_pebbles_hex_copy(vec2 uv, vec2 corner, float size, float rotati
     vec2 way = uv - centre;
     vec2 up = vec2(-sine, cosine);
     uint more = wrinkle_hex_pebbles_pcg_hash(bits);
-    uint most = wrinkle_hex_pebbles_pcg_hash(more);
-    vec2 moved = vec2(float(more >> 8u), float(most >> 8u)) / hex_pebbles_two_24;
-    return vec4(right * way.x + up * way.y + centre + moved, cosine, sine);
+    vec2 moved = vec2(float(more >> 16u), float(more & 65535u)) / hex_pebbles_two_16;
+    return vec4(right * way.x + up * way.y + moved, cosine, sine);
 }
 
 vec2 wrinkle_hex_pebbles_smooth_slope(vec2 at, vec2 texel) {
@@ -143,31 +142,23 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
             dot(grain_product_3, grain_vector_5));
     float grain_dot_product_3 = dot(grain_vector_6, grain_vector_6);
     vec3 grain_vector_7 = vec3(grain_dot_product, grain_dot_product_2, grain_dot_product_3);
-    vec3 grain_product_4 = 0.6 * sqrt(max(grain_vector_7 / (1.0 + grain_vector_7), 0.0));
-    vec3 grain_sum = 0.4 + grain_product_4;
-    vec3 grain_product_5 = grain_sum *
-            pow(max(grain_grid, vec3(hex_pebbles_min_weight)), vec3(7.0));
-    float grain_sum_2 = grain_product_5.x + grain_product_5.y + grain_product_5.z;
-    vec3 grain_quotient_4 = grain_product_5 / grain_sum_2;
-    float grain_product_6 = 2.0 * grain_quotient_4.x;
-    float grain_product_7 = 0.5 * (grain_product_6 > 0.0 ? grain_product_6 : 0.0);
-    float grain_difference = 2.0 - grain_product_6;
-    float grain_difference_2 = 1.0 - 0.5 * (grain_difference > 0.0 ? grain_difference : 0.0);
-    float grain_choice = grain_quotient_4.x < 0.5 ? grain_product_7 : grain_difference_2;
-    float grain_product_8 = 2.0 * grain_quotient_4.y;
-    float grain_product_9 = 0.5 * (grain_product_8 > 0.0 ? grain_product_8 : 0.0);
-    float grain_difference_3 = 2.0 - grain_product_8;
-    float grain_difference_4 = 1.0 - 0.5 * (grain_difference_3 > 0.0 ? grain_difference_3 : 0.0);
-    float grain_choice_2 = grain_quotient_4.y < 0.5 ? grain_product_9 : grain_difference_4;
-    float grain_product_10 = 2.0 * grain_quotient_4.z;
-    float grain_product_11 = 0.5 * (grain_product_10 > 0.0 ? grain_product_10 : 0.0);
-    float grain_difference_5 = 2.0 - grain_product_10;
-    float grain_difference_6 = 1.0 - 0.5 * (grain_difference_5 > 0.0 ? grain_difference_5 : 0.0);
-    float grain_choice_3 = grain_quotient_4.z < 0.5 ? grain_product_11 : grain_difference_6;
-    vec3 grain_vector_8 = vec3(grain_choice, grain_choice_2, grain_choice_3);
-    vec3 grain_quotient_5 = grain_vector_8 / (grain_choice + grain_choice_2 + grain_choice_3);
-    vec2 grain_sum_3 = grain_vector_2 * grain_quotient_5.x + grain_vector_4 * grain_quotient_5.y;
-    vec2 grain_sum_4 = grain_sum_3 + grain_vector_6 * grain_quotient_5.z;
+    vec3 grain_root = sqrt(max(grain_vector_7 / (1.0 + grain_vector_7), 0.0));
+    vec3 grain_power = pow(max(grain_grid, vec3(hex_pebbles_min_weight)), vec3(7.0));
+    vec3 grain_product_4 = (0.6666667 + grain_root) * grain_power;
+    float grain_sum = grain_product_4.x + grain_product_4.y + grain_product_4.z;
+    vec3 grain_quotient_4 = grain_product_4 / grain_sum;
+    float grain_twice = 2.0 * grain_quotient_4.x;
+    float grain_part = max(min(grain_twice, 2.0 - grain_twice), hex_pebbles_min_weight);
+    float grain_choice = grain_twice < 1.0 ? grain_part : 2.0 - grain_part;
+    float grain_twice_2 = 2.0 * grain_quotient_4.y;
+    float grain_part_2 = max(min(grain_twice_2, 2.0 - grain_twice_2), hex_pebbles_min_weight);
+    float grain_choice_2 = grain_twice_2 < 1.0 ? grain_part_2 : 2.0 - grain_part_2;
+    vec2 grain_sum_2 = grain_vector_2 * grain_choice + grain_vector_4 * grain_choice_2;
+    float grain_twice_3 = 2.0 * grain_quotient_4.z;
+    float grain_part_3 = max(min(grain_twice_3, 2.0 - grain_twice_3), hex_pebbles_min_weight);
+    float grain_choice_3 = grain_twice_3 < 1.0 ? grain_part_3 : 2.0 - grain_part_3;
+    float grain_sum_3 = grain_choice + grain_choice_2 + grain_choice_3;
+    vec2 grain_quotient_5 = (grain_sum_2 + grain_vector_6 * grain_choice_3) / grain_sum_3;
     // pebbles: Hex-tiled height map
     vec2 pebbles_grid_2;
     vec2 pebbles_grid_3;
@@ -202,130 +193,111 @@ WrinkleMaterial_hex_pebbles wrinkle_hex_pebbles(WrinkleSurface_hex_pebbles s) {
     vec2 pebbles_slope_2 = mix(pebbles_coarse, pebbles_slope * pebbles_size, pebbles_magnified);
     float pebbles_dot_product_2 = dot(pebbles_slope_2, pebbles_copy.zw);
     vec2 pebbles_vector_4 = vec2(pebbles_dot_product_2, dot(pebbles_slope_2, pebbles_vector));
-    vec3 pebbles_greatest_2 = max(pebbles_grid, vec3(hex_pebbles_min_weight));
-    vec3 pebbles_power = pow(pebbles_greatest_2, vec3(7.0));
-    float pebbles_sum = pow(pebbles_greatest_2.x, 7.0) + pow(pebbles_greatest_2.y, 7.0);
-    vec3 pebbles_quotient_2 = pebbles_power / (pebbles_sum + pow(pebbles_greatest_2.z, 7.0));
-    float pebbles_product = 2.0 * pebbles_quotient_2.x;
-    float pebbles_product_2 = 0.5 * (pebbles_product > 0.0 ? pebbles_product : 0.0);
-    float pebbles_difference_2 = 2.0 - pebbles_product;
-    float pebbles_difference_3 = 1.0 -
-            0.5 * (pebbles_difference_2 > 0.0 ? pebbles_difference_2 : 0.0);
-    float pebbles_choice = pebbles_quotient_2.x < 0.5 ? pebbles_product_2 : pebbles_difference_3;
-    float pebbles_product_3 = 2.0 * pebbles_quotient_2.y;
-    float pebbles_product_4 = 0.5 * (pebbles_product_3 > 0.0 ? pebbles_product_3 : 0.0);
-    float pebbles_difference_4 = 2.0 - pebbles_product_3;
-    float pebbles_difference_5 = 1.0 -
-            0.5 * (pebbles_difference_4 > 0.0 ? pebbles_difference_4 : 0.0);
-    float pebbles_choice_2 = pebbles_quotient_2.y < 0.5 ? pebbles_product_4 : pebbles_difference_5;
-    float pebbles_product_5 = 2.0 * pebbles_quotient_2.z;
-    float pebbles_product_6 = 0.5 * (pebbles_product_5 > 0.0 ? pebbles_product_5 : 0.0);
-    float pebbles_difference_6 = 2.0 - pebbles_product_5;
-    float pebbles_difference_7 = 1.0 -
-            0.5 * (pebbles_difference_6 > 0.0 ? pebbles_difference_6 : 0.0);
-    float pebbles_choice_3 = pebbles_quotient_2.z < 0.5 ? pebbles_product_6 : pebbles_difference_7;
-    vec3 pebbles_vector_5 = vec3(pebbles_choice, pebbles_choice_2, pebbles_choice_3);
-    vec3 pebbles_quotient_3 = pebbles_vector_5 /
-            (pebbles_choice + pebbles_choice_2 + pebbles_choice_3);
-    vec2 pebbles_product_7 = pebbles_vector_4 * pebbles_quotient_3.x;
+    vec3 pebbles_power = pow(max(pebbles_grid, vec3(hex_pebbles_min_weight)), vec3(7.0));
+    vec3 pebbles_product = 1.6666666 * pebbles_power;
+    float pebbles_sum = pebbles_product.x + pebbles_product.y + pebbles_product.z;
+    vec3 pebbles_quotient_2 = pebbles_product / pebbles_sum;
+    float pebbles_twice = 2.0 * pebbles_quotient_2.x;
+    float pebbles_part = max(min(pebbles_twice, 2.0 - pebbles_twice), hex_pebbles_min_weight);
+    float pebbles_choice = pebbles_twice < 1.0 ? pebbles_part : 2.0 - pebbles_part;
     vec4 pebbles_copy_2 = wrinkle_hex_pebbles_hex_copy(tile_uv, pebbles_grid_3,
             hex_pebbles_hex_size_2, 1.0);
-    vec2 pebbles_vector_6 = vec2(-pebbles_copy_2.w, pebbles_copy_2.z);
-    vec2 pebbles_copy_dx_2 = pebbles_copy_2.zw * tile_uv_dx.x + pebbles_vector_6 * tile_uv_dx.y;
+    vec2 pebbles_vector_5 = vec2(-pebbles_copy_2.w, pebbles_copy_2.z);
+    vec2 pebbles_copy_dx_2 = pebbles_copy_2.zw * tile_uv_dx.x + pebbles_vector_5 * tile_uv_dx.y;
     vec2 pebbles_texels_dx_2 = pebbles_copy_dx_2 * pebbles_size;
     float pebbles_dot_product_3 = dot(pebbles_texels_dx_2, pebbles_texels_dx_2);
-    vec2 pebbles_copy_dy_2 = pebbles_copy_2.zw * tile_uv_dy.x + pebbles_vector_6 * tile_uv_dy.y;
+    vec2 pebbles_copy_dy_2 = pebbles_copy_2.zw * tile_uv_dy.x + pebbles_vector_5 * tile_uv_dy.y;
     vec2 pebbles_texels_dy_2 = pebbles_copy_dy_2 * pebbles_size;
-    float pebbles_greatest_3 = max(pebbles_dot_product_3,
+    float pebbles_greatest_2 = max(pebbles_dot_product_3,
             dot(pebbles_texels_dy_2, pebbles_texels_dy_2));
-    float pebbles_footprint_2 = sqrt(max(pebbles_greatest_3, 1.0));
+    float pebbles_footprint_2 = sqrt(max(pebbles_greatest_2, 1.0));
     vec2 pebbles_texel_step_2 = pebbles_footprint_2 / pebbles_size;
-    vec2 pebbles_vector_7 = vec2(pebbles_copy_2.x + pebbles_texel_step_2.x, pebbles_copy_2.y);
-    vec4 pebbles_right_2 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_7,
+    vec2 pebbles_vector_6 = vec2(pebbles_copy_2.x + pebbles_texel_step_2.x, pebbles_copy_2.y);
+    vec4 pebbles_right_2 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_6,
             pebbles_copy_dx_2, pebbles_copy_dy_2);
-    vec2 pebbles_vector_8 = vec2(pebbles_copy_2.x, pebbles_copy_2.y + pebbles_texel_step_2.y);
-    vec4 pebbles_above_2 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_8,
+    vec2 pebbles_vector_7 = vec2(pebbles_copy_2.x, pebbles_copy_2.y + pebbles_texel_step_2.y);
+    vec4 pebbles_above_2 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_7,
             pebbles_copy_dx_2, pebbles_copy_dy_2);
     vec4 pebbles_here_2 = textureGrad(hex_pebbles_pebbles_image, pebbles_copy_2.xy,
             pebbles_copy_dx_2, pebbles_copy_dy_2);
-    vec2 pebbles_difference_8 = vec2(pebbles_right_2.x, pebbles_above_2.x) - pebbles_here_2.x;
-    vec2 pebbles_coarse_2 = pebbles_difference_8 / pebbles_texel_step_2;
+    vec2 pebbles_difference_2 = vec2(pebbles_right_2.x, pebbles_above_2.x) - pebbles_here_2.x;
+    vec2 pebbles_coarse_2 = pebbles_difference_2 / pebbles_texel_step_2;
     vec2 pebbles_slope_3 = wrinkle_hex_pebbles_smooth_slope(pebbles_copy_2.xy, pebbles_quotient);
     float pebbles_magnified_2 = clamp((0.5 - log2(pebbles_footprint_2)) / 0.45, 0.0, 1.0);
     vec2 pebbles_slope_4 = mix(pebbles_coarse_2, pebbles_slope_3 * pebbles_size,
             pebbles_magnified_2);
     float pebbles_dot_product_4 = dot(pebbles_slope_4, pebbles_copy_2.zw);
-    vec2 pebbles_vector_9 = vec2(pebbles_dot_product_4, dot(pebbles_slope_4, pebbles_vector_6));
-    vec2 pebbles_sum_2 = pebbles_product_7 + pebbles_vector_9 * pebbles_quotient_3.y;
+    vec2 pebbles_vector_8 = vec2(pebbles_dot_product_4, dot(pebbles_slope_4, pebbles_vector_5));
+    float pebbles_twice_2 = 2.0 * pebbles_quotient_2.y;
+    float pebbles_part_2 = max(min(pebbles_twice_2, 2.0 - pebbles_twice_2), hex_pebbles_min_weight);
+    float pebbles_choice_2 = pebbles_twice_2 < 1.0 ? pebbles_part_2 : 2.0 - pebbles_part_2;
+    vec2 pebbles_sum_2 = pebbles_vector_4 * pebbles_choice + pebbles_vector_8 * pebbles_choice_2;
     vec4 pebbles_copy_3 = wrinkle_hex_pebbles_hex_copy(tile_uv, pebbles_grid_4,
             hex_pebbles_hex_size_2, 1.0);
-    vec2 pebbles_vector_10 = vec2(-pebbles_copy_3.w, pebbles_copy_3.z);
-    vec2 pebbles_copy_dx_3 = pebbles_copy_3.zw * tile_uv_dx.x + pebbles_vector_10 * tile_uv_dx.y;
+    vec2 pebbles_vector_9 = vec2(-pebbles_copy_3.w, pebbles_copy_3.z);
+    vec2 pebbles_copy_dx_3 = pebbles_copy_3.zw * tile_uv_dx.x + pebbles_vector_9 * tile_uv_dx.y;
     vec2 pebbles_texels_dx_3 = pebbles_copy_dx_3 * pebbles_size;
     float pebbles_dot_product_5 = dot(pebbles_texels_dx_3, pebbles_texels_dx_3);
-    vec2 pebbles_copy_dy_3 = pebbles_copy_3.zw * tile_uv_dy.x + pebbles_vector_10 * tile_uv_dy.y;
+    vec2 pebbles_copy_dy_3 = pebbles_copy_3.zw * tile_uv_dy.x + pebbles_vector_9 * tile_uv_dy.y;
     vec2 pebbles_texels_dy_3 = pebbles_copy_dy_3 * pebbles_size;
-    float pebbles_greatest_4 = max(pebbles_dot_product_5,
+    float pebbles_greatest_3 = max(pebbles_dot_product_5,
             dot(pebbles_texels_dy_3, pebbles_texels_dy_3));
-    float pebbles_footprint_3 = sqrt(max(pebbles_greatest_4, 1.0));
+    float pebbles_footprint_3 = sqrt(max(pebbles_greatest_3, 1.0));
     vec2 pebbles_texel_step_3 = pebbles_footprint_3 / pebbles_size;
-    vec2 pebbles_vector_11 = vec2(pebbles_copy_3.x + pebbles_texel_step_3.x, pebbles_copy_3.y);
-    vec4 pebbles_right_3 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_11,
+    vec2 pebbles_vector_10 = vec2(pebbles_copy_3.x + pebbles_texel_step_3.x, pebbles_copy_3.y);
+    vec4 pebbles_right_3 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_10,
             pebbles_copy_dx_3, pebbles_copy_dy_3);
-    vec2 pebbles_vector_12 = vec2(pebbles_copy_3.x, pebbles_copy_3.y + pebbles_texel_step_3.y);
-    vec4 pebbles_above_3 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_12,
+    vec2 pebbles_vector_11 = vec2(pebbles_copy_3.x, pebbles_copy_3.y + pebbles_texel_step_3.y);
+    vec4 pebbles_above_3 = textureGrad(hex_pebbles_pebbles_image, pebbles_vector_11,
             pebbles_copy_dx_3, pebbles_copy_dy_3);
     vec4 pebbles_here_3 = textureGrad(hex_pebbles_pebbles_image, pebbles_copy_3.xy,
             pebbles_copy_dx_3, pebbles_copy_dy_3);
-    vec2 pebbles_difference_9 = vec2(pebbles_right_3.x, pebbles_above_3.x) - pebbles_here_3.x;
-    vec2 pebbles_coarse_3 = pebbles_difference_9 / pebbles_texel_step_3;
+    vec2 pebbles_difference_3 = vec2(pebbles_right_3.x, pebbles_above_3.x) - pebbles_here_3.x;
+    vec2 pebbles_coarse_3 = pebbles_difference_3 / pebbles_texel_step_3;
     vec2 pebbles_slope_5 = wrinkle_hex_pebbles_smooth_slope(pebbles_copy_3.xy, pebbles_quotient);
     float pebbles_magnified_3 = clamp((0.5 - log2(pebbles_footprint_3)) / 0.45, 0.0, 1.0);
     vec2 pebbles_slope_6 = mix(pebbles_coarse_3, pebbles_slope_5 * pebbles_size,
             pebbles_magnified_3);
     float pebbles_dot_product_6 = dot(pebbles_slope_6, pebbles_copy_3.zw);
-    vec2 pebbles_vector_13 = vec2(pebbles_dot_product_6, dot(pebbles_slope_6, pebbles_vector_10));
-    vec2 pebbles_product_8 = (pebbles_sum_2 + pebbles_vector_13 * pebbles_quotient_3.z) * 0.03;
-    vec2 pebbles_vector_14 = vec2(dot(pebbles_product_8, tile_uv_dx),
-            dot(pebbles_product_8, tile_uv_dy));
+    vec2 pebbles_vector_12 = vec2(pebbles_dot_product_6, dot(pebbles_slope_6, pebbles_vector_9));
+    float pebbles_twice_3 = 2.0 * pebbles_quotient_2.z;
+    float pebbles_part_3 = max(min(pebbles_twice_3, 2.0 - pebbles_twice_3), hex_pebbles_min_weight);
+    float pebbles_choice_3 = pebbles_twice_3 < 1.0 ? pebbles_part_3 : 2.0 - pebbles_part_3;
+    float pebbles_sum_3 = pebbles_choice + pebbles_choice_2 + pebbles_choice_3;
+    vec2 pebbles_product_2 = (pebbles_sum_2 + pebbles_vector_12 * pebbles_choice_3) /
+            pebbles_sum_3 * 0.03;
+    vec2 pebbles_vector_13 = vec2(dot(pebbles_product_2, tile_uv_dx),
+            dot(pebbles_product_2, tile_uv_dy));
     // normal: Resolve
+    vec3 normal_along_u = s.tangent.xyz * (grain_quotient_5.x * inverse_normal_length);
     float normal_product = (s.tangent.w > 0.0 ? 1.0 : -1.0) * inverse_normal_length;
-    vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (grain_sum_4.y * normal_product);
-    vec3 normal_sum = s.tangent.xyz * (grain_sum_4.x * inverse_normal_length) + normal_along_v;
-    vec2 normal_per_area = pebbles_vector_14 *
+    vec3 normal_along_v = cross(s.normal, s.tangent.xyz) * (grain_quotient_5.y * normal_product);
+    vec2 normal_per_area = pebbles_vector_13 *
             (sign(screen_area) / max(abs(screen_area), hex_pebbles_min_area));
     vec3 normal_cross_product = cross(normal, dpdx * normal_per_area.y - dpdy * normal_per_area.x);
-    vec3 normal_gradient = normal_sum + normal_cross_product;
+    vec3 normal_gradient = normal_along_u + normal_along_v + normal_cross_product;
     vec3 normal_bumped = normal * s.facing - normal_gradient;
     float tint_dot_product = dot(pebbles_here.xyz, hex_pebbles_luminance);  // tint: Hex-tiled color
     float tint_dot_product_2 = dot(pebbles_here_2.xyz, hex_pebbles_luminance);
     float tint_dot_product_3 = dot(pebbles_here_3.xyz, hex_pebbles_luminance);
     vec3 tint_vector = vec3(tint_dot_product, tint_dot_product_2, tint_dot_product_3);
-    vec3 tint_product = (0.4 + 0.6 * clamp(tint_vector, 0.0, 1.0)) * pebbles_power;
+    vec3 tint_product = (0.6666667 + clamp(tint_vector, 0.0, 1.0)) * pebbles_power;
     vec3 tint_quotient = tint_product / (tint_product.x + tint_product.y + tint_product.z);
-    float tint_product_2 = 2.0 * tint_quotient.x;
-    float tint_product_3 = 0.5 * (tint_product_2 > 0.0 ? tint_product_2 : 0.0);
-    float tint_difference = 2.0 - tint_product_2;
-    float tint_difference_2 = 1.0 - 0.5 * (tint_difference > 0.0 ? tint_difference : 0.0);
-    float tint_choice = tint_quotient.x < 0.5 ? tint_product_3 : tint_difference_2;
-    float tint_product_4 = 2.0 * tint_quotient.y;
-    float tint_product_5 = 0.5 * (tint_product_4 > 0.0 ? tint_product_4 : 0.0);
-    float tint_difference_3 = 2.0 - tint_product_4;
-    float tint_difference_4 = 1.0 - 0.5 * (tint_difference_3 > 0.0 ? tint_difference_3 : 0.0);
-    float tint_choice_2 = tint_quotient.y < 0.5 ? tint_product_5 : tint_difference_4;
-    float tint_product_6 = 2.0 * tint_quotient.z;
-    float tint_product_7 = 0.5 * (tint_product_6 > 0.0 ? tint_product_6 : 0.0);
-    float tint_difference_5 = 2.0 - tint_product_6;
-    float tint_difference_6 = 1.0 - 0.5 * (tint_difference_5 > 0.0 ? tint_difference_5 : 0.0);
-    float tint_choice_3 = tint_quotient.z < 0.5 ? tint_product_7 : tint_difference_6;
-    vec3 tint_vector_2 = vec3(tint_choice, tint_choice_2, tint_choice_3);
-    vec3 tint_quotient_2 = tint_vector_2 / (tint_choice + tint_choice_2 + tint_choice_3);
-    vec3 tint_product_8 = pebbles_here.xyz * tint_quotient_2.x;
-    vec3 tint_sum = tint_product_8 + pebbles_here_2.xyz * tint_quotient_2.y;
+    float tint_twice = 2.0 * tint_quotient.x;
+    float tint_part = max(min(tint_twice, 2.0 - tint_twice), hex_pebbles_min_weight);
+    float tint_choice = tint_twice < 1.0 ? tint_part : 2.0 - tint_part;
+    float tint_twice_2 = 2.0 * tint_quotient.y;
+    float tint_part_2 = max(min(tint_twice_2, 2.0 - tint_twice_2), hex_pebbles_min_weight);
+    float tint_choice_2 = tint_twice_2 < 1.0 ? tint_part_2 : 2.0 - tint_part_2;
+    vec3 tint_sum = pebbles_here.xyz * tint_choice + pebbles_here_2.xyz * tint_choice_2;
+    float tint_twice_3 = 2.0 * tint_quotient.z;
+    float tint_part_3 = max(min(tint_twice_3, 2.0 - tint_twice_3), hex_pebbles_min_weight);
+    float tint_choice_3 = tint_twice_3 < 1.0 ? tint_part_3 : 2.0 - tint_part_3;
+    vec3 tint_sum_2 = tint_sum + pebbles_here_3.xyz * tint_choice_3;
     WrinkleMaterial_hex_pebbles m;
     // normal: Resolve (continued)
     m.normal = normalize(vec3(normal_bumped.xy, normal_bumped.z + hex_pebbles_min_normal));
     // tint: Hex-tiled color (continued)
-    m.color = tint_sum + pebbles_here_3.xyz * tint_quotient_2.z;
+    m.color = tint_sum_2 / (tint_choice + tint_choice_2 + tint_choice_3);
     return m;
 }

@@ -26,16 +26,14 @@ WrinkleMaterial_rings wrinkle_rings(WrinkleSurface_rings s) {
     // shifted: Subtract vec3
     vec3 shifted_vector = vec3(lengths_vector.x - 0.05, lengths_vector.y, 0.0);
     vec3 blended_vector = mix(flat_place_vector, shifted_vector, 0.5);  // blended: Mix vec3
+    float squared_result = dot(blended_vector, blended_vector);  // squared: Dot product
     vec2 parts_slope = vec2(lengths_vector_dx.x, lengths_vector_dy.x);  // parts: Separate vec2
     vec2 parts_slope_2 = vec2(lengths_vector_dx.y, lengths_vector_dy.y);
     float radius_result = length(blended_vector);  // radius: Length
     vec2 radius_sum = blended_vector.x * parts_slope + blended_vector.y * parts_slope_2;
     vec2 radius_slope = radius_result > 0.0 ? radius_sum / radius_result : vec2(0.0);
-    float squared_result = dot(blended_vector, blended_vector);  // squared: Dot product
-    vec2 squared_slope = parts_slope * blended_vector.x + parts_slope_2 * blended_vector.y +
-            radius_sum;
     float root_result = sqrt(squared_result);  // root: Square root
-    vec2 root_slope = squared_slope * (root_result > 0.0 ? 0.5 / root_result : 0.0);
+    vec2 root_slope = radius_sum * 2.0 * (root_result > 0.0 ? 0.5 / root_result : 0.0);
     float least_result = min(radius_result, root_result);  // least: Minimum
     vec2 least_slope = root_result < radius_result ? root_slope : radius_slope;
     float most_result = max(least_result, 0.1);  // most: Maximum

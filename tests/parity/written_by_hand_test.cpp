@@ -37,7 +37,8 @@ TEST_F(WrittenByHand, IsAboutAsLongAndGivesTheSameNumbers) {
     const std::filesystem::path graphs = WRINKLE_SOURCE_DIR "/graphs";
     const PointSet points = certify::random_points(2000, 7, {0, 1});
     for (const char* graph : {"noise_rock", "nodes/brick", "rusty_steel", "displaced_rock",
-                              "nodes/worley_noise", "nodes/scratches", "nodes/pyramids"}) {
+                              "nodes/worley_noise", "nodes/scratches", "nodes/pyramids",
+                              "plain_height", "nodes/domes", "nodes/simplex_noise"}) {
         SCOPED_TRACE(graph);
         Diagnostics diagnostics;
         const Project project =

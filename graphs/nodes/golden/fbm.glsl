@@ -10,6 +10,8 @@ struct WrinkleMaterial_fbm {
     float height;  // outwards, in length units
 };
 const vec3 fbm_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const uint fbm_third = 1431655936u;                       // a third of all hashes
+const uint fbm_two_thirds = 2863311616u;                  // of all hashes
 const float fbm_unskew = 0.16666667;                      // 1 / 6: a step of the lattice, per axis
 const float fbm_two_unskew = 0.33333334;                  // of two steps
 
@@ -25,23 +27,21 @@ uint wrinkle_fbm_hash3(vec3 cell) {
     return wrinkle_fbm_pcg_hash(uint(int(cell.x)) + yz);
 }
 
-vec4 wrinkle_fbm_gradient_corner(vec3 corner, vec3 way) {
-    uint bits = wrinkle_fbm_hash3(corner);
+vec4 wrinkle_fbm_gradient_corner(uint bits, vec3 way) {
+    bool no_x = bits < fbm_third;
     float a = 1.0 - 2.0 * float(bits & 1u);
-    uint axis = ((bits >> 8u) * 3u) >> 24u;
-    float first = axis == 0u ? a : 0.0;
-    float x = a - first;
+    float x = no_x ? 0.0 : a;
     float b = 1.0 - float(bits & 2u);
-    float last = axis == 2u ? b : 0.0;
-    float y = first + last;
-    float z = b - last;
+    bool no_z = bits >= fbm_two_thirds;
+    float z = no_z ? 0.0 : b;
+    float y = a - x + b - z;
     return vec4(x, y, z, dot(vec3(x, y, z), way));
 }
 
 vec4 wrinkle_fbm_simplex_corner(vec3 corner, vec3 way) {
     float near = max(0.5 - dot(way, way), 0.0);
     float cube = near * near * near;
-    vec4 linear = wrinkle_fbm_gradient_corner(corner, way);
+    vec4 linear = wrinkle_fbm_gradient_corner(wrinkle_fbm_hash3(corner), way);
     return vec4(cube * (near * linear.xyz - 8.0 * linear.w * way), cube * near * linear.w);
 }
 

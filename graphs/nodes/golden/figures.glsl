@@ -247,13 +247,11 @@ WrinkleMaterial_figures wrinkle_figures(WrinkleSurface_figures s) {
     vec2 vesica_q_dy = vesica_p_dy * vesica_sign;
     vec2 vesica_vector_3 = vec2(dot(vesica_vector, vesica_q_dx), dot(vesica_vector, vesica_q_dy));
     vec2 vesica_choice = vesica_extent > 0.0 ? vesica_vector_3 / vesica_extent : vec2(0.0);
-    vec2 vesica_vector_4 = vec2(dot(vesica_q_dx, vesica_q), dot(vesica_q_dy, vesica_q));
-    vec2 vesica_vector_5 = vec2(dot(vesica_q, vesica_q_dx), dot(vesica_q, vesica_q_dy));
-    vec2 vesica_product = vec2(vesica_q_dx.x, vesica_q_dy.x) * 0.6;
-    vec2 vesica_sum_2 = vesica_vector_4 + vesica_vector_5 + vesica_product;
-    vec2 vesica_vector_6 = vec2(dot(vesica_vector_2, vesica_q_dx),
+    vec2 vesica_product = vec2(dot(vesica_q, vesica_q_dx), dot(vesica_q, vesica_q_dy)) * 2.0;
+    vec2 vesica_sum_2 = vesica_product + vec2(vesica_q_dx.x, vesica_q_dy.x) * 0.6;
+    vec2 vesica_vector_4 = vec2(dot(vesica_vector_2, vesica_q_dx),
             dot(vesica_vector_2, vesica_q_dy));
-    vec2 vesica_choice_2 = vesica_extent_2 > 0.0 ? vesica_vector_6 / vesica_extent_2 : vec2(0.0);
+    vec2 vesica_choice_2 = vesica_extent_2 > 0.0 ? vesica_vector_4 / vesica_extent_2 : vec2(0.0);
     vec2 vesica_difference_3 = vesica_sum_2 - vesica_choice_2 * vesica_quotient;
     vec2 vesica_slope = vesica_test ? vesica_choice : vesica_difference_3 / vesica_sum;
     float is_vesica_result = abs(index_result - 5.0) <= 1e-06 ? 1.0 : 0.0;  // is_vesica: Compare

@@ -138,13 +138,11 @@ WrinkleMaterial_uv_tools wrinkle_uv_tools(WrinkleSurface_uv_tools s) {
     float spherize_difference_2 = 1.0 - spherize_product * spherize_inside;
     vec2 spherize_uv = swirl_way * spherize_difference_2 + 0.5;
     bool spherize_test = spherize_difference < 0.0;
-    float spherize_negated = -((dot(grid_uv_dx, swirl_way) + swirl_dot_product) / 0.25);
-    float spherize_inside_slope_dx = spherize_test ? 0.0 : spherize_negated;
+    float spherize_inside_slope_dx = spherize_test ? 0.0 : -(swirl_dot_product * 2.0 / 0.25);
     float spherize_product_2 = spherize_inside_slope_dx * 0.6 * spherize_inside;
     float spherize_sum = spherize_product_2 + spherize_inside_slope_dx * spherize_product;
     vec2 spherize_uv_dx = grid_uv_dx * spherize_difference_2 - spherize_sum * swirl_way;
-    float spherize_negated_2 = -((dot(grid_uv_dy, swirl_way) + swirl_dot_product_2) / 0.25);
-    float spherize_inside_slope_dy = spherize_test ? 0.0 : spherize_negated_2;
+    float spherize_inside_slope_dy = spherize_test ? 0.0 : -(swirl_dot_product_2 * 2.0 / 0.25);
     float spherize_product_3 = spherize_inside_slope_dy * 0.6 * spherize_inside;
     float spherize_sum_2 = spherize_product_3 + spherize_inside_slope_dy * spherize_product;
     vec2 spherize_uv_dy = grid_uv_dy * spherize_difference_2 - spherize_sum_2 * swirl_way;

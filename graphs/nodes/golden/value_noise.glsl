@@ -17,36 +17,41 @@ uint wrinkle_value_noise_pcg_hash(uint x) {
     return (word >> 22u) ^ word;
 }
 
-uint wrinkle_value_noise_hash3(vec3 cell) {
-    uint z = wrinkle_value_noise_pcg_hash(uint(int(cell.z)));
-    uint yz = wrinkle_value_noise_pcg_hash(uint(int(cell.y)) + z);
-    return wrinkle_value_noise_pcg_hash(uint(int(cell.x)) + yz);
+vec2 wrinkle_value_noise_value_edge(uint bits, float t, float dt) {
+    float b = float(wrinkle_value_noise_pcg_hash(bits + 1u) >> 8u) / value_noise_two_24 * 2.0 - 1.0;
+    float a = float(wrinkle_value_noise_pcg_hash(bits) >> 8u) / value_noise_two_24 * 2.0 - 1.0;
+    return vec2(dt * (b - a), mix(a, b, t));
 }
 
-vec2 wrinkle_value_noise_value_edge(vec3 corner, float t, float t_slope) {
-    float number = float(wrinkle_value_noise_hash3(vec3(corner.x + 1.0, corner.yz)) >> 8u);
-    float product = number / value_noise_two_24 * 2.0;
-    float b = product - 1.0;
-    float a = float(wrinkle_value_noise_hash3(corner) >> 8u) / value_noise_two_24 * 2.0 - 1.0;
-    return vec2(t_slope * (b - a), mix(a, b, t));
+vec4 wrinkle_value_noise_value_cell(uint bits, uint bits_y, uint bits_z, uint bits_yz, vec3 f) {
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 dt = 30.0 * f * f * back * back;
+    vec2 a = wrinkle_value_noise_value_edge(bits, t.x, dt.x);
+    vec2 b = wrinkle_value_noise_value_edge(bits_y, t.x, dt.x);
+    vec2 mixed = mix(a, b, t.y);
+    vec3 low = vec3(mixed.x, dt.y * (b.y - a.y), mixed.y);
+    vec2 c = wrinkle_value_noise_value_edge(bits_z, t.x, dt.x);
+    vec2 d = wrinkle_value_noise_value_edge(bits_yz, t.x, dt.x);
+    vec2 mixed_2 = mix(c, d, t.y);
+    vec3 high = vec3(mixed_2.x, dt.y * (d.y - c.y), mixed_2.y);
+    vec3 mixed_3 = mix(low, high, t.z);
+    return vec4(mixed_3.xy, dt.z * (mixed_2.y - mixed.y), mixed_3.z);
 }
 
 vec4 wrinkle_value_noise_value_noise(vec3 p) {
     vec3 cell = floor(p);
-    vec3 f = p - cell;
-    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
-    vec3 back = f - 1.0;
-    vec3 t_slope = 30.0 * f * f * back * back;
-    vec2 a = wrinkle_value_noise_value_edge(cell, t.x, t_slope.x);
-    vec2 b = wrinkle_value_noise_value_edge(vec3(cell.x, cell.y + 1.0, cell.z), t.x, t_slope.x);
-    vec2 mixed = mix(a, b, t.y);
-    vec3 low = vec3(mixed.x, t_slope.y * (b.y - a.y), mixed.y);
-    vec2 c = wrinkle_value_noise_value_edge(vec3(cell.xy, cell.z + 1.0), t.x, t_slope.x);
-    vec2 d = wrinkle_value_noise_value_edge(vec3(cell.x, cell.yz + 1.0), t.x, t_slope.x);
-    vec2 mixed_2 = mix(c, d, t.y);
-    vec3 high = vec3(mixed_2.x, t_slope.y * (d.y - c.y), mixed_2.y);
-    vec3 mixed_3 = mix(low, high, t.z);
-    return vec4(mixed_3.xy, t_slope.z * (mixed_2.y - mixed.y), mixed_3.z);
+    uint x = uint(int(cell.x));
+    uint y = uint(int(cell.y));
+    uint z = uint(int(cell.z));
+    uint z_bits = wrinkle_value_noise_pcg_hash(z);
+    uint bits = x + wrinkle_value_noise_pcg_hash(y + z_bits);
+    uint y_1 = y + 1u;
+    uint bits_y = x + wrinkle_value_noise_pcg_hash(y_1 + z_bits);
+    uint z_bits_1 = wrinkle_value_noise_pcg_hash(z + 1u);
+    uint bits_z = x + wrinkle_value_noise_pcg_hash(y + z_bits_1);
+    uint bits_yz = x + wrinkle_value_noise_pcg_hash(y_1 + z_bits_1);
+    return wrinkle_value_noise_value_cell(bits, bits_y, bits_z, bits_yz, p - cell);
 }
 
 vec4 wrinkle_value_noise_filtered_noise(vec3 point, float width, float scale) {

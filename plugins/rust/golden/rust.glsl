@@ -10,6 +10,8 @@ struct WrinkleMaterial_rust {
     vec3 color;   // base color, linear
 };
 const vec3 rust_octave_offset = vec3(19.19, 7.43, 31.71);  // between octaves, in cells
+const uint rust_third = 1431655936u;                       // a third of all hashes
+const uint rust_two_thirds = 2863311616u;                  // of all hashes
 
 uint wrinkle_rust_pcg_hash(uint x) {
     uint state = x * 747796405u + 2891336453u;
@@ -17,52 +19,55 @@ uint wrinkle_rust_pcg_hash(uint x) {
     return (word >> 22u) ^ word;
 }
 
-uint wrinkle_rust_hash3(vec3 cell) {
-    uint z = wrinkle_rust_pcg_hash(uint(int(cell.z)));
-    uint yz = wrinkle_rust_pcg_hash(uint(int(cell.y)) + z);
-    return wrinkle_rust_pcg_hash(uint(int(cell.x)) + yz);
-}
-
-vec4 wrinkle_rust_gradient_corner(vec3 corner, vec3 way) {
-    uint bits = wrinkle_rust_hash3(corner);
+vec4 wrinkle_rust_gradient_corner(uint bits, vec3 way) {
+    bool no_x = bits < rust_third;
     float a = 1.0 - 2.0 * float(bits & 1u);
-    uint axis = ((bits >> 8u) * 3u) >> 24u;
-    float first = axis == 0u ? a : 0.0;
-    float x = a - first;
+    float x = no_x ? 0.0 : a;
     float b = 1.0 - float(bits & 2u);
-    float last = axis == 2u ? b : 0.0;
-    float y = first + last;
-    float z = b - last;
+    bool no_z = bits >= rust_two_thirds;
+    float z = no_z ? 0.0 : b;
+    float y = a - x + b - z;
     return vec4(x, y, z, dot(vec3(x, y, z), way));
 }
 
-vec4 wrinkle_rust_gradient_edge(vec3 corner, vec3 way, float t, float t_slope) {
-    vec4 a = wrinkle_rust_gradient_corner(corner, way);
-    vec4 b = wrinkle_rust_gradient_corner(vec3(corner.x + 1.0, corner.yz),
-            vec3(way.x - 1.0, way.yz));
+vec4 wrinkle_rust_gradient_edge(uint bits, vec3 way, float t, float dt) {
+    uint a_bits = wrinkle_rust_pcg_hash(bits);
+    vec4 a = wrinkle_rust_gradient_corner(a_bits, way);
+    uint b_bits = wrinkle_rust_pcg_hash(bits + 1u);
+    vec4 b = wrinkle_rust_gradient_corner(b_bits, vec3(way.x - 1.0, way.yz));
     vec4 mixed = mix(a, b, t);
-    return vec4(mixed.x + t_slope * (b.w - a.w), mixed.yzw);
+    return vec4(mixed.x + dt * (b.w - a.w), mixed.yzw);
+}
+
+vec4 wrinkle_rust_gradient_cell(uint bits, uint bits_y, uint bits_z, uint bits_yz, vec3 f) {
+    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
+    vec3 back = f - 1.0;
+    vec3 dt = 30.0 * f * f * back * back;
+    vec4 a = wrinkle_rust_gradient_edge(bits, f, t.x, dt.x);
+    vec4 b = wrinkle_rust_gradient_edge(bits_y, vec3(f.x, f.y - 1.0, f.z), t.x, dt.x);
+    vec4 ab = mix(a, b, t.y);
+    vec4 low = vec4(ab.x, ab.y + dt.y * (b.w - a.w), ab.zw);
+    vec4 c = wrinkle_rust_gradient_edge(bits_z, vec3(f.xy, f.z - 1.0), t.x, dt.x);
+    vec4 d = wrinkle_rust_gradient_edge(bits_yz, vec3(f.x, f.yz - 1.0), t.x, dt.x);
+    vec4 cd = mix(c, d, t.y);
+    vec4 high = vec4(cd.x, cd.y + dt.y * (d.w - c.w), cd.zw);
+    vec4 joined = mix(low, high, t.z);
+    return vec4(joined.xy, joined.z + dt.z * (cd.w - ab.w), joined.w);
 }
 
 vec4 wrinkle_rust_gradient_noise(vec3 p) {
     vec3 cell = floor(p);
-    vec3 f = p - cell;
-    vec3 t = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
-    vec3 back = f - 1.0;
-    vec3 t_slope = 30.0 * f * f * back * back;
-    vec4 a = wrinkle_rust_gradient_edge(cell, f, t.x, t_slope.x);
-    vec4 b = wrinkle_rust_gradient_edge(vec3(cell.x, cell.y + 1.0, cell.z),
-            vec3(f.x, f.y - 1.0, f.z), t.x, t_slope.x);
-    vec4 ab = mix(a, b, t.y);
-    vec4 low = vec4(ab.x, ab.y + t_slope.y * (b.w - a.w), ab.zw);
-    vec4 c = wrinkle_rust_gradient_edge(vec3(cell.xy, cell.z + 1.0), vec3(f.xy, f.z - 1.0), t.x,
-            t_slope.x);
-    vec4 d = wrinkle_rust_gradient_edge(vec3(cell.x, cell.yz + 1.0), vec3(f.x, f.yz - 1.0), t.x,
-            t_slope.x);
-    vec4 cd = mix(c, d, t.y);
-    vec4 high = vec4(cd.x, cd.y + t_slope.y * (d.w - c.w), cd.zw);
-    vec4 joined = mix(low, high, t.z);
-    return vec4(joined.xy, joined.z + t_slope.z * (cd.w - ab.w), joined.w);
+    uint x = uint(int(cell.x));
+    uint y = uint(int(cell.y));
+    uint z = uint(int(cell.z));
+    uint z_bits = wrinkle_rust_pcg_hash(z);
+    uint bits = x + wrinkle_rust_pcg_hash(y + z_bits);
+    uint y_1 = y + 1u;
+    uint bits_y = x + wrinkle_rust_pcg_hash(y_1 + z_bits);
+    uint z_bits_1 = wrinkle_rust_pcg_hash(z + 1u);
+    uint bits_z = x + wrinkle_rust_pcg_hash(y + z_bits_1);
+    uint bits_yz = x + wrinkle_rust_pcg_hash(y_1 + z_bits_1);
+    return wrinkle_rust_gradient_cell(bits, bits_y, bits_z, bits_yz, p - cell);
 }
 
 vec4 wrinkle_rust_fbm(vec3 point, float width, float scale, int octaves, float lacunarity,

@@ -43,12 +43,10 @@ WrinkleMaterial_scales wrinkle_scales(WrinkleSurface_scales s) {
         float skin_difference_4 = 0.5 - 0.4 * skin_way.y / 0.75;
         float skin_product_4 = skin_product_3 * skin_difference_4;
         bool skin_test = skin_difference_3 < 0.0 || 1.0 < skin_difference_3;
-        vec2 skin_vector = vec2(dot(skin_way_dx, skin_way), dot(skin_way_dy, skin_way));
-        vec2 skin_vector_2 = vec2(dot(skin_way, skin_way_dx), dot(skin_way, skin_way_dy));
-        vec2 skin_negated = -((skin_vector + skin_vector_2) * 1.5 / 0.5625);
-        vec2 skin_rim_slope = skin_test ? vec2(0.0) : skin_negated;
-        vec2 skin_product_5 = skin_rim_slope * skin_difference_2 * skin_difference_4;
-        state_3 = state_2 < skin_product_4 ? skin_product_5 - skin_quotient * skin_product_3 :
+        vec2 skin_product_5 = vec2(dot(skin_way, skin_way_dx), dot(skin_way, skin_way_dy)) * 2.0;
+        vec2 skin_rim_slope = skin_test ? vec2(0.0) : -(skin_product_5 * 1.5 / 0.5625);
+        vec2 skin_product_6 = skin_rim_slope * skin_difference_2 * skin_difference_4;
+        state_3 = state_2 < skin_product_4 ? skin_product_6 - skin_quotient * skin_product_3 :
                 state_3;
         state_2 = max(state_2, skin_product_4);
     }
