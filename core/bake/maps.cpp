@@ -255,7 +255,8 @@ void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, 
         }
         for (size_t i = 0; channel.srgb && i < count; ++i) {
             float& value = stored[i * channels + c];
-            if (covered[i]) value = static_cast<float>(srgb_from_linear(value));
+            const auto coded = static_cast<float>(srgb_from_linear(value));
+            value = covered[i] ? coded : value;
         }
     }
 }

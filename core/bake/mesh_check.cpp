@@ -2,6 +2,7 @@
 
 #include "base/diagnostics.h"
 #include "cpu/columns.h"
+#include "ir/op.h"
 
 namespace wrinkle {
 namespace {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <unordered_map>
@@ -36,6 +37,7 @@ private:
     Lanes leaf(const Inst& inst);
     Lanes rearranged(const Inst& inst, const std::vector<Lanes>& args) const;
     Lanes lanewise(const Inst& inst, Type operands, const std::vector<Lanes>& args);
+    std::optional<Lanes> divided_by_power_of_two(const Inst& inst, const std::vector<Lanes>& args);
     Lanes sine_or_cosine(Op op, const Lanes& angles);
     Lanes vector_op(const Inst& inst, const std::vector<Lanes>& args);
     Lanes transformed(const std::vector<Lanes>& args);
@@ -71,10 +73,10 @@ private:
     std::vector<std::map<StepIdentity, Lanes>::iterator> known_order_;
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> inputs_;
     std::map<uint32_t, Lanes> parameters_;  // those of the graph's inputs, by index in the module
-    std::vector<Scope> context_;  // by region depth
-    std::vector<bool> integer_;   // by register
-    std::vector<bool> constant_;  // by register
-    std::string why_;             // reason if the program is refused
+    std::vector<Scope> context_;            // by region depth
+    std::vector<bool> integer_;             // by register
+    std::vector<bool> constant_;            // by register
+    std::string why_;                       // reason if the program is refused
 };
 
 // Returns the type of a component of a value.

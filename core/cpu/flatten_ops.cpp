@@ -1,6 +1,8 @@
 // Flattening of single instructions: splits vector ops into scalar steps.
 #include "cpu/flatten.h"
 
+#include <cmath>
+
 namespace wrinkle {
 namespace {
 
@@ -66,6 +68,9 @@ Flattener::Lanes Flattener::made(const Inst& inst, const std::vector<Lanes>& arg
         case Op::transform_:
         case Op::matrix_product_:
             return transformed(args);
+        case Op::div_:
+            if (const auto product = divided_by_power_of_two(inst, args)) return *product;
+            break;
         default:
             break;
     }
@@ -121,6 +126,20 @@ Flattener::Lanes Flattener::lanewise(const Inst& inst, Type operands,
             in.push_back(lane_of(arg, k));
         lanes.push_back(add(inst.op, component_type(operands), component_type(inst.type), in));
     }
+    return lanes;
+}
+
+// Returns the product with the reciprocal, which is the same number and quicker to compute.
+std::optional<Flattener::Lanes> Flattener::divided_by_power_of_two(const Inst& inst,
+                                                                   const std::vector<Lanes>& args) {
+    const Inst& divisor = (*module_)[inst.arg[1]];
+    if (divisor.op != Op::literal_ || divisor.type != Type::float_) return {};
+    int exponent = 0;
+    if (std::frexp(divisor.value, &exponent) != 0.5 || std::abs(exponent) > 100) return {};
+    const uint32_t factor = constant(1 / divisor.value, Type::float_);
+    Lanes lanes;
+    for (size_t k = 0; k < lane_count(inst.type); ++k)
+        lanes.push_back(add_float(Op::mul_, {lane_of(args[0], k), factor}));
     return lanes;
 }
 
