@@ -4,6 +4,7 @@
 #include <random>
 
 #include "cpu/columns.h"
+#include "ir/op.h"
 
 namespace wrinkle::certify {
 namespace {

@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "cli/arguments.h"
 #include "cli/meshes.h"
+#include "ir/op.h"
 #include "mesh/sample.h"
 
 namespace wrinkle::cli {

@@ -2,6 +2,7 @@
 
 #include "bake/mesh_check.h"
 #include "base/file.h"
+#include "ir/op.h"
 
 namespace wrinkle {
 namespace fs = std::filesystem;

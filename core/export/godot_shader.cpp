@@ -3,6 +3,7 @@
 #include <cctype>
 #include <set>
 
+#include "base/standard_outputs.h"
 #include "compile/shader.h"
 #include "emit/language.h"
 #include "export/files.h"

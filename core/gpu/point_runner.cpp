@@ -8,6 +8,7 @@
 
 #include "emit/attributes.h"
 #include "emit/emit.h"
+#include "gpu/covering.h"
 #include "gpu/draw_state.h"
 #include "gpu/program.h"
 #include "gpu/target.h"

@@ -7,6 +7,8 @@
 
 namespace wrinkle {
 
+enum class Variant : uint8_t;
+
 // The interpolated normal, normalized, without the back-face rule. Undefined for a zero normal:
 // `eval` rejects it, meshes have none, and the struct of a generated function documents it.
 Id unit_normal(Module& module);

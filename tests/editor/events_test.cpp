@@ -8,6 +8,7 @@
 #include <random>
 
 #include "editor/model/document/files.h"
+#include "editor/view/canvas/layout.h"
 #include "editor/view/commands/commands.h"
 #include "graph/read.h"
 #include "graph/write.h"

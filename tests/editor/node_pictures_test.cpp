@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "editor/view/canvas/layout.h"
+#include "editor/view/look/draw.h"
 #include "graph/read.h"
 #include "headless.h"
 

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "ir/compact.h"
+#include "ir/derive.h"
 #include "ir/inspect.h"
+#include "ir/rewrite.h"
 #include "ir/support.h"
 
 namespace wrinkle::test {

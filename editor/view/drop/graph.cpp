@@ -1,4 +1,5 @@
 // Dropped graphs: one in the folder of the open graph can be opened or become a node, others open.
+#include "editor/view/canvas/layout.h"
 #include "editor/view/drop/drop.h"
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"

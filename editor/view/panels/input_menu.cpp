@@ -1,4 +1,5 @@
 // Menu of a row of the panel of inputs: the value as text, and the declaration of the input.
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "editor/model/document/expose.h"

@@ -1,4 +1,5 @@
 // Inputs of the graph and its presets. Values are set in the chosen preset, or as defaults.
+#include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "editor/model/document/inputs.h"

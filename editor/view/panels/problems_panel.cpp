@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "editor/model/images/remarks.h"
+#include "editor/view/canvas/canvas.h"
 #include "editor/view/canvas/layout.h"
 #include "editor/view/edit/edits.h"
 #include "editor/view/look/draw.h"
