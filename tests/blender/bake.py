@@ -6,8 +6,9 @@ usage: blender --background --factory-startup --python-exit-code 1 --python bake
 Writes FOLDER/mesh.obj, with the normals that Blender has; FOLDER/CASE.pfm, as stored: (n + 1) / 2;
 FOLDER/times.json, seconds of each of TIMES calls of the operator by case, everything loaded before.
 A case, `normal_map`, `bump` or `both`, is a chain of nodes from images to a diffuse surface: that
-is the least work for Blender, and its normal is read as it comes. One sample, at a texel's centre;
-nothing beside islands.
+is the least work for Blender, and its normal is read as it comes. `rust` and `rust_color` are the
+noises and mixes of graphs/rusty_steel.json, without scratches, which Blender lacks. One sample, at
+a texel's centre; nothing beside islands.
 """
 import array
 import json
@@ -55,6 +56,72 @@ def write_obj(mesh, path):
             out.write("f " + " ".join(f"{v + 1}/{c + 1}/{v + 1}" for v, c in corners) + "\n")
 
 
+class Rust:
+    """rusty_steel.json without its scratches: the height and the color."""
+
+    def __init__(self, tree):
+        self.tree = tree
+        self.place = tree.nodes.new("ShaderNodeTexCoord").outputs["Object"]
+        bends, blisters, grain, pores, patches = (
+            self.noise(scale, octaves)
+            for scale, octaves in ((2, 8), (9, 4), (60, 2), (25, 3), (1.5, 3)))
+        flakes = self.texture("Voronoi", "Distance", {"Scale": 14})
+        product = lambda a, factor: self.math("MULTIPLY", a, factor)
+        crust = self.math("ADD", product(blisters, 0.015), product(grain, 0.002))
+        crusty = self.math("ADD", crust, product(flakes, 0.01))
+        mottled = self.mix(flakes, crusty, product(pores, 0.004))
+        rusty = self.ramp(self.math("ADD", patches, blisters), -0.2, 0.25)
+        rusted = self.mix(rusty, product(product(bends, 0.03), 0.5), mottled)
+        dust = product(self.ramp(flakes, 0.3, 0.9), 0.6)
+        self.height = self.mix(dust, rusted, 0.004)
+        steel = self.mix_color(bends, (0.45, 0.46, 0.48, 1), (0.6, 0.6, 0.62, 1))
+        self.color = self.mix_color(
+            rusty, steel, self.mix_color(grain, (0.28, 0.09, 0.03, 1), (0.45, 0.2, 0.07, 1)))
+
+    def add(self, kind, values, output=0):
+        node = self.tree.nodes.new("ShaderNode" + kind)
+        for name, value in values.items():
+            if isinstance(value, bpy.types.NodeSocket):
+                self.tree.links.new(value, node.inputs[name])
+            else:
+                node.inputs[name].default_value = value
+        return node, node.outputs[output]
+
+    def texture(self, kind, output, values):
+        return self.add("Tex" + kind, {"Vector": self.place, **values}, output)[1]
+
+    def noise(self, scale, octaves):
+        value = self.texture("Noise", "Fac", {"Scale": scale, "Detail": octaves - 1})
+        return self.math("SUBTRACT", value, 0.5)
+
+    def math(self, operation, *values):
+        node, output = self.add("Math", dict(enumerate(values)))
+        node.operation = operation
+        return output
+
+    def mix(self, factor, a, b):
+        part = self.math("MULTIPLY", factor, self.math("SUBTRACT", b, a))
+        return self.math("ADD", a, part)
+
+    def mix_color(self, factor, a, b):
+        return self.add("MixRGB", {"Fac": factor, "Color1": a, "Color2": b})[1]
+
+    def ramp(self, value, low, high):
+        node, output = self.add("MapRange", {"Value": value, "From Min": low, "From Max": high})
+        node.interpolation_type = "SMOOTHSTEP"
+        return output
+
+
+def make_rust(tree, case):
+    rust = Rust(tree)
+    if case == "rust_color":
+        emission = rust.add("Emission", {"Color": rust.color})[1]
+        tree.links.new(emission, tree.nodes["Material Output"].inputs["Surface"])
+        return None
+    bump = {"Height": rust.height, "Distance": 1}
+    return rust.add("Bump", bump, "Normal")[1]
+
+
 def make_nodes(tree, case, target):
     """Images to normals; `both` lays the bump over the map's normal, as in Blender."""
     tree.nodes.clear()
@@ -68,12 +135,12 @@ def make_nodes(tree, case, target):
 
     surface = tree.nodes.new("ShaderNodeBsdfDiffuse")
     link(surface.outputs[0], tree.nodes.new("ShaderNodeOutputMaterial").inputs["Surface"])
-    normal = None
-    if case != "bump":
+    normal = make_rust(tree, case) if case.startswith("rust") else None
+    if case in ("normal_map", "both"):
         mapped = tree.nodes.new("ShaderNodeNormalMap")
         link(image(NORMAL_MAP).outputs["Color"], mapped.inputs["Color"])
         normal = mapped.outputs["Normal"]
-    if case != "normal_map":
+    if case in ("bump", "both"):
         place, tile = (tree.nodes.new("ShaderNode" + name) for name in ("TexCoord", "Mapping"))
         tile.inputs["Scale"].default_value = (TILES, TILES, 1)
         height, bump = image(HEIGHT_MAP), tree.nodes.new("ShaderNodeBump")
@@ -84,15 +151,16 @@ def make_nodes(tree, case, target):
         if normal:
             link(normal, bump.inputs["Normal"])
         normal = bump.outputs["Normal"]
-    link(normal, surface.inputs["Normal"])
+    if normal:
+        link(normal, surface.inputs["Normal"])
     goal = tree.nodes.new("ShaderNodeTexImage")
     goal.image = target
     tree.nodes.active = goal
 
 
-def bake():
+def bake(kind):
     start = time.perf_counter()
-    bpy.ops.object.bake(type="NORMAL", margin=0, use_clear=True)
+    bpy.ops.object.bake(type=kind, margin=0, use_clear=True)
     return time.perf_counter() - start
 
 
@@ -117,7 +185,8 @@ def main():
     times = {}
     for case in CASES:
         make_nodes(material.node_tree, case, target)
-        times[case] = [bake() for _ in range(int(TIMES))]
+        kind = "EMIT" if case == "rust_color" else "NORMAL"
+        times[case] = [bake(kind) for _ in range(int(TIMES))]
         write_pfm(target, os.path.join(FOLDER, case + ".pfm"))
     with open(os.path.join(FOLDER, "times.json"), "w") as out:
         json.dump({"blender": bpy.app.version_string, "seconds": times}, out)

@@ -17,9 +17,11 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 TEXTURES = os.path.join(ROOT, "graphs/textures")
 SIZE = 1024
-# The output of graph.json beside bake.py's case, and what both are called.
-CASES = {"normal_map": ("normal_map", "a normal map"),
-         "both": ("normal", "a normal map and a height")}
+# The graph and its map beside bake.py's case, and the name of both.
+CASES = {"normal_map": ("graph", "normal_map", "a normal map"),
+         "both": ("graph", "normal", "a normal map and a height"),
+         "rust": ("rust", "normal", "six noises, mixed: the normal"),
+         "rust_color": ("rust", "color", "six noises, mixed: the color")}
 
 
 def blender_seconds(folder):
@@ -32,9 +34,27 @@ def blender_seconds(folder):
         return json.load(times)["seconds"]
 
 
-def our_seconds(program, folder, output, times):
-    out = subprocess.run([program, os.path.join(HERE, "graph.json"), ROOT,
-                          os.path.join(folder, "mesh.obj"), output, str(SIZE), str(times)],
+def write_rust(path):
+    """graphs/rusty_steel.json without scratches, which Blender lacks."""
+    with open(os.path.join(ROOT, "graphs/rusty_steel.json"), encoding="utf-8") as file:
+        graph = json.load(file)
+    nodes = graph["nodes"]
+    scratches = {name for name, node in nodes.items() if node["type"] == "scratches"}
+    for name in scratches:
+        del nodes[name]
+    for node in nodes.values():
+        node["in"] = {port: value for port, value in node["in"].items()
+                      if not isinstance(value, dict) or value["from"].split(".")[0] not in scratches}
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(graph, file)
+
+
+def our_seconds(program, folder, case, times):
+    name, output, _ = CASES[case]
+    graph = os.path.join(HERE, "graph.json") if name == "graph" else folder + "/rust.json"
+    root = ROOT if name == "graph" else folder
+    out = subprocess.run([program, graph, root, os.path.join(folder, "mesh.obj"), output,
+                          str(SIZE), str(times)],
                          check=True, capture_output=True, text=True).stdout
     return [float(line.split()[0]) for line in out.splitlines()]
 
@@ -44,16 +64,17 @@ def main():
     turns = int(sys.argv[2]) if len(sys.argv) > 2 else 5
     times = {case: ([], []) for case in CASES}
     with tempfile.TemporaryDirectory() as folder:
+        write_rust(folder + "/rust.json")
         for _ in range(turns):
             for case, seconds in blender_seconds(folder).items():
                 times[case][0].extend(seconds)
-                times[case][1].extend(our_seconds(program, folder, CASES[case][0], len(seconds)))
+                times[case][1].extend(our_seconds(program, folder, case, len(seconds)))
     print(f"milliseconds for {SIZE} x {SIZE}   {'Blender':>16} {'Wrinkle':>16} {'ratio':>14}\n"
           f"{'':30}" + f"{'median':>9} {'least':>7} " * 2 + f"{'median':>7} {'least':>6}")
     for case, (theirs, ours) in times.items():
         pairs = [(statistics.median(t) * 1e3, min(t) * 1e3) for t in (theirs, ours)]
         (their_median, their_least), (our_median, our_least) = pairs
-        print(f"{CASES[case][1]:30}" + "".join(f"{m:9.1f} {l:7.1f} " for m, l in pairs) +
+        print(f"{CASES[case][2]:30}" + "".join(f"{m:9.1f} {l:7.1f} " for m, l in pairs) +
               f"{their_median / our_median:6.1f}x {their_least / our_least:5.1f}x")
 
 
