@@ -58,7 +58,7 @@ bool write_to(Session& session, const fs::path& path, const Document& document) 
         return false;
     }
     session.disk = DiskCopy::of(path, text);
-    session.repeated_exports.due = session.repeated_exports.chosen;
+    session.repeated_exports.start_again(session.tasks.running != nullptr);
     session.status = "Saved " + name_of(path);
     return true;
 }

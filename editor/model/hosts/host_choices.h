@@ -25,6 +25,12 @@ struct RepeatedExports {
     std::vector<HostChoices> due;     // not begun since the last save, the first one next
     size_t begun = 0, done = 0;       // exports; one that fails or is cancelled is never done
     std::time_t written = 0;          // time of the last one that was done
+
+    // After a save: all are due, and failures before it no longer count. `running`: a task runs.
+    void start_again(bool running) {
+        due = chosen;
+        begun = done + (running && begun > done ? 1 : 0);
+    }
 };
 
 }  // namespace wrinkle::editor
