@@ -1,6 +1,7 @@
 // wrinkle bake FILE --mesh NAME|PATH -o OUT: bakes a graph's maps onto the uv layout of a mesh.
 #include "cli/arguments.h"
 #include "cli/bake_run.h"
+#include "cli/cli.h"
 #include "cli/output.h"
 #include "image/formats.h"
 #include "json/write.h"

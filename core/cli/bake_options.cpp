@@ -7,6 +7,7 @@
 #include "bake/bake.h"
 #include "base/text.h"
 #include "cli/arguments.h"
+#include "cli/cli.h"
 #include "cli/meshes.h"
 
 namespace wrinkle::cli {

@@ -1,4 +1,5 @@
 // wrinkle check FILE...: reports all problems of graphs.
+#include "cli/cli.h"
 #include "cli/conflict_file.h"
 #include "cli/material_run.h"
 #include "cli/output.h"

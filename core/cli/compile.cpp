@@ -6,6 +6,7 @@
 
 #include "base/file.h"
 #include "cli/arguments.h"
+#include "cli/cli.h"
 #include "cli/compile_graph.h"
 #include "cli/jobs.h"
 #include "cli/output.h"

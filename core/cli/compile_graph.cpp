@@ -5,6 +5,7 @@
 #include "base/printable.h"
 #include "base/text.h"
 #include "cli/cache_entry.h"
+#include "cli/cli.h"
 #include "cli/outputs.h"
 #include "cost/report.h"
 #include "spirv/spirv.h"

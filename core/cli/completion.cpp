@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/text.h"
+#include "cli/cli.h"
 #include "cli/meshes.h"
 #include "cli/output.h"
 #include "cli/session.h"

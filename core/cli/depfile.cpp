@@ -1,4 +1,5 @@
 #include "cli/depfile.h"
+#include "cli/cli.h"
 
 #include <set>
 #include <string_view>

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/cli.h"
+namespace CLI {
+class App;
+}
 
 namespace wrinkle::cli {
 

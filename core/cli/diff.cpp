@@ -4,6 +4,7 @@
 #include "base/printable.h"
 #include "base/text.h"
 #include "cli/arguments.h"
+#include "cli/cli.h"
 #include "cli/diff_results.h"
 #include "cli/output.h"
 #include "cli/test_report.h"
@@ -79,7 +80,7 @@ struct DiffCommand {
     void complete(const difference::Changes& changes, report::Results& results) const {
         results.version = WRINKLE_VERSION;
         results.started = time_of_report();
-        remove_fixed_durations(results);
+        clear_durations_if_reproducible(results);
         results.changes = difference::change_lines(changes);
         results.command = "wrinkle diff " + shell_quoted(before) + " " + shell_quoted(after) +
                           " --report " + shell_quoted(report_folder);

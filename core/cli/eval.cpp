@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "base/text.h"
+#include "cli/cli.h"
 #include "cli/eval_text.h"
 #include "cli/evaluation.h"
 #include "cli/meshes.h"

@@ -1,6 +1,7 @@
 // wrinkle explain-log GRAPH LOG: maps the messages of a shader compiler log to graph nodes.
 #include "base/printable.h"
 #include "base/text.h"
+#include "cli/cli.h"
 #include "cli/compile_graph.h"
 #include "cli/output.h"
 #include "emit/log.h"

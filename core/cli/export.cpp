@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 #include "cli/arguments.h"
+#include "cli/cli.h"
 #include "cli/meshes.h"
 #include "cli/output.h"
 #include "compile/shader.h"

@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "cli/arguments.h"
+#include "cli/cli.h"
 #include "cli/git.h"
 #include "cli/output.h"
 #include "cli/session.h"

@@ -9,6 +9,7 @@
 #include "base/mapped.h"
 #include "base/text.h"
 #include "cli/arguments.h"
+#include "cli/cli.h"
 #include "cli/meshes.h"
 #include "cli/output.h"
 #include "graph/write.h"

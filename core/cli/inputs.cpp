@@ -4,6 +4,7 @@
 
 #include "base/printable.h"
 #include "base/text.h"
+#include "cli/cli.h"
 #include "cli/exposed.h"
 #include "cli/output.h"
 #include "cli/session.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/mapped.h"
+#include "cli/cli.h"
 #include "cli/output.h"
 #include "mesh/load.h"
 #include "mesh/shapes.h"

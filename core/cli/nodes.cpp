@@ -1,5 +1,6 @@
 // wrinkle nodes: lists the node types, or describes one.
 #include "base/text.h"
+#include "cli/cli.h"
 #include "cli/output.h"
 #include "cli/session.h"
 #include "registry/reference.h"

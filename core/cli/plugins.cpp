@@ -11,6 +11,7 @@
 #include "base/file.h"
 #include "base/printable.h"
 #include "certify/certify.h"
+#include "cli/cli.h"
 #include "cli/output.h"
 #include "cli/session.h"
 #include "gpu/context.h"

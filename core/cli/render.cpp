@@ -11,6 +11,7 @@
 #include "base/printable.h"
 #include "base/standard_outputs.h"
 #include "cli/arguments.h"
+#include "cli/cli.h"
 #include "cli/meshes.h"
 #include "cli/offscreen_renderer.h"
 #include "cli/output.h"

@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "base/limits.h"
 #include "base/mapped.h"
+#include "cli/cli.h"
 #include "cli/output.h"
 #include "compile/inputs.h"
 #include "emit/target.h"

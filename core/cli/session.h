@@ -6,11 +6,15 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/cli.h"
+#include "cli/output.h"
 #include "graph/subgraph.h"
 #include "lower/override.h"
 #include "registry/plugin_loader.h"
 #include "registry/registry.h"
+
+namespace CLI {
+class App;
+}
 
 namespace wrinkle::cli {
 

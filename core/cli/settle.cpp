@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "base/printable.h"
+#include "cli/cli.h"
 #include "cli/conflict_file.h"
 #include "cli/output.h"
 #include "cli/session.h"

@@ -10,6 +10,7 @@
 #include "base/file.h"
 #include "base/printable.h"
 #include "cli/arguments.h"
+#include "cli/cli.h"
 #include "cli/jobs.h"
 #include "cli/output.h"
 #include "cli/test_accept.h"
@@ -121,7 +122,7 @@ struct TestCommand {
         results.checks.insert(results.checks.end(), deleted.begin(), deleted.end());
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
         results.seconds = passed.count();
-        remove_fixed_durations(results);
+        clear_durations_if_reproducible(results);
         if (!environment.empty()) results.problems.push_back(environment);
         return finish(results, environment, registry, diagnostics);
     }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "cli/cli.h"
 #include "cli/output.h"
 #include "report/ci_formats.h"
 #include "report/repository.h"

@@ -4,8 +4,11 @@
 #include <filesystem>
 #include <string>
 
-#include "cli/cli.h"
 #include "report/results.h"
+
+namespace CLI {
+class App;
+}
 
 namespace wrinkle::cli {
 

@@ -83,7 +83,7 @@ std::string time_of_report() {
     return text;
 }
 
-void remove_fixed_durations(report::Results& results) {
+void clear_durations_if_reproducible(report::Results& results) {
     if (!fixed_time()) return;
     results.seconds = 0;
     for (Check& check : results.checks)

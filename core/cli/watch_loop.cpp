@@ -201,7 +201,7 @@ private:
 
     void report(const BuildOutcome& outcome) {
         const std::string line = report_.add(outcome);
-        std::vector<std::filesystem::path> made = outcome.files.made();
+        std::vector<std::filesystem::path> made = outcome.files.distinct_outputs();
         // A test run that fails has a report too; its page contains its images.
         const bool is_test = options_.words[0] == "test";
         if (is_test)
