@@ -17,7 +17,7 @@ struct Stamp {
 // Follows links. A file that does not exist or cannot be examined has Stamp{}.
 Stamp stamp_of(const std::filesystem::path& file);
 
-// The file at the last read or write.
+// A fingerprint of the file at the last read or write.
 struct DiskCopy {
     Stamp stamp;
     uint64_t bytes = 0;  // XXH64
@@ -27,12 +27,13 @@ struct DiskCopy {
     // Takes bytes that were read after the stamp was taken, so that a change during the read gives
     // another stamp.
     static DiskCopy of(const Stamp& stamp, std::string_view bytes);
-    // Reads the file. The contents of a folder are the names in it but those of temporary files.
+    // Reads the file. The contents of a folder are the names in it, except temporary ones.
     static DiskCopy of(const std::filesystem::path& file);
 };
 
 enum class OnDisk : uint8_t { same, changed, gone };
-// Compares with the current file or folder; updates `known` if only the date differs.
+// Compares with the current file or folder; updates `known` if the stamp differs and the
+// contents are equal.
 OnDisk compare(DiskCopy& known, const std::filesystem::path& file);
 
 }  // namespace wrinkle

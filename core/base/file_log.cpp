@@ -52,7 +52,7 @@ void log_replaced(const fs::path& file) {
     if (log_descriptor >= 0) log_record(replaced, file, {});
 }
 
-std::vector<fs::path> FileLog::made() const {
+std::vector<fs::path> FileLog::distinct_outputs() const {
     std::vector<fs::path> made;
     std::set<fs::path> seen;
     for (const fs::path& file : outputs)

@@ -27,13 +27,13 @@ struct FileLog {
     std::vector<Input> inputs;  // in the order of the calls, with repetitions
     std::vector<std::filesystem::path> outputs, replaced;
 
-    // Returns the outputs without repetitions through links.
-    std::vector<std::filesystem::path> made() const;
+    // Returns the outputs; of several paths to one file, the first.
+    std::vector<std::filesystem::path> distinct_outputs() const;
 };
 // Returns all bytes of an open file, from its beginning, without moving its offset.
 std::string bytes_of_descriptor(int descriptor);
 
-// Reads all records of a log but those of temporary files and of files in temporary folders.
+// Reads the records of a log, without paths that have a name of base/temporary.h.
 FileLog read_file_log(int descriptor);
 
 }  // namespace wrinkle

@@ -17,11 +17,12 @@ struct DiffSettings {
     const Registry& registry;
     const CommonOptions& common;
     bool renders = false;          // numbers and images; otherwise only costs
-    std::filesystem::path folder;  // gets the images; "": none
+    std::filesystem::path folder;  // of the report; "": no images and no GLSL check
 };
 
 // Returns one check per result, with Status::passed if it is the same in both graphs, changed or
-// error. `environment` is why an image could not be drawn or written, one sentence, or "".
+// error. `environment` is the reason why a cost could not be counted or an image could not be drawn
+// or written, one sentence, or "": such a result has no check.
 report::Results compare_materials(const GraphOperand& before, const GraphOperand& after,
                                   const DiffSettings& settings, Diagnostics& diagnostics,
                                   std::string& environment);

@@ -14,8 +14,8 @@
 
 namespace wrinkle::cli {
 
-// Returns the hash of the program and of all files that a case reads: if it changes, a result is
-// out of date. Files that cannot be read count as empty.
+// Returns the hash of the program, the settings of a case and the files of case_inputs(), without
+// baselines: if it changes, a result is out of date. Files that cannot be read count as empty.
 std::string hash_of_inputs(const TestCase& test, const Registry& registry,
                            const CommonOptions& common);
 
@@ -29,7 +29,7 @@ bool selects(std::string_view name, const report::Check& check);
 
 struct Acceptance {
     std::vector<std::string> written;  // files, in the order of the checks
-    std::vector<std::string> refused;  // one sentence per check that was selected and not accepted
+    std::vector<std::string> refused;  // a sentence per check, or file outside of the root
     std::string environment;           // why a file could not be written, one sentence, or ""
 };
 

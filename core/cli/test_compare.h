@@ -25,13 +25,14 @@ CaseComparison compare_point(const TestCase& test, const Document& document,
                              size_t point);
 
 struct ImageComparison : CaseComparison {
-    Image map;  // the difference in color; empty for equal images and other sizes
+    Image map;  // color map of the difference; empty within the limits, and for other sizes
     std::string map_measure;
     double map_scale = 1;
     std::string largest;  // mean and largest value of the map, with its pixel; "" without a map
 };
 
-// The metric of the map: shows normals in degrees and all else as it is seen.
+// Returns the metric of the map: that of the case; of `rms`, degrees for the normal view and FLIP
+// for other views.
 std::string map_metric(const RenderCase& render);
 
 ImageComparison compare_images(const RenderCase& render, const Image& expected, const Image& got);

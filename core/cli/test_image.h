@@ -15,9 +15,9 @@ struct DrawnCase {
     std::string environment;  // why OpenGL is not available, one sentence, or ""
 };
 
-// Returns no image and reports an error of the graph or the mesh on failure. `cache` may be null;
-// `inputs` is the hash of all files that the case reads. An entry belongs to these and the driver.
-// Precondition: the case has an image, and compile_case() reported no error.
+// Returns no image on failure: reports an error of the graph or the mesh, or sets `environment`.
+// `cache` may be null; the key of its entry is `inputs` and the driver. Precondition: test.render
+// is set, and compile_case() reported no error.
 DrawnCase draw_case(const TestCase& test, const CaseMaterial& material, Cache* cache,
                     const std::string& inputs, Diagnostics& diagnostics);
 

@@ -15,9 +15,10 @@ inline constexpr const char* page_file = "index.html";
 inline constexpr const char* results_file = "results.json";
 
 // Returns the time now, ISO 8601 in UTC; that of SOURCE_DATE_EPOCH (reproducible-builds.org) if the
-// variable is set. Reports are then the same in every run: they have no durations.
+// variable is set.
 std::string time_of_report();
-void remove_fixed_durations(report::Results& results);
+// Sets all durations to 0 if SOURCE_DATE_EPOCH is set, so that reports are the same in every run.
+void clear_durations_if_reproducible(report::Results& results);
 
 // Returns false if links lead a write to `file` out of the folder, or the default folder out of the
 // working folder: a checkout may contain such links.
@@ -35,8 +36,9 @@ bool write_report(const report::Results& results, const std::filesystem::path& f
 // Removes a report of an earlier run; other files of the folder remain.
 void remove_report(const std::filesystem::path& folder);
 
-// Copies the images of a shard's report into `folder`, and appends its
-// checks to `results`. Returns false and the reason in `why` on failure.
+// Appends the checks, durations and problems of a shard's report to `results`, and copies its
+// images into `folder`, without those that cannot be read. Returns false and the reason in `why` on
+// failure.
 bool merge_report(const std::filesystem::path& shard, const std::filesystem::path& folder,
                   report::Results& results, std::string& why);
 

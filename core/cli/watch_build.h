@@ -29,9 +29,10 @@ public:
     static std::optional<Build> start(const std::vector<std::string>& words, std::string& why);
     Build(Build&& other) noexcept;
     Build& operator=(Build&& other) noexcept;
-    ~Build();
+    ~Build();  // stops the run and waits for its end
 
-    // Returns the outcome if the run has ended; SIGCHLD announces its end.
+    // Returns the outcome if the run has ended; SIGCHLD announces its end. Precondition: it has
+    // not returned an outcome before.
     std::optional<BuildOutcome> outcome();
     // SIGTERM stops a bake and leaves no temporary file; other commands run to their end. SIGKILL
     // stops all.

@@ -11,8 +11,8 @@ namespace wrinkle::cli {
 
 class WatchedInputs {
 public:
-    // Takes the inputs of a build without its outputs. After a failed build the inputs of the
-    // builds before stay inputs, because it may have ended before it came to them.
+    // Replaces the files by the inputs of a build that are not its outputs; after a failed build,
+    // adds them, because it may have ended before it opened all.
     void set(const FileLog& log, bool succeeded);
     // Reads the files that are new or changed since the last call. Returns true if one changed
     // after the build had opened it. Call it when the files of files() are watched.

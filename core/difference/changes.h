@@ -13,16 +13,16 @@ enum class ChangeKind : uint8_t { added, removed, renamed, changed };
 struct Change {
     Section section = Section::graph;
     ChangeKind kind = ChangeKind::changed;
-    std::string id;      // the id in `after`; if renamed, the old one
+    std::string id;      // in `after`; of removed and renamed entries, in `before`
     std::string new_id;  // if renamed
-    Key key;             // if changed, without its value; no name: the entry has no keys
-    // null: absent. Of added and removed entries the entries as JSON.
+    Key key;             // if changed, without its value; no name: a side has no keys
+    // Absent: a Value without tree(). Of added and removed entries the entries as JSON.
     json::Value before, after;
 };
 
 struct Changes {
     std::vector<Change> material;  // by section, then by id
-    std::vector<Change> layout;    // the same, of the layout
+    std::vector<Change> layout;    // of the layout: by section, the added ones last
     bool reordered = false;        // entries of a section have another order in the file
     bool same_bytes = false;       // the files are equal
 

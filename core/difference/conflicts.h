@@ -1,4 +1,4 @@
-// Conflicts of a merge, their file, and their end: one side's value is taken.
+// Conflicts of a merge, their file, and their resolution by the value of one side.
 //
 // NAME.json.conflicts lists the open conflicts of NAME.json, which is a valid graph:
 // {"wrinkle_conflicts": 1, "conflicts": [{"kind", "section", "id", "port" or "key", "base", "ours",

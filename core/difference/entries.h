@@ -42,12 +42,12 @@ struct Entry {
     std::string id;
     bool is_single = false;  // one value without keys: `keys` has one without a name
     std::vector<Key> keys;
-    json::Value value;  // as JSON
+    json::Value value;  // as JSON; not set in the entries of a merge
 
-    const Key* find(const Key& key) const;
+    const Key* find(const Key& key) const;  // by same_name(); null: none
 };
 
-// Returns true for entries with equal keys and values, in any order.
+// Compares keys and values in any order, not ids.
 bool operator==(const Entry& a, const Entry& b);
 
 struct Entries {

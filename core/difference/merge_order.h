@@ -8,7 +8,7 @@
 
 namespace wrinkle::difference {
 
-// Returns the elements of `list` with identities in both other lists.
+// Returns the identities of `list` that both sets contain, in its order.
 template <class T, class Identity>
 std::vector<std::string> common_order(const std::vector<T>& list, const std::set<std::string>& one,
                                       const std::set<std::string>& two, Identity identity) {
@@ -20,8 +20,8 @@ std::vector<std::string> common_order(const std::vector<T>& list, const std::set
 }
 
 // Returns the elements of `ours` and `theirs`, each once, in the order of `ours`; of `theirs` if
-// only that has another order than `base`. An element of the other list follows the one before it
-// there. O(n log n).
+// only that has another order than `base`. An element that only the other list has
+// follows the last common one before it. O(n log n).
 template <class T, class Identity>
 std::vector<T> merged_order(const std::vector<T>& base, const std::vector<T>& ours,
                             const std::vector<T>& theirs, Identity identity) {

@@ -1,4 +1,4 @@
-// Renamed nodes, found by their content: format files have no other mark of a rename.
+// Renamed nodes, found by their content: graph files do not record renames.
 #pragma once
 
 #include <map>
@@ -11,9 +11,9 @@ namespace wrinkle::difference {
 // New ids by old ids.
 using Renames = std::map<std::string, std::string>;
 
-// A node is renamed if one node with its type and values is absent from `after` and one is new in
-// it, no other absent or new node has this content, and every wire that read the old node reads
-// the new one. A node that was renamed and changed at once is a deleted and an added node.
+// A node is renamed if exactly one removed and one added node have the same type and values, and
+// every wire from the old node now comes from the new one. A node that was renamed and changed at
+// once is a deleted and an added node.
 Renames find_renames(const Entries& before, const Entries& after);
 
 }  // namespace wrinkle::difference

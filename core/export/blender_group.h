@@ -1,5 +1,5 @@
-// The node group of an export to Blender: outputs that nodes compute exactly, with inputs of the
-// graph as its inputs. The others are baked.
+// The node group of an export to Blender: outputs that nodes compute exactly and that an input of
+// the Principled BSDF takes unchanged; its inputs are those of the graph. The others are baked.
 #pragma once
 
 #include <filesystem>

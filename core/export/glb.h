@@ -19,7 +19,8 @@ using JsonMembers = std::vector<std::pair<std::string, json::Value>>;
 
 json::Value json_index(size_t index);
 
-// The attribute of vertex colors: COLOR_0 multiplies the base color of materials that read it.
+// Attribute of the vertex colors: _MASK, which viewers ignore, or COLOR_0, which glTF multiplies
+// into the base color.
 enum class GlbColors : uint8_t { mask, color };
 
 class Glb {
@@ -28,7 +29,7 @@ public:
     // index. The name may hold any characters.
     size_t add_texture(const std::string& name, std::string_view png);
 
-    // Returns the file. Uvs are stored with v downwards.
+    // Appends the mesh and returns the file: call it once, last. Uvs are stored with v downwards.
     std::string bytes(const Mesh& mesh, const std::string& name, const JsonMembers& material,
                       std::span<const std::string> extensions, GlbColors colors = GlbColors::mask);
 

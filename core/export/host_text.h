@@ -21,12 +21,12 @@ std::string with_fields(std::string_view text,
 std::string indented(std::string_view text, size_t spaces);
 
 // Returns "s.uv0 = INPUT;" for each member of the surface, a line each, indented by four spaces;
-// `inputs` has the expression of each member by its name.
+// `inputs` has the expression of every member of the reflection by its name.
 std::string surface_assignments(const Reflection& reflection,
                                 const std::map<std::string_view, std::string_view>& inputs);
 
 // Returns the expression of a standard output in the variable `result`; where the graph does not
-// have it, its default (base/standard_outputs.h) as a literal.
+// have it, its default (base/standard_outputs.h) as a literal, which must be a number or a color.
 std::string output_expression(const Reflection& reflection, const Language& language,
                               std::string_view output, std::string_view result = "m");
 bool has_output(const Reflection& reflection, std::string_view output);

@@ -16,8 +16,9 @@ std::initializer_list<std::string_view> base_color_outputs(const BakedMaterial& 
 std::array<float, 3> host_emission(const BakedMaterial& material, size_t texel);
 bool emits(const BakedMaterial& material);  // it has an emission
 
-// Roughness r and strength s of glTF's anisotropy with the lobe of OpenPBR: at = mix(ab, 1, s^2)
-// and ab = r^2 (KHR_materials_anisotropy), at = R^2 sqrt(2 / (1 + (1 - a)^2)), ab = (1 - a) at
+// Roughness r and strength s of glTF's anisotropy with the lobe of OpenPBR of roughness R and
+// anisotropy a; at and ab are the widths along tangent and bitangent: at = mix(ab, 1, s^2) and
+// ab = r^2 (KHR_materials_anisotropy), at = R^2 sqrt(2 / (1 + (1 - a)^2)), ab = (1 - a) at
 // (OpenPBR 1.1, section "Microfacet model").
 struct AnisotropicRoughness {
     float roughness = 0, strength = 0;

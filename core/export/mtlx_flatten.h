@@ -15,8 +15,7 @@ namespace wrinkle {
 class MtlxFlattener {
 public:
     // `interface_of` returns the node of a graph input, `file_of` the file that the document names
-    // for a resource. Precondition: all values are needed by outputs, which are later arguments of
-    // the functions below.
+    // for a resource. Precondition: every value of the module is used by an output.
     MtlxFlattener(const Module& module, MtlxNodes& nodes,
                   std::function<std::string(const Parameter&)> interface_of,
                   std::function<std::string(uint32_t resource)> file_of);

@@ -26,16 +26,17 @@ public:
     void write_text(const std::string& node, const std::string& input, std::string_view type,
                     const std::string& text);
     void write_file(const std::string& image, const std::string& file, bool is_srgb);
-    // Adds the node `dot` of a new input of the graph; returns its name.
+    // Adds an input to the graph and a `dot` node that reads it; returns the name of the node.
     std::string add_interface(const std::string& name, std::string_view type,
                               const std::string& value,
                               const std::vector<materialx::Attribute>& attributes);
     // Connects an input of an element outside of the graph to a node, by an output of the graph.
     void connect_outside(uint32_t input, std::string_view type, const std::string& node);
 
-    // Returns component `index` of a node of `size` components; the node itself if it has one.
+    // Adds a node that extracts component `index` of `size`; returns its name, or `source` for size
+    // 1.
     std::string component(const std::string& source, int size, int index);
-    // Returns the float node as each component of a vector.
+    // Adds a node that repeats a float in `size` components; returns its name.
     std::string filled(const std::string& source, int size);
 
 private:

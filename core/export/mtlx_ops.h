@@ -8,7 +8,8 @@
 
 namespace wrinkle {
 
-// An op that is one node: the operands are its inputs in order.
+// An op that is one node: operand i is inputs[i]. The caller writes in1 = 0 for neg_ and in2 = -0.5
+// for inversesqrt_.
 struct MtlxCall {
     Op op;
     const char* category;
@@ -24,7 +25,7 @@ struct MtlxComparison {
 };
 const MtlxComparison* mtlx_comparison(Op op);  // null: none
 
-// The node of a property of the surface.
+// The node of an input of the surface; `input_extra` is Inst::extra of an input_ op.
 struct MtlxSurface {
     std::string_view category;  // "" if there is none
     std::string_view type;

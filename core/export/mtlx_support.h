@@ -13,14 +13,14 @@ namespace wrinkle {
 
 class MtlxSupport {
 public:
-    // A value of one or two components that is linear in uv0: its derivative, a row a component.
+    // Jacobian of a value of one or two components that is affine in uv0, one row per component.
     struct Linear {
         std::array<std::array<double, 2>, 2> rows{};
 
         double determinant() const { return rows[0][0] * rows[1][1] - rows[0][1] * rows[1][0]; }
     };
 
-    // Parameters are inputs of the node graph: others are constants of the module.
+    // Parameters of the module become inputs of the node graph.
     explicit MtlxSupport(const Module& module);
 
     // Returns true if a node computes the value; of a gradient or derivative, its slopes along u

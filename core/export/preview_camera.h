@@ -1,5 +1,5 @@
-// The camera of the scenes that exports contain: it shows the mesh from above and aside, as
-// `wrinkle render` does.
+// The camera of exported scenes: it looks at the mesh from above and from the right, as the one of
+// `wrinkle render` looks at a sphere.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -46,7 +46,7 @@ std::string three_class(const std::string& name) {
     return (begins_with_letter ? "" : "M") + made + "Material";
 }
 
-std::string in_backticks(std::string_view text) {
+std::string template_literal_text(std::string_view text) {
     std::string made;
     for (const char c : text) {
         if (c == '`' || c == '\\' || c == '$') made += '\\';

@@ -1,4 +1,4 @@
-// Parts of the modules of three.js that both renderers share.
+// Text that the exported modules for three.js share, of WebGL and of WebGPU.
 #pragma once
 
 #include <string>
@@ -13,15 +13,16 @@ namespace wrinkle {
 // "chipped_paint" becomes "ChippedPaintMaterial".
 std::string three_class(const std::string& name);
 
-// The text inside a template literal.
-std::string in_backticks(std::string_view text);
+// Escapes a text for a JavaScript template literal.
+std::string template_literal_text(std::string_view text);
 
-// JavaScript values: uniforms of the inputs by name, images, descriptions of the inputs, presets.
+// JavaScript: uniforms of the inputs by name, the elements of the array of images, descriptions of
+// the inputs, presets.
 std::string three_uniforms(const ExportRequest& request, const Reflection& reflection);
 std::string three_textures(const std::vector<ExportedTexture>& textures);
 std::string three_input_list(const MadeShader& made, const ExportRequest& request);
 std::string three_presets(const ExportRequest& request);
-// The import and the function that load the images; both without images too.
+// The import of the loader of EXR, "" without such images; and the function that loads the images.
 std::string three_imports(const std::vector<ExportedTexture>& textures);
 std::string three_loader(const std::vector<ExportedTexture>& textures);
 // The function of `displacement` for the vertex stage; an empty source if the graph has none.

@@ -108,7 +108,7 @@ public:
     std::string displacement(const std::string& source) const {
         return "const displace = wgslFn(`\nfn wrinkle_" + reflection_.name + "_displace(" +
                parameters() + ") -> f32 {\n" + call() + "    return " + invoke() +
-               ";\n}`, [wgsl(`\n" + in_backticks(source) + "`)]);\n";
+               ";\n}`, [wgsl(`\n" + template_literal_text(source) + "`)]);\n";
     }
 
     std::string displaced() const {
@@ -216,7 +216,7 @@ bool write_three_webgpu(const ExportRequest& request, const std::vector<Exported
                     {{"NAME", request.name},
                      {"CLASS", three_class(request.name)},
                      {"IMPORTS", three_imports(textures)},
-                     {"FUNCTION", in_backticks(made.shader.source)},
+                     {"FUNCTION", template_literal_text(made.shader.source)},
                      {"RESULT", reflection.result_name},
                      {"INPUTS", three_input_list(made, request)},
                      {"PRESETS", three_presets(request)},

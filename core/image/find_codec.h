@@ -1,5 +1,5 @@
 // Selects the codec of a format. That of PNG is part of the program; the module with OpenImageIO is
-// loaded once per process, on first use of another format: its 260 shared libraries take 0.3 s.
+// loaded once per process, on first use of another format, because it takes 0.3 s.
 // base/dynamic_library.h documents its search path.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace wrinkle {
 
-// `format` is the name by which the codec knows it: formats.h. Returns null and the reason in `why`
-// on failure.
+// Returns the built-in codec for "png", and that of the module for any other name of formats.h.
+// Returns null and the reason in `why` if the module cannot be loaded.
 const WrinkleImageCodec* find_codec(std::string_view format, std::string& why);
 
 }  // namespace wrinkle

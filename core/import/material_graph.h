@@ -20,12 +20,13 @@ namespace wrinkle::textures {
 // Lengths are in units of object space.
 //
 //   given      size of a repeat             default of `tiling`
-//   texel      texel * size of the image    uv_length / size; without uv_length, width / size
+//   texel      texel * size of the image    uv_length / size; without it, of the repeat: width /
+// size
 //   uv_length  uv_length                    1
 //   neither    1                            1
 //
 // If one is given, heights are lengths on the surface (scale `surface`); otherwise slopes do not
-// depend on the surface (scale `unit`).
+// depend on the surface (scale `unit`). A height in another channel than red always has `surface`.
 struct GraphOptions {
     std::optional<std::array<double, 2>> texel = {};  // width and height of a texel, > 0
     std::optional<double> uv_length = {};             // length of a uv unit on the mesh, > 0

@@ -10,8 +10,9 @@ namespace wrinkle::materialx {
 
 bool is_exposable(Type type);
 
-// The exposed input of an interface <input>; slider, limits and texts are those of its attributes.
-// Precondition: `value` is a literal of an exposable type.
+// The exposed input of an interface <input>: uisoftmin and uisoftmax, else uimin and uimax, are its
+// slider, uiname its label, uifolder its group; it has no limits. Precondition: `value` is a
+// literal of an exposable type.
 GraphInput interface_input(const Element& input, const Value& value);
 
 // The exposed input of a constant of a shader, named and described as the output that it feeds.

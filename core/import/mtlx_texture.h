@@ -1,4 +1,4 @@
-// Reads of images and changes of uv.
+// Values of image ports and transforms of uv.
 #pragma once
 
 #include "import/mtlx_importer.h"
@@ -13,7 +13,7 @@ json::Value image_value(const ImageRead& image, std::string_view encoding,
 Value transformed_uv(GraphBuilder& graph, const Value& uv, const Numbers& scale,
                      const Number& rotation, const Numbers& offset);
 
-// The uv set that an unconnected texcoord reads.
+// The uv set of the mesh, 0 to 3.
 Value uv_set(int set);
 
 }  // namespace wrinkle::materialx

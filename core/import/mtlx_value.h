@@ -43,7 +43,7 @@ struct Number {
     bool is_literal() const { return !link; }
 };
 
-// Dependence of a uv on a uv set of the mesh, as its derivative {du/ds, du/dt, dv/ds, dv/dt}.
+// Jacobian of a uv by the uv set `set` (s, t) of the mesh: {du/ds, du/dt, dv/ds, dv/dt}.
 struct UvChange {
     int set = 0;
     std::array<double, 4> derivative = {1, 0, 0, 1};
@@ -64,15 +64,15 @@ struct ImageRead {
 
 struct Value {
     Type type = Type::none;
-    std::optional<Link> whole;                   // wire of all numbers
+    std::optional<Link> whole;  // wire of two or more components; of one, see parts
     std::array<std::optional<Number>, 4> parts;  // single numbers, as far as they are known
     std::string text;                            // a string or filename
     std::shared_ptr<ImageRead> image;            // the value is this image, unchanged
-    std::optional<Link> bump;        // a normal: the gradient that makes it of the surface's
-    bool is_surface_normal = false;  // a normal: the surface's own
-    std::optional<UvChange> change;  // for a vector2
-    bool is_encoded_bump = false;    // a tangent-space normal 0 to 1: `bump` is its gradient
-    bool is_bad = false;             // an error is reported
+    std::optional<Link> bump;                    // a normal: its gradient on the surface's normal
+    bool is_surface_normal = false;              // a normal: the surface's own
+    std::optional<UvChange> change;              // for a vector2
+    bool is_encoded_bump = false;  // a tangent-space normal 0 to 1: `bump` is its gradient
+    bool is_bad = false;           // an error is reported
 
     bool is_literal() const;
     double literal(int part) const { return parts[static_cast<size_t>(part)]->value; }

@@ -3,9 +3,9 @@
 //
 // Two steps: find_textures() assigns files to channels by their names and opens no image;
 // examine_textures() opens the files that are used. Both report every problem with the file and a
-// remedy. Warnings: images that are left out, a green that a name does not state, pixels of a
-// normal map that contradict its name. Errors: nothing recognised, two files of equal rank for one
-// channel, an image that cannot be read.
+// remedy. Warnings: images that are left out, a green that neither the name nor the slopes state,
+// slopes that contradict the name, a channel that the image lacks. Errors: nothing recognised, two
+// files of equal rank for one channel, an image that cannot be read.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ struct TextureSet {
     std::array<std::optional<Texture>, channel_count> channels;  // by Channel
     Encoding normal_encoding = Encoding::normal_gl;
     // Height of white over black in texels of the height map, fitted to the slopes of the normal
-    // map; std::nullopt without both maps, or if their slopes do not agree.
+    // map; std::nullopt without both maps of one size, or if their slopes do not agree.
     std::optional<double> relief;
 
     const Texture* find(Channel channel) const {

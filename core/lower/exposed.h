@@ -16,7 +16,7 @@ namespace wrinkle {
 std::string exposed_default(const GraphInput& input, const Port& port);
 
 // Returns an object with the keys of the graph (docs/graph-format.md), `name`, and `built_in`: true
-// if the input is known while compiling. `uniform` is the name in a shader; "": no key.
+// if the input is a compile-time constant. `uniform` is the name in a shader; "": no key.
 std::string exposed_input(const GraphInput& input, const Port& port,
                           const std::string& uniform = {});
 

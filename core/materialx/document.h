@@ -2,8 +2,8 @@
 // definitions. Format: MaterialX Specification 1.39, "MaterialX XML".
 //
 // Element 0 is the root <materialx>. A parent comes before its children, and all are in file
-// order. Names are unique among siblings; of equal ones the first is found, and the reader reports
-// the others.
+// order. Names are unique among siblings: read_document() rejects a duplicate; add() does not
+// check, and child() returns the first.
 #pragma once
 
 #include <cstdint>

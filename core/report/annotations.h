@@ -19,10 +19,10 @@ struct Annotation {
     std::string title, text;
 };
 
-// GitHub shows the first ten of a step and drops the rest.
+// GitHub shows ten errors and ten warnings of a step.
 inline constexpr size_t max_annotations = 10;
 
-// Returns a line for each annotation, errors first, else in the given order, at most
+// Returns a line for each annotation: errors, warnings, notices, each in the given order, at most
 // max_annotations; if there are more, the last one gives their count and `rest`.
 std::string github_commands(std::vector<Annotation> annotations, const std::string& rest);
 

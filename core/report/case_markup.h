@@ -15,8 +15,8 @@ const char* passed_name(const Results& results);
 // names of the checks that passed.
 std::string heading_markup(const Results& results, const Case& each);
 
-// A <details> element with a row per point and a column per output; "" for cases with fewer than
-// two points, or without a point that differs. Its body is in <noscript>, as that of a check.
+// A <div> with a <details> element, a row per point and a column per output; "" for fewer than two
+// points, or if none has numbers. Its body is in <noscript>, as that of a check.
 std::string points_markup(const Results& results, const Case& each, bool is_open);
 
 }  // namespace wrinkle::report

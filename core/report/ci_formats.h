@@ -1,5 +1,6 @@
-// Results in the formats of CI systems (docs/ci.md). Names are the same in every run. Texts are
-// escaped: characters that a format does not allow are U+FFFD, terminal sequences are removed.
+// Results in the formats of CI systems (docs/ci.md). Names are the same in every run. In
+// JUnit, characters that XML does not allow are U+FFFD and terminal sequences are removed; TAP and
+// GitHub's commands escape characters that cannot be printed (base/printable.h).
 #pragma once
 
 #include <filesystem>
@@ -24,8 +25,8 @@ std::string junit(const Results& results, const CiOptions& options);
 std::string tap(const Results& results);
 
 // Commands of GitHub Actions, one line each: "::error file=...::...". At most 10, because GitHub
-// shows no more for a step: errors first, then the worst failures; the last has the number of the
-// rest. Files are relative to `root`, that of the repository (path_in_repository()).
+// shows no more errors of a step: errors first, then the worst failures; the last has the number of
+// the rest. Files are relative to `root`, that of the repository (path_in_repository()).
 std::string github_annotations(const Results& results, const std::filesystem::path& root);
 
 }  // namespace wrinkle::report

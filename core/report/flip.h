@@ -42,9 +42,9 @@ struct Exposures {
 inline constexpr uint32_t max_exposures = 32;
 
 // Returns the exposures at which the tone mapper makes 0.85 of the largest luminance (start) and of
-// the median luminance (stop), one per EV, 2 to max_exposures. A median of 0, for example of a
-// black background, would make `stop` infinite: it is replaced by the median of the luminances
-// above 0. A black image has the single exposure 0.
+// the median luminance (stop): ceil(stop - start) of them, 2 to max_exposures. A median of 0, for
+// example of a black background, would make `stop` infinite: it is replaced by the median of the
+// luminances above 0. A black image has the single exposure 0.
 Exposures exposures_of(const Image& reference, Tone tone);
 
 // HDR-FLIP: the maximum of LDR-FLIP over the exposures. Negative values are 0. Not symmetric if the

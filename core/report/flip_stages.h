@@ -20,7 +20,8 @@ Color ycxcz_from_linear(const Color& rgb);  // rgb in [0, 1]
 // Clamps the color to [0, 1] as linear RGB.
 Color lab_from_ycxcz(const Color& ycxcz);
 
-// One-dimensional filter with the weights w(-i) = w(i), or -w(i) if it is odd.
+// One-dimensional filter with the weights w(-i) = w(i), or -w(i) if it is odd; w(0) follows from
+// the sum.
 struct Kernel {
     std::vector<float> weights;  // [i - 1] is w(i)
     float sum = 0;               // sum of all weights, with w(0)
@@ -39,7 +40,7 @@ struct Filters {
 // Precondition: min_pixels_per_degree <= pixels_per_degree <= max_pixels_per_degree.
 Filters make_filters(double pixels_per_degree);
 
-// Filters rows; the pixels at the border repeat.
+// Filters rows; coordinates are clamped at the border.
 Plane filter_x(const Plane& plane, const Kernel& kernel);
 // Filters columns and drops `margin` rows at both ends. Precondition: margin >= kernel.radius().
 Plane filter_y(const Plane& plane, const Kernel& kernel, uint32_t margin);

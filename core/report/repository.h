@@ -6,7 +6,8 @@
 
 namespace wrinkle::report {
 
-// Returns the nearest of `folder` and its parents that holds ".git"; `folder` if none does.
+// Returns the nearest of `folder`, which is absolute, and its parents that holds ".git"; `folder`
+// if none does.
 std::filesystem::path repository_root(const std::filesystem::path& folder);
 
 // Returns the path of `file`, which is relative to the working folder or absolute, relative to

@@ -1,11 +1,11 @@
 // Results of `wrinkle test`: the verdict of each check of each regression case, and its evidence.
-// Results of `wrinkle diff`: the same, held to the first graph instead of baselines.
+// Results of `wrinkle diff`: the same, compared with the first graph instead of a baseline.
 // The writers in this folder turn them into a page (page.h), JSON (results_json.h), and formats
 // for CI systems (ci_formats.h).
 //
 // A case is an entry of a test file (docs/test-cases.md). A check is one result that the case holds
-// to a baseline: a point, the text, the image or the cost. Texts are UTF-8 as the graph's author
-// wrote them: every writer escapes them for its format.
+// to a baseline or budget: a point, the text, the image or the cost. Texts are UTF-8 as the graph's
+// author wrote them: every writer escapes them for its format.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@ inline std::string_view name_of(CheckKind kind) {
     return kind_names[static_cast<size_t>(kind)];
 }
 
-// A number that was held to a limit. An output of a point, a measure of a image, a cost.
+// A number that was held to a limit. An output of a point, a measure of an image, a cost.
 struct Measured {
     std::string name;      // "normal", "rms", "alu"
     std::string node;      // where it comes from: "weave.normal"; "" if not known
@@ -46,7 +46,8 @@ struct Measured {
     double value = 0, limit = 0;
     std::string unit;  // "degrees", "of 255"; "" for plain numbers
     bool within() const { return value <= limit; }
-    // value / limit, at most max_excess, also for a limit of 0 and a value that is not a number.
+    // value / limit, at most max_excess; of a limit of 0, 0 if the value is within it, else
+    // max_excess; likewise of NaN.
     double excess() const;
     static constexpr double max_excess = 1e9;
 };
@@ -87,8 +88,8 @@ struct Check {
 struct Results {
     std::string version;                // Wrinkle's
     std::string driver;                 // OpenGL's; "" if no image was drawn
-    std::string command;                // that repeats the run
-    std::string approval;               // that accepts, without names: "wrinkle test --report out"
+    std::string command;                // command line that repeats the run
+    std::string approval;               // command line that accepts; names follow
     std::string started;                // ISO 8601, UTC
     double seconds = 0;                 // time of the run
     bool added_fails = false;           // checks with Status::added are failures
@@ -100,10 +101,11 @@ struct Results {
 
     size_t count(Status status) const;
     bool compares_graphs() const { return !after.empty(); }
-    // Returns true if a check failed, could not run or is deleted, or is new and added_fails.
+    // Returns true unless the check passed, or is new and not added_fails.
     bool fails(const Check& check) const;
     bool fails() const;  // a check fails
-    // Indices of the checks that are not passed: errors, failures by their excess, deleted, new.
+    // Indices of the checks that are not passed: errors; failed and changed ones by their excess;
+    // deleted; new.
     std::vector<size_t> by_severity() const;
 };
 

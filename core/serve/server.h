@@ -36,10 +36,11 @@ private:
 
 class Server {
 public:
-    explicit Server(const State& state);
+    explicit Server(const State& state);  // which outlives the server
     ~Server();
 
-    // Listens on `port`, 0 for any. Returns the port; std::nullopt if it cannot be had.
+    // Listens on `port`, 0 for any, on new threads. Returns the port; std::nullopt if it
+    // cannot be bound.
     std::optional<int> listen(int port);
 
 private:

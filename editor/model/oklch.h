@@ -9,7 +9,7 @@ namespace wrinkle::editor {
 // Returns lightness (0 black, 1 white), chroma (0 grey) and hue (degrees, 0 to 360).
 glm::dvec3 oklch_of(glm::dvec3 linear);
 
-// The inverse. Components of colors outside of the gamut are negative.
+// The inverse. A color outside of the gamut has a component below 0 or above 1.
 glm::dvec3 linear_of_oklch(glm::dvec3 lch);
 
 }  // namespace wrinkle::editor

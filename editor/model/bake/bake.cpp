@@ -236,7 +236,7 @@ void start_bake(Session& session, const BakeChoices& choices) {
     BakeJob job{session.model,
                 with_preset_as_defaults(session.model, session.document(), choices.preset),
                 session.path.string(), choices};
-    job.choices.into = place_of(session, choices);
+    job.choices.into = output_folder(session, choices);
     const auto work = [job = std::move(job), registry = session.registry](TaskProgress& progress) {
         return bake_maps(job, *registry, progress);
     };
@@ -246,7 +246,7 @@ void start_bake(Session& session, const BakeChoices& choices) {
                          [&session, choices] { start_bake(session, choices); }, "texels"});
 }
 
-fs::path place_of(const Session& session, const BakeChoices& choices) {
+fs::path output_folder(const Session& session, const BakeChoices& choices) {
     return session.folder() / with_home(choices.into);
 }
 

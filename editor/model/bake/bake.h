@@ -23,7 +23,7 @@ TaskOutcome bake_maps(const BakeJob& job, const Registry& registry, TaskProgress
 void start_bake(Session& session, const BakeChoices& choices);
 
 // Returns choices.into as a path on disk: relative to the graph's folder; "~" is the home folder.
-std::filesystem::path place_of(const Session& session, const BakeChoices& choices);
+std::filesystem::path output_folder(const Session& session, const BakeChoices& choices);
 
 // Returns the maps that the document's outputs provide.
 std::vector<std::string> maps_of(const Document& document);

@@ -18,7 +18,8 @@ json::Value value_of_input(const Document& document, const std::string& preset,
 std::array<double, 4> numbers_of_input(const Document& document, const std::string& preset,
                                        const GraphInput& input, const Port& port);
 
-// Sets the value in the preset. A preset does not name an input that has its default.
+// Sets the value in the preset, or the default if `preset` is ""; a value equal to the default is
+// removed from the preset.
 Document with_input_value(const Document& document, const std::string& preset,
                           const std::string& input, json::Value value);
 // Removes the input from the preset, so that it has its default.

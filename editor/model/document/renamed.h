@@ -16,8 +16,8 @@ std::string input_name_problem(const Document& document, const std::string& inpu
 // `name` must have no problem.
 void rename_input(Session& session, const std::string& input, const std::string& name);
 
-// Gives the nodes of sub-graphs, in all states of the history, the current names of the inputs, as
-// the model has them. No step is made, and the graph can be saved as it was read.
+// In each node that is an instance of a sub-graph, replaces former names of inputs by the current
+// ones of the model, in all states of the history. Adds no step; the document stays unmodified.
 void use_current_names(Session& session);
 
 }  // namespace wrinkle::editor

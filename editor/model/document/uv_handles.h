@@ -3,13 +3,13 @@
 //   handle              ports                                  point
 //   center, a, b        a vec2 of that name                    the value
 //   size                a vec2 `size`, width and height        the corner at the upper right
-//   size, radius        a float; a radius only without the     as far from the center, to the
-//                       vec2 `size`: there it is of corners    right
-//   rotation, angle     a float in degrees                     above, outside of the others
+//   size, radius        a float; with a vec2 `size`, `radius`  as far from the center, to the
+//                       is of the corners: no handle           right
+//   rotation, angle     a float of unit "deg"                  above, outside of the others
 //
-// `size`, `radius` and `rotation` are relative to `center`, and turn with `rotation`. A node reads
-// the uv of the surface for them: one with a wire from another node at `uv` has none. A value on a
-// wire has no handle, nor have those that depend on it.
+// All but points are relative to `center`, and turn with `rotation`; without a center there are
+// none. The node must have a port `uv` that reads the surface's: with a wire from another node it
+// has no handles. A value on a wire has no handle, nor have those that depend on it.
 #pragma once
 
 #include <cstdint>
@@ -34,13 +34,14 @@ struct UvHandle {
 // Returns the handles; the center is the first, if the node has one.
 std::vector<UvHandle> uv_handles(const Node& node, const NodeType& type);
 
-// Sets the port so that its handle is at `to`, or as near as its range permits. An angle takes the
-// turn nearest to its value. `snaps`: points, sizes and radii become multiples of 0.05, angles of
-// 15 degrees.
+// Sets the port so that its handle is at `to`, or as near as its range permits. A new
+// angle is within 180 degrees of the old one. `snaps`: points, sizes and radii become multiples of
+// 0.05, angles of 15 degrees.
 Document with_handle_at(const Document& document, const Node& node, const NodeType& type,
                         std::string_view port, glm::dvec2 to, bool snaps);
 
-// Corners of the box that the vec2 `size` describes, in order; empty if the node has none.
+// Corners of the box that the vec2 `size` describes, anticlockwise from the upper right; empty if
+// the node has none.
 std::vector<glm::dvec2> box_of_handles(const Node& node, const NodeType& type);
 
 }  // namespace wrinkle::editor

@@ -50,7 +50,7 @@ void start_host_export(Session& session, const HostChoices& choices,
     HostJob job{session.model,
                 with_preset_as_defaults(session.model, session.document(), choices.preset),
                 session.path.empty() ? session.file_name() : session.path.string(), choices};
-    job.choices.into = place_of(session, choices);
+    job.choices.into = output_folder(session, choices);
     const auto work = [job = std::move(job), registry = session.registry](TaskProgress& progress) {
         return export_to_host(job, *registry, progress);
     };
@@ -65,7 +65,7 @@ fs::path usual_folder(const Session& session, const Host& host) {
     return fs::path(session.file_name()).stem().string() + "_" + std::string(host.name);
 }
 
-fs::path place_of(const Session& session, const HostChoices& choices) {
+fs::path output_folder(const Session& session, const HostChoices& choices) {
     return session.folder() / with_home(choices.into);
 }
 

@@ -11,15 +11,19 @@
 
 namespace wrinkle::editor {
 
+// The document has the values of the preset as defaults (with_preset_as_defaults()), and
+// `choices.into` is absolute (output_folder()).
 struct HostJob {
     Model model;
     Document document;
     std::string graph;  // path of its file, for problems
     HostChoices choices;
 };
+// Exports on this thread.
 TaskOutcome export_to_host(const HostJob& job, const Registry& registry, TaskProgress& progress);
 
-// Exports the current document as a task; `then` is called after success.
+// Exports the current document as a task; `then` is called after success. While another task runs
+// it only sets the status.
 void start_host_export(Session& session, const HostChoices& choices,
                        const std::function<void(Session&)>& then = {});
 
@@ -27,6 +31,6 @@ void start_host_export(Session& session, const HostChoices& choices,
 std::filesystem::path usual_folder(const Session& session, const Host& host);
 
 // Returns choices.into as a path on disk: relative to the graph's folder; "~" is the home folder.
-std::filesystem::path place_of(const Session& session, const HostChoices& choices);
+std::filesystem::path output_folder(const Session& session, const HostChoices& choices);
 
 }  // namespace wrinkle::editor

@@ -8,7 +8,7 @@
 
 namespace wrinkle::editor {
 
-// Repeats the export at every save, instead of an earlier one to the same host, or no longer.
+// Repeats the export at every save, instead of one to the same host; or, if not `on`, no longer.
 void repeat_export(Session& session, const HostChoices& choices, bool on);
 
 // Returns the choices of the export to the host that is repeated; nullptr if there is none.

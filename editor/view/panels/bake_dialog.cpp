@@ -33,7 +33,7 @@ void draw_object(const PreviewState& preview, ImVec2 at) {
 
 std::string what_is_replaced(const State& state) {
     BakeChoices choices = state.bake_dialog.choices;
-    choices.into = place_of(state, choices);
+    choices.into = output_folder(state, choices);
     std::vector<std::string> there;
     std::error_code error;
     for (const fs::path& file : baked_files(choices))
@@ -73,7 +73,7 @@ void draw_copy_button(State& state) {
     if (!any && hovered) show_tooltip(about, "Needs a saved graph and a chosen map");
     if (!any || (!copy && !hovered)) return;
     BakeChoices choices = dialog.choices;
-    choices.into = fs::absolute(place_of(state, choices)).lexically_normal();
+    choices.into = fs::absolute(output_folder(state, choices)).lexically_normal();
     const std::string command = bake_command(choices, fs::absolute(state.path));
     if (copy) {
         ImGui::SetClipboardText(command.c_str());

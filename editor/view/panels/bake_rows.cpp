@@ -179,7 +179,7 @@ bool draw_place_row(State& state) {
     dialog.choices.into = text;
     ImGui::SameLine(0, 8);
     if (button(state, "Browse...", "bake:browse", false, {104, 0}))
-        browse(state, Browser::Purpose::bake_into, place_of(state, dialog.choices));
+        browse(state, Browser::Purpose::bake_into, output_folder(state, dialog.choices));
     return entered;
 }
 

@@ -59,7 +59,7 @@ bool draw_into_row(State& state) {
     choices.into = text;
     ImGui::SameLine(0, 8);
     if (button(state, "Browse...", "host:browse", false, {104, 0}))
-        browse(state, Browser::Purpose::host_into, place_of(state, choices));
+        browse(state, Browser::Purpose::host_into, output_folder(state, choices));
     return entered;
 }
 

@@ -11,7 +11,7 @@ namespace wrinkle::editor {
 struct State;
 
 struct Play {
-    bool turning = false;                // the object rotates, once in 20 s
+    bool turning = false;                // the camera orbits, once in 20 s
     bool running = false;                // the seconds increase
     std::optional<double> seconds = {};  // nullopt: the value of the input
 
