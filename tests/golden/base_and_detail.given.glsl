@@ -29,8 +29,8 @@ WrinkleMaterial_strap wrinkle_strap(WrinkleSurface_strap s) {
     vec3 uv1_bitangent = cross(normal, s.position_dx * s.uv1_dy.y - s.position_dy * s.uv1_dx.y);
     float uv1_scale = inversesqrt(max(dot(uv1_bitangent, uv1_bitangent), strap_min_area));
     vec2 base_size = vec2(textureSize(strap_base_image, 0));  // base: Tangent normal map
-    vec2 base_product = base_size * s.uv0_dx;
-    vec2 base_product_2 = base_size * s.uv0_dy;
+    vec2 base_product = s.uv0_dx * base_size;
+    vec2 base_product_2 = s.uv0_dy * base_size;
     float base_greatest = max(dot(base_product, base_product), dot(base_product_2, base_product_2));
     float base_product_3 = log2(max(base_greatest, strap_min_footprint)) * 0.5;
     vec4 base_texel = textureLod(strap_base_image, s.uv0, base_product_3);
@@ -39,9 +39,9 @@ WrinkleMaterial_strap wrinkle_strap(WrinkleSurface_strap s) {
     float base_depth = max(max(abs(base_texel_2.z), base_least_depth), strap_min_z);
     vec2 tile_uv = s.uv1 * 8.0;  // tile: Tile
     vec2 weave_size = vec2(textureSize(strap_weave_image, 0));  // weave: Tangent normal map
-    vec2 weave_product = weave_size * (s.uv1_dx * 8.0);
+    vec2 weave_product = s.uv1_dx * 8.0 * weave_size;
     float weave_dot_product = dot(weave_product, weave_product);
-    vec2 weave_product_2 = weave_size * (s.uv1_dy * 8.0);
+    vec2 weave_product_2 = s.uv1_dy * 8.0 * weave_size;
     float weave_greatest = max(weave_dot_product, dot(weave_product_2, weave_product_2));
     float weave_product_3 = log2(max(weave_greatest, strap_min_footprint)) * 0.5;
     vec4 weave_texel = textureLod(strap_weave_image, tile_uv, weave_product_3);
