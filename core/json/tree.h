@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -47,8 +48,25 @@ struct Tree {
     uint32_t after(uint32_t i) const {
         return is_container(entries[i].kind) ? entries[i].end : i + 1;
     }
-    // Returns the location of a byte of the source. Linear in the offset.
+    // Returns the location of a byte of the source. O(1) after the first call, which is linear in
+    // the source. Thread-safe.
     Location location(uint32_t offset) const;
+
+private:
+    struct Mark {
+        uint32_t line = 1, column = 1;
+    };
+    static constexpr uint32_t bytes_between_marks = 4096;
+    Mark after(Mark mark, uint32_t begin, uint32_t end) const;
+
+    struct Marks {
+        std::once_flag made;
+        std::vector<Mark> list;  // of each bytes_between_marks-th byte
+
+        Marks() = default;
+        Marks(const Marks&) {}  // a copy of the tree makes them again
+    };
+    mutable Marks marks_;
 };
 
 // Returns the offset of the text after a byte order mark.

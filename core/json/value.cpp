@@ -52,13 +52,33 @@ std::string pointer_step(std::string_view key) {
     return step;
 }
 
-Location Tree::location(uint32_t offset) const {
-    const uint32_t begin = std::min(begin_of(source), offset);
-    const std::string_view before = std::string_view(source).substr(begin, offset - begin);
-    const std::string_view line = before.substr(before.rfind('\n') + 1);
+// Returns the mark of byte `end`, from that of byte `begin`.
+Tree::Mark Tree::after(Mark mark, uint32_t begin, uint32_t end) const {
+    std::string_view text = std::string_view(source).substr(begin, end - begin);
+    if (const size_t last = text.rfind('\n'); last != text.npos) {
+        mark.line += static_cast<uint32_t>(std::count(text.begin(), text.end(), '\n'));
+        mark.column = 1;
+        text.remove_prefix(last + 1);
+    }
     const auto is_character = [](char byte) { return (byte & 0xC0) != 0x80; };  // UTF-8
-    return {file, static_cast<uint32_t>(std::count(before.begin(), before.end(), '\n') + 1),
-            static_cast<uint32_t>(std::count_if(line.begin(), line.end(), is_character) + 1)};
+    mark.column += static_cast<uint32_t>(std::count_if(text.begin(), text.end(), is_character));
+    return mark;
+}
+
+Location Tree::location(uint32_t offset) const {
+    constexpr uint32_t step = bytes_between_marks;
+    const uint32_t begin = begin_of(source);
+    if (offset <= begin) return {file, 1, 1};
+    std::call_once(marks_.made, [&] {
+        Mark mark;
+        uint32_t from = begin;
+        marks_.list.push_back(mark);
+        for (uint32_t to = step; to < source.size(); from = to, to += step)
+            marks_.list.push_back(mark = after(mark, from, to));
+    });
+    const uint32_t nearest = offset / step;
+    const Mark mark = after(marks_.list[nearest], std::max(nearest * step, begin), offset);
+    return {file, mark.line, mark.column};
 }
 
 Kind Value::kind() const {

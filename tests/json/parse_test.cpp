@@ -108,6 +108,27 @@ TEST(Parse, ColumnsOfLongLines) {
     EXPECT_EQ(v.at(10000).location().column, 1u + 1 + 10000 * 4);
 }
 
+// The oracle counts from the beginning of the text.
+TEST(Parse, LocationsInALongText) {
+    std::string text = "\xEF\xBB\xBF[";
+    for (int i = 0; i < 4000; ++i)
+        text += i % 7 == 0 ? "\"\u00e9\xc3\xa9\"," : i % 500 == 499 ? "\n1," : "12,";
+    text += "0]";
+    const Value all = read(text);
+    ASSERT_EQ(all.size(), 4001u);
+    for (size_t i = 0; i < all.size(); i += 3) {
+        const Value item = all.at(i);
+        uint32_t line = 1, column = 1;
+        for (uint32_t k = 3; k < item.offset(); ++k) {
+            const bool ends = text[k] == '\n', begins = (text[k] & 0xC0) != 0x80;
+            line += ends;
+            column = ends ? 1 : column + begins;
+        }
+        EXPECT_EQ(item.location().line, line) << i;
+        EXPECT_EQ(item.location().column, column) << i;
+    }
+}
+
 TEST(Parse, SyntaxErrorsSayWhatAndWhere) {
     EXPECT_EQ(problems(""), "g.json:1:1: error: unexpected end of the file (expected a value)\n");
     EXPECT_EQ(problems("{\"a\": 1,\n"),
