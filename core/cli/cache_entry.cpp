@@ -112,7 +112,8 @@ std::string cache_key(const Project& project, const Types& types, const std::str
                      options.strict ? "strict" : "lenient",
                      !options.cost  ? "no cost"
                      : options.json ? "cost as JSON"
-                                    : "cost"};
+                                    : "cost",
+                     options.reflects ? "reflection" : "no reflection"};
     for (const std::string& output : options.outputs)
         fields.push_back("output " + output);
     for (const std::string& preset : with.overrides.presets)

@@ -37,6 +37,7 @@ struct CompileCommand {
         Diagnostics diagnostics;
         outputs.files = graphs_among(outputs.files, diagnostics);
         outputs.costs = text.cost;
+        text.reflects = !outputs.reflect.empty();
         outputs.texts = !text.cost || output->count() > 0;
         if (const std::string why = wrong_usage(); !why.empty()) return fail(exit_usage, why);
         outputs.form = form_of(text);

@@ -39,7 +39,7 @@ void make_texts(const std::string& file, const Project& project, const Compilati
         result.cost = cost_of(made.compiled.module, options.emit.differentials, wanted.json, file,
                               result.diagnostics);
     if (result.diagnostics.has_errors()) return;
-    result.reflection = reflection_json(shader, project, with.registry);
+    if (wanted.reflects) result.reflection = reflection_json(shader, project, with.registry);
     result.texts = blank_texts(wanted);
     for (Text& text : result.texts)
         text.bytes = std::move(text.stage.empty()       ? shader.source

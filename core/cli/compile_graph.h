@@ -29,6 +29,7 @@ struct TextOptions {
     int set = 0, first_binding = 0;
     bool strict = false;              // exceeding limits guaranteed by the target is an error
     bool cost = false, json = false;  // report the cost, as JSON
+    bool reflects = false;            // describe the interface
 };
 
 void declare_text(CLI::App& command, TextOptions& text);
@@ -52,7 +53,7 @@ std::vector<Text> blank_texts(const TextOptions& options);
 
 struct CompiledGraph {
     std::vector<Text> texts;  // empty on error
-    std::string reflection;   // JSON
+    std::string reflection;   // JSON; "" unless requested
     std::string cost;         // report of --cost
     std::vector<InputFile> inputs;
     Diagnostics diagnostics;
