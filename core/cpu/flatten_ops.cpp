@@ -129,7 +129,8 @@ Flattener::Lanes Flattener::lanewise(const Inst& inst, Type operands,
     return lanes;
 }
 
-// Returns the product with the reciprocal, which is the same number and quicker to compute.
+// Returns the product with the reciprocal of a literal power of two, which is the same number and
+// quicker to compute; std::nullopt for other divisors.
 std::optional<Flattener::Lanes> Flattener::divided_by_power_of_two(const Inst& inst,
                                                                    const std::vector<Lanes>& args) {
     const Inst& divisor = (*module_)[inst.arg[1]];
