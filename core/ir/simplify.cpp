@@ -77,10 +77,15 @@ Id simplify_sum(Module& m, Op op, Args a, Type type) {
     return added == no_id ? no_id : m.add(Op::add_, {a[0], added});
 }
 
+// Returns true for 1, which a product of scales may miss by a bit: 49 * (1 / 49).
+bool is_one(const Module& m, Id id) {
+    return m[id].op == Op::literal_ ? std::abs(m[id].value - 1) < 1e-15 : m.is_literal(id, 1);
+}
+
 Id simplify_product(Module& m, Args a, Type type) {
     for (const size_t i : {0u, 1u}) {
         if (m.is_literal(a[i], 0)) return m.zero(type);
-        if (m.is_literal(a[i], 1)) return widened(m, a[1 - i], type);
+        if (is_one(m, a[i])) return widened(m, a[1 - i], type);
         if (m.is_literal(a[i], -1) && m.type(a[1 - i]) == type) return m.add(Op::neg_, {a[1 - i]});
     }
     return no_id;
@@ -94,7 +99,7 @@ bool is_sparse(const Module& m, Op op, Id id) {
     for (const Id part : m.operands(id)) {
         if (m.type(part) != Type::float_) return false;
         found = found || m.is_literal(part, 0) ||
-                (op == Op::mul_ && (m.is_literal(part, 1) || m.is_literal(part, -1)));
+                (op == Op::mul_ && (is_one(m, part) || m.is_literal(part, -1)));
     }
     return found;
 }

@@ -88,6 +88,8 @@ TEST_F(ModuleTest, ArithmeticWithZeroAndOne) {
     EXPECT_EQ(add(Op::sub_, {f, f}), n(0));
     EXPECT_EQ(add(Op::sub_, {n(0), f}), add(Op::neg_, {f}));
     EXPECT_EQ(add(Op::mul_, {f, n(1)}), f);
+    EXPECT_EQ(add(Op::mul_, {f, n(49 * (1.0 / 49))}), f);  // 1 less a bit of a double
+    EXPECT_NE(add(Op::mul_, {f, n(1 - 1e-7)}), f);
     EXPECT_EQ(add(Op::mul_, {v, n(0)}), vec3(0));
     EXPECT_EQ(add(Op::mul_, {n(0), v}), vec3(0));
     EXPECT_EQ(add(Op::mul_, {f, n(-1)}), add(Op::neg_, {f}));
