@@ -57,11 +57,11 @@ private:
         uint32_t line = 1, column = 1;
     };
     static constexpr uint32_t bytes_between_marks = 4096;
-    Mark after(Mark mark, uint32_t begin, uint32_t end) const;
+    Mark advanced(Mark mark, uint32_t begin, uint32_t end) const;
 
     struct Marks {
         std::once_flag made;
-        std::vector<Mark> list;  // of each bytes_between_marks-th byte
+        std::vector<Mark> list;  // of every bytes_between_marks-th byte
 
         Marks() = default;
         Marks(const Marks&) {}  // a copy of the tree makes them again

@@ -52,8 +52,8 @@ std::string pointer_step(std::string_view key) {
     return step;
 }
 
-// Returns the mark of byte `end`, from that of byte `begin`.
-Tree::Mark Tree::after(Mark mark, uint32_t begin, uint32_t end) const {
+// Returns the mark of byte `end`, given that of byte `begin`.
+Tree::Mark Tree::advanced(Mark mark, uint32_t begin, uint32_t end) const {
     std::string_view text = std::string_view(source).substr(begin, end - begin);
     if (const size_t last = text.rfind('\n'); last != text.npos) {
         mark.line += static_cast<uint32_t>(std::count(text.begin(), text.end(), '\n'));
@@ -73,11 +73,11 @@ Location Tree::location(uint32_t offset) const {
         Mark mark;
         uint32_t from = begin;
         marks_.list.push_back(mark);
-        for (uint32_t to = step; to < source.size(); from = to, to += step)
-            marks_.list.push_back(mark = after(mark, from, to));
+        for (uint32_t to = step; to <= source.size(); from = to, to += step)
+            marks_.list.push_back(mark = advanced(mark, from, to));
     });
     const uint32_t nearest = offset / step;
-    const Mark mark = after(marks_.list[nearest], std::max(nearest * step, begin), offset);
+    const Mark mark = advanced(marks_.list[nearest], std::max(nearest * step, begin), offset);
     return {file, mark.line, mark.column};
 }
 

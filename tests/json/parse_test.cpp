@@ -108,6 +108,15 @@ TEST(Parse, ColumnsOfLongLines) {
     EXPECT_EQ(v.at(10000).location().column, 1u + 1 + 10000 * 4);
 }
 
+TEST(Parse, LocationOfTheEndOfATextOfAnySize) {
+    for (const size_t size : {4095, 4096, 4097, 8192}) {
+        Diagnostics diagnostics;
+        parse("[" + std::string(size - 1, ' '), "g.json", diagnostics);
+        EXPECT_TRUE(to_text(diagnostics).starts_with("g.json:1:" + std::to_string(size + 1) + ":"))
+            << to_text(diagnostics);
+    }
+}
+
 // The oracle counts from the beginning of the text.
 TEST(Parse, LocationsInALongText) {
     std::string text = "\xEF\xBB\xBF[";
