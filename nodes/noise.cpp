@@ -28,18 +28,18 @@ static vec4 gradient_corner(Uint bits, vec3 way) {
 }
 
 // Perlin's quintic of a position in a cell, by component, and its derivative.
-struct Fade {
+struct Quintic {
     vec3 t, dt;
 };
-static Fade quintic(vec3 f) {
+static Quintic quintic(vec3 f) {
     const vec3 back = named("back", f - 1);
     return {named("t", f * f * f * (f * (f * 6 - vec3(15)) + vec3(10))),
             named("dt", 30 * f * f * back * back)};
 }
 
-// Calls cell(the bits of four edges, the position in the cell). The edges are those along x at the
-// corner, one step along y, one along z, and along both; hash(bits) and hash(bits + 1u) are
-// hash(Int, Int, Int) of an edge's corners.
+// Calls cell(bits of four edges, position in the cell). The edges run along x; they begin at the
+// corner, a step along y from it, a step along z, and a step along both. hash(bits) and
+// hash(bits + 1u) are hash(Int, Int, Int) of an edge's corners.
 template <class CellFunction>
 static vec4 in_cell(vec3 p, int seed, CellFunction cell) {
     const vec3 corner = named("cell", floor(p)), at = seeded_cell(corner, seed);

@@ -2,6 +2,7 @@
 #include "cpu/flatten.h"
 
 #include <cmath>
+#include <cstdlib>
 
 namespace wrinkle {
 namespace {
@@ -135,8 +136,9 @@ std::optional<Flattener::Lanes> Flattener::divided_by_power_of_two(const Inst& i
                                                                    const std::vector<Lanes>& args) {
     const Inst& divisor = (*module_)[inst.arg[1]];
     if (divisor.op != Op::literal_ || divisor.type != Type::float_) return {};
+    constexpr int largest = 100;  // floats hold the divisor and its reciprocal, neither subnormal
     int exponent = 0;
-    if (std::frexp(divisor.value, &exponent) != 0.5 || std::abs(exponent) > 100) return {};
+    if (std::frexp(divisor.value, &exponent) != 0.5 || std::abs(exponent) > largest) return {};
     const uint32_t factor = constant(1 / divisor.value, Type::float_);
     Lanes lanes;
     for (size_t k = 0; k < lane_count(inst.type); ++k)

@@ -20,8 +20,8 @@ std::vector<std::string> common_order(const std::vector<T>& list, const std::set
 }
 
 // Returns the elements of `ours` and `theirs`, each once, in the order of `ours`; of `theirs` if
-// only that has another order than `base`. An element that only the other list has
-// follows the last common one before it. O(n log n).
+// only that has another order than `base`. An element that only the other list has follows the last
+// common one before it. O(n log n).
 template <class T, class Identity>
 std::vector<T> merged_order(const std::vector<T>& base, const std::vector<T>& ours,
                             const std::vector<T>& theirs, Identity identity) {

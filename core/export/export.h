@@ -49,8 +49,8 @@ const Host* find_host(std::string_view name);
 // Exports to `folder`, which is created if it does not exist. All files are
 // written before the first is moved to its name: an error of the writer leaves `folder` unchanged,
 // an error during the moves can leave old and new files mixed. Other files of the folder stay; a
-// file that already has its bytes is not touched. `inputs` are not overwritten. Returns the
-// names of the files, relative to `folder` and sorted; empty after an error.
+// file that already has its bytes is not touched. `inputs` are not overwritten. Returns the names
+// of the files, relative to `folder` and sorted; empty after an error.
 std::vector<std::string> export_material(const Host& host, const ExportRequest& request,
                                          const std::filesystem::path& folder,
                                          std::span<const std::string> inputs,

@@ -33,8 +33,7 @@ public:
     // Connects an input of an element outside of the graph to a node, by an output of the graph.
     void connect_outside(uint32_t input, std::string_view type, const std::string& node);
 
-    // Adds a node that extracts component `index` of `size`; returns its name, or `source` for size
-    // 1.
+    // Adds a node that extracts component `index`; returns its name, or `source` if `size` is 1.
     std::string component(const std::string& source, int size, int index);
     // Adds a node that repeats a float in `size` components; returns its name.
     std::string filled(const std::string& source, int size);

@@ -20,8 +20,7 @@ namespace wrinkle::textures {
 // Lengths are in units of object space.
 //
 //   given      size of a repeat             default of `tiling`
-//   texel      texel * size of the image    uv_length / size; without it, of the repeat: width /
-// size
+//   texel      texel * size of the image    uv_length / size; without it, width / size
 //   uv_length  uv_length                    1
 //   neither    1                            1
 //

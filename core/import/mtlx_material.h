@@ -2,8 +2,8 @@
 //
 // Shading models: standard_surface, gltf_pbr, open_pbr_surface. Constants of the shader and
 // interfaces of node graphs become exposed inputs. Images are named relative to the graph. Every
-// part without an equivalent is reported: an error if the result would be wrong, a warning if
-// it is an approximation. See docs/import.md.
+// part without an equivalent is reported: an error if the result would be wrong, a warning if it is
+// an approximation. See docs/import.md.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Results in the formats of CI systems (docs/ci.md). Names are the same in every run. In
-// JUnit, characters that XML does not allow are U+FFFD and terminal sequences are removed; TAP and
+// Results in the formats of CI systems (docs/ci.md). Names are the same in every run. In JUnit,
+// characters that XML does not allow are U+FFFD and terminal sequences are removed; TAP and
 // GitHub's commands escape characters that cannot be printed (base/printable.h).
 #pragma once
 

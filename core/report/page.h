@@ -15,10 +15,10 @@ namespace wrinkle::report {
 
 inline constexpr uint64_t max_page_bytes = uint64_t{32} << 20;
 
-// Images of the results are files in `folder`. Differences of texts, then images, are
-// added in the order of the page, and each that would exceed `max_bytes` is left out; the page
-// names how many. Names, messages and numbers are always there, so that a page can be larger. An
-// image that cannot be read is named instead.
+// Images of the results are files in `folder`. Differences of texts, then images, are added in the
+// order of the page, and each that would exceed `max_bytes` is left out; the page names how many.
+// Names, messages and numbers are always there, so that a page can be larger. An image that cannot
+// be read is named instead.
 std::string page(const Results& results, const std::filesystem::path& folder,
                  uint64_t max_bytes = max_page_bytes);
 

@@ -46,8 +46,8 @@ struct Measured {
     double value = 0, limit = 0;
     std::string unit;  // "degrees", "of 255"; "" for plain numbers
     bool within() const { return value <= limit; }
-    // value / limit, at most max_excess; of a limit of 0, 0 if the value is within it, else
-    // max_excess; likewise of NaN.
+    // value / limit, at most max_excess. If the limit is 0, 0 within it and max_excess beyond.
+    // NaN gives max_excess.
     double excess() const;
     static constexpr double max_excess = 1e9;
 };

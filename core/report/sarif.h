@@ -3,8 +3,8 @@
 // Every rule of base/rules.h is listed. A diagnostic of a file is a result: its path as a URI
 // relative to the repository's root, its line (1 if it is of the file in general) and column, and a
 // fingerprint of rule, URI, node and JSON pointer, with a number if equal, which remains when lines
-// move. A diagnostic
-// without a file is a notification of the run, as a result without a location is not shown.
+// move. A diagnostic without a file is a notification of the run, as a result without a location is
+// not shown.
 #pragma once
 
 #include <filesystem>

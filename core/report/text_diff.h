@@ -15,11 +15,11 @@ struct DiffLine {
     std::string_view text;                        // part of its text; skipped: ""
 };
 
-// Returns a shortest list of removed and added lines, with `context` common lines around each;
-// each run of other lines is one line of Kind::skipped. If the product of the line counts
-// between the first and the last difference is above 4,000,000, all these lines are removed and
-// added. The lines refer to the texts.
-// O(n + d^2) time and memory for n lines, d of which are between the first and the last difference.
+// Returns a shortest list of removed and added lines, with `context` common lines around each; each
+// run of other lines is one line of Kind::skipped. If the product of the line counts between the
+// first and the last difference is above 4,000,000, all these lines are removed and added. The
+// lines refer to the texts. O(n + d^2) time and memory for n lines, d of which are between the
+// first and the last difference.
 std::vector<DiffLine> diff_lines(std::string_view expected, std::string_view actual,
                                  uint32_t context = 3);
 

@@ -46,8 +46,7 @@ Document with_stop(const Document& document, const Node& node, const NodeType& t
                    const RampStop& stop);
 Document with_point(const Document& document, const Node& node, const NodeType& type,
                     glm::dvec2 point);
-// Move a stop or a point; its position is clamped to those of its neighbours, at the ends to 0 or
-// 1.
+// Move a stop or a point, clamped between its neighbours; at the ends, to 0 and 1.
 Document with_stop_at(const Document& document, const Node& node, const NodeType& type, size_t stop,
                       double position);
 Document with_point_at(const Document& document, const Node& node, const NodeType& type,
