@@ -7,9 +7,9 @@
 
 #include "bake/map_values.h"
 #include "base/mapped.h"
-#include "base/srgb.h"
 #include "base/standard_outputs.h"
 #include "base/text.h"
+#include "cpu/kernels.h"
 #include "image/writer.h"
 #include "ir/covariance.h"
 #include "ir/rewrite.h"
@@ -245,19 +245,17 @@ std::optional<BakePlan> plan_maps(const Module& module, const std::vector<MapReq
 
 void store_map(const BakedMap& map, const float* lanes, const uint8_t* covered, size_t count,
                float* stored) {
+    const Kernels& kernels = kernels_of(default_instruction_set());
     const size_t channels = map.channels.size();
+    std::vector<float> values(count);
     for (size_t c = 0; c < channels; ++c) {
         const MapChannel channel = map.channels[c];
         const float* lane = lanes + channel.lane * count;
-        for (size_t i = 0; i < count; ++i) {
-            const float value = lane[i] * channel.gain + channel.offset;
-            stored[i * channels + c] = covered[i] ? value : channel.empty;
-        }
-        for (size_t i = 0; channel.srgb && i < count; ++i) {
-            float& value = stored[i * channels + c];
-            const auto coded = static_cast<float>(srgb_from_linear(value));
-            value = covered[i] ? coded : value;
-        }
+        for (size_t i = 0; i < count; ++i)
+            values[i] = lane[i] * channel.gain + channel.offset;
+        if (channel.srgb) kernels.encode_srgb(values.data(), count);
+        for (size_t i = 0; i < count; ++i)
+            stored[i * channels + c] = covered[i] ? values[i] : channel.empty;
     }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "base/srgb.h"
 #include "cpu/fused_bodies.h"
 #include "cpu/kernels.h"
 #include "cpu/sample_bodies.h"
@@ -125,9 +126,14 @@ const KernelTable<T>& kernels_of_type() {
     return made;
 }
 
+void encode_srgb(float* values, size_t n) {
+    for (size_t i = 0; i < n; ++i)
+        values[i] = static_cast<float>(srgb_from_linear(static_cast<double>(values[i])));
+}
+
 }  // namespace
 
-const Kernels kernels = {kernels_of_type<float>, kernels_of_type<double>, sample_level,
-                         interpolate};
+const Kernels kernels = {kernels_of_type<float>, kernels_of_type<double>, sample_level, interpolate,
+                         encode_srgb};
 
 }  // namespace wrinkle::WRINKLE_ISA

@@ -52,6 +52,7 @@ struct Kernels {
     // level it may write more channels than requested.
     SampleLevel (*sample_level)(const TexelLevel& level, Wrap wrap, size_t channels);
     Interpolate interpolate;
+    void (*encode_srgb)(float* values, size_t n);  // srgb_from_linear() of each, rounded once
 };
 
 template <class T>

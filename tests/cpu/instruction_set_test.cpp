@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <limits>
 
+#include "base/srgb.h"
+#include "cpu/kernels.h"
 #include "cpu/support.h"
 #include "ir/support.h"
 
@@ -63,6 +65,20 @@ TEST(InstructionSets, GiveTheSameBits) {
     for (const Application& a : applications()) {
         expect_same<float>(a, numbers);
         expect_same<double>(a, numbers);
+    }
+}
+
+TEST(InstructionSets, EncodeSrgbWithTheSameBits) {
+    Numbers numbers(23);
+    std::vector<float> linear(1003), wanted;
+    for (float& value : linear)
+        value = static_cast<float>(numbers.number(-0.1, 1.1));
+    for (const float value : linear)
+        wanted.push_back(static_cast<float>(srgb_from_linear(static_cast<double>(value))));
+    for (const InstructionSet set : every_set()) {
+        std::vector<float> coded = linear;
+        kernels_of(set).encode_srgb(coded.data(), coded.size());
+        EXPECT_EQ(coded, wanted) << "set " << static_cast<int>(set);
     }
 }
 
