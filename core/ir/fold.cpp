@@ -43,7 +43,11 @@ using Folded = std::optional<double>;
 
 Folded fold_float(Op op, double a, double b, double c) {
     if (!in_domain(op, a, b)) return {};
-    return meaning::floats::find<Folded>(op, [&](auto f) { return apply(f, a, b, c); });
+    const Folded folded =
+        meaning::floats::find<Folded>(op, [&](auto f) { return apply(f, a, b, c); });
+    // A quarter turn in radians is inexact, but its sine and cosine are meant.
+    const bool is_turn = op == Op::sin_ || op == Op::cos_;
+    return is_turn && std::fabs(*folded) < 1e-15 ? Folded(0) : folded;
 }
 
 Folded fold_whole(Op op, Type type, double a, double b) {

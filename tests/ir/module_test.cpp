@@ -190,6 +190,15 @@ TEST_F(ModuleTest, ComponentsOfComponents) {
     EXPECT_EQ(add(Op::column_, {matrix}, 1), w);
 }
 
+// The double nearest to a quarter turn has a cosine of 6e-17.
+TEST_F(ModuleTest, QuarterTurnsHaveExactZeros) {
+    constexpr double pi = 3.14159265358979323846;
+    EXPECT_EQ(add(Op::cos_, {n(pi / 2)}), n(0));
+    EXPECT_EQ(add(Op::sin_, {n(-pi)}), n(0));
+    EXPECT_NE(add(Op::cos_, {n(pi / 2 - 1e-12)}), n(0));
+    EXPECT_EQ(add(Op::sin_, {n(pi / 2)}), n(1));
+}
+
 TEST_F(ModuleTest, WhatIsUndefinedIsNotFolded) {
     EXPECT_EQ(m[add(Op::div_, {n(1), n(0)})].op, Op::div_);
     EXPECT_EQ(m[add(Op::sqrt_, {n(-1)})].op, Op::sqrt_);

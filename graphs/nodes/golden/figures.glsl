@@ -164,35 +164,32 @@ WrinkleMaterial_figures wrinkle_figures(WrinkleSurface_figures s) {
     // chart_2: Mix
     float chart_2_result = mix(chart_1_result, trapezoid_distance, is_trapezoid_result);
     vec2 chart_2_slope = mix(chart_1_slope, trapezoid_slope, is_trapezoid_result);
-    float pie_difference = 6.123234e-17 * rhombus_p.x - rhombus_p.y;  // pie: Pie
-    float pie_magnitude = abs(pie_difference);
-    float pie_sum = rhombus_p.x + 6.123234e-17 * rhombus_p.y;
-    vec2 pie_q = vec2(pie_magnitude, pie_sum);
+    float pie_negated = -rhombus_p.y;  // pie: Pie
+    float pie_magnitude = abs(pie_negated);
+    vec2 pie_q = vec2(pie_magnitude, rhombus_p.x);
     float pie_extent = length(pie_q);
-    float pie_difference_2 = pie_extent - 0.4;
+    float pie_difference = pie_extent - 0.4;
     float pie_dot_product = dot(pie_q, vec2(0.81915206, -0.57357645));
-    vec2 pie_difference_3 = pie_q - vec2(0.81915206, -0.57357645) *
+    vec2 pie_difference_2 = pie_q - vec2(0.81915206, -0.57357645) *
             clamp(pie_dot_product, 0.0, 0.4);
-    float pie_extent_2 = length(pie_difference_3);
-    float pie_sign = pie_magnitude * -0.57357645 - pie_sum * 0.81915206 < 0.0 ? -1.0 : 1.0;
+    float pie_extent_2 = length(pie_difference_2);
+    float pie_sign = pie_magnitude * -0.57357645 - rhombus_p.x * 0.81915206 < 0.0 ? -1.0 : 1.0;
     float pie_product = pie_extent_2 * pie_sign;
-    float pie_distance = max(pie_difference_2, pie_product);
-    float pie_sign_2 = sign(pie_difference);
-    vec2 pie_q_dx = vec2((grid_uv_dx.x * 6.123234e-17 - grid_uv_dx.y) * pie_sign_2, grid_uv_dx.x +
-            grid_uv_dx.y * 6.123234e-17);
+    float pie_distance = max(pie_difference, pie_product);
+    float pie_sign_2 = sign(pie_negated);
+    vec2 pie_q_dx = vec2(-grid_uv_dx.y * pie_sign_2, grid_uv_dx.x);
     bool pie_test = pie_dot_product < 0.0 || 0.4 < pie_dot_product;
     float pie_choice = pie_test ? 0.0 : dot(pie_q_dx, vec2(0.81915206, -0.57357645));
-    vec2 pie_difference_4 = pie_q_dx - pie_choice * vec2(0.81915206, -0.57357645);
-    float pie_dot_product_2 = dot(pie_difference_3, pie_difference_4);
-    vec2 pie_q_dy = vec2((grid_uv_dy.x * 6.123234e-17 - grid_uv_dy.y) * pie_sign_2, grid_uv_dy.x +
-            grid_uv_dy.y * 6.123234e-17);
+    vec2 pie_difference_3 = pie_q_dx - pie_choice * vec2(0.81915206, -0.57357645);
+    float pie_dot_product_2 = dot(pie_difference_2, pie_difference_3);
+    vec2 pie_q_dy = vec2(-grid_uv_dy.y * pie_sign_2, grid_uv_dy.x);
     float pie_choice_2 = pie_test ? 0.0 : dot(pie_q_dy, vec2(0.81915206, -0.57357645));
-    vec2 pie_difference_5 = pie_q_dy - pie_choice_2 * vec2(0.81915206, -0.57357645);
-    vec2 pie_vector = vec2(pie_dot_product_2, dot(pie_difference_3, pie_difference_5));
+    vec2 pie_difference_4 = pie_q_dy - pie_choice_2 * vec2(0.81915206, -0.57357645);
+    vec2 pie_vector = vec2(pie_dot_product_2, dot(pie_difference_2, pie_difference_4));
     vec2 pie_product_2 = (pie_extent_2 > 0.0 ? pie_vector / pie_extent_2 : vec2(0.0)) * pie_sign;
     vec2 pie_quotient = vec2(dot(pie_q, pie_q_dx), dot(pie_q, pie_q_dy)) / pie_extent;
     vec2 pie_choice_3 = pie_extent > 0.0 ? pie_quotient : vec2(0.0);
-    vec2 pie_slope = pie_difference_2 < pie_product ? pie_product_2 : pie_choice_3;
+    vec2 pie_slope = pie_difference < pie_product ? pie_product_2 : pie_choice_3;
     float is_pie_result = abs(index_result - 3.0) <= 1e-06 ? 1.0 : 0.0;  // is_pie: Compare
     float chart_3_result = mix(chart_2_result, pie_distance, is_pie_result);  // chart_3: Mix
     vec2 chart_3_slope = mix(chart_2_slope, pie_slope, is_pie_result);
