@@ -161,7 +161,9 @@ static Float rank_of(const Copies& in, vec2 cell, const Placed& at) {
     if (in.order == Order::max || in.order == Order::add) return value;
     const Float chance = unit_float(random_bits(cell, 3, in.seed));
     const Float rank = in.order == Order::random ? chance : at.copy.height + chance * (1.0 / 1024);
-    return select(value != 0, select(coverage >= 0.5, 1 + rank, coverage), 0);
+    const Bool drawn =
+        abs(value) > named("least_drawn // 0 after rounding, in any host", Float(1e-5));
+    return select(drawn, select(coverage >= 0.5, 1 + rank, coverage), 0);
 }
 
 struct Top {

@@ -96,11 +96,15 @@ size_t shown_output(const Shader& shader) {
     return 0;
 }
 
+// Fragment shaders of more outputs do not link in Chromium's WebGL 2.
+constexpr size_t most_draw_buffers = 8;
+
 std::vector<BrowserJob> jobs_of(const std::vector<fs::path>& graphs) {
     std::vector<BrowserJob> jobs;
     for (const fs::path& graph : graphs) {
         const Shader pair = shader_of(graph, es, Form::shader);
-        jobs.push_back({name_for(graph) + ":pair", pair.vertex, pair.fragment, false, {}});
+        if (pair.reflection.outputs.size() <= most_draw_buffers)
+            jobs.push_back({name_for(graph) + ":pair", pair.vertex, pair.fragment, false, {}});
         const Shader functions = shader_of(graph, es, Form::function);
         jobs.push_back({name_for(graph), pass_vertex(es),
                         pass_fragment(functions, shown_output(functions)), true,
@@ -139,9 +143,14 @@ TEST(Browser, DrawsEverySampleAsOpenGlDoes) {
         const std::string name = name_for(graph);
         const Shader shader = shader_of(graph, targets().front(), Form::function);
         const std::vector<uint8_t> wanted = drawn(shader, shown_output(shader));
+        std::vector<std::string> pairs{name + ":webgpu:pair"};
+        if (shader.reflection.outputs.size() <= most_draw_buffers) pairs.push_back(name + ":pair");
+        for (const std::string& pair : pairs) {
+            ASSERT_TRUE(results.count(pair)) << pair;
+            EXPECT_EQ(results.at(pair).log, "") << pair;
+        }
         for (const std::string& drawn_by : {name, name + ":webgpu"}) {
-            ASSERT_TRUE(results.count(drawn_by) && results.count(drawn_by + ":pair"));
-            EXPECT_EQ(results.at(drawn_by + ":pair").log, "");
+            ASSERT_TRUE(results.count(drawn_by));
             EXPECT_EQ(results.at(drawn_by).log, "");
             ASSERT_EQ(results.at(drawn_by).pixels.size(), wanted.size());
             EXPECT_LE(far_off(results.at(drawn_by).pixels, wanted), max_off) << drawn_by;

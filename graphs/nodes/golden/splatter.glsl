@@ -12,6 +12,7 @@ struct WrinkleMaterial_splatter {
 const float splatter_two_24 = 16777216.0;    // the upper 24 bits to [0, 1)
 const float splatter_degree = 0.017453292;   // in radians
 const float splatter_min_box = 0.001953125;  // least width
+const float splatter_least_drawn = 1e-05;    // 0 after rounding, in any host
 const float splatter_min_area = 1e-36;       // smaller areas and squared lengths are zero
 
 uint wrinkle_splatter_pcg_hash(uint x) {
@@ -104,18 +105,14 @@ WrinkleMaterial_splatter wrinkle_splatter(WrinkleSurface_splatter s) {
     float blade_clamped = clamp(0.23 / max(0.12, blade_extent), 0.0, 1.0);
     float blade_sum = 0.00390625 + 0.99609375 * blade_clamped;
     float blade_quotient = (sqrt(max(blade_sum * (2.0 - blade_sum), 0.0)) - 0.08830199) / 0.911698;
-    float rib_sum = -above_p_dx.x + above_p_dx.y * 6.123234e-17;  // rib: Gradient shape
-    vec2 rib_p_dx = vec2(above_p_dx.x * 6.123234e-17 + above_p_dx.y, rib_sum) / 0.04;
-    vec2 rib_difference = s.uv0 - 0.5;
-    float rib_sum_2 = -rib_difference.x + 6.123234e-17 * rib_difference.y;
-    vec2 rib_p = vec2(6.123234e-17 * rib_difference.x + rib_difference.y, rib_sum_2) / 0.04;
-    vec2 rib_sign = sign(rib_p);
-    float rib_sum_3 = -above_p_dy.x + above_p_dy.y * 6.123234e-17;
-    vec2 rib_p_dy = vec2(above_p_dy.x * 6.123234e-17 + above_p_dy.y, rib_sum_3) / 0.04;
-    float rib_width = length(vec2((rib_p_dx * rib_sign).x, (rib_p_dy * rib_sign).x));
+    vec2 rib_difference = s.uv0 - 0.5;  // rib: Gradient shape
+    vec2 rib_sign = sign(vec2(rib_difference.y, -rib_difference.x) / 0.04);
+    vec2 rib_side_dx = vec2(above_p_dx.y, -above_p_dx.x) / 0.04 * rib_sign;
+    vec2 rib_side_dy = vec2(above_p_dy.y, -above_p_dy.x) / 0.04 * rib_sign;
+    float rib_width = length(vec2(rib_side_dx.x, rib_side_dy.x));
     float rib_reach = max(0.5 * rib_width, 1.0);
     float rib_negated = -rib_reach;
-    float rib_sum_4 = 1.0 + rib_reach;
+    float rib_sum = 1.0 + rib_reach;
     float rib_box = max(rib_width, splatter_min_box);
     float rib_product = 0.5 * rib_box;
     float highest = 0.0;
@@ -160,15 +157,15 @@ WrinkleMaterial_splatter wrinkle_splatter(WrinkleSurface_splatter s) {
         float blade_quotient_2 = (sqrt(max(blade_sum_2 * (2.0 - blade_sum_2), 0.0)) - 0.08830199) /
                 0.911698;
         vec2 rib_difference_2 = leaves_sum - 0.5;  // rib: Gradient shape (continued)
-        float rib_sum_5 = -rib_difference_2.x + 6.123234e-17 * rib_difference_2.y;
-        vec2 rib_vector = vec2(6.123234e-17 * rib_difference_2.x + rib_difference_2.y, rib_sum_5);
-        float rib_clamped = clamp(abs(rib_vector / 0.04).x, rib_negated, rib_sum_4);
+        vec2 rib_magnitude = abs(vec2(rib_difference_2.y, -rib_difference_2.x) / 0.04);
+        float rib_clamped = clamp(rib_magnitude.x, rib_negated, rib_sum);
         vec2 rib = wrinkle_splatter_clamped(rib_clamped + rib_product);
         vec2 rib_quotient = (rib - wrinkle_splatter_clamped(rib_clamped - rib_product)) / rib_box;
         float veins_sum = rib_quotient.x * 0.35 + 0.65;  // veins: Multiply and add
         // leaves: Splatter (continued)
         float leaves_product_2 = blade_quotient_2 * veins_sum * leaves_coverage * leaves_of_3.x;
-        float leaves_rank = (leaves_there ? leaves_product_2 : 0.0) != 0.0 ? leaves_choice_2 : 0.0;
+        float leaves_rank = abs(leaves_there ? leaves_product_2 : 0.0) > splatter_least_drawn ?
+                leaves_choice_2 : 0.0;
         top = leaves_rank > highest ? leaves_cell : top;
         highest = max(leaves_rank, highest);
     }
@@ -234,40 +231,36 @@ WrinkleMaterial_splatter wrinkle_splatter(WrinkleSurface_splatter s) {
     vec2 blade_quotient_4 = blade_choice * (blade_root > 0.0 ? 0.5 / blade_root : 0.0) / 0.911698;
     float blade_quotient_5 = (blade_root - 0.08830199) / 0.911698;
     vec2 rib_difference_3 = leaves_sum_2 - 0.5;  // rib: Gradient shape (continued)
-    float rib_sum_6 = -rib_difference_3.x + 6.123234e-17 * rib_difference_3.y;
-    vec2 rib_vector_2 = vec2(6.123234e-17 * rib_difference_3.x + rib_difference_3.y, rib_sum_6);
-    vec2 rib_quotient_2 = rib_vector_2 / 0.04;
-    vec2 rib_magnitude = abs(rib_quotient_2);
-    float rib_sum_7 = -leaves_at_dx.x + leaves_at_dx.y * 6.123234e-17;
-    vec2 rib_quotient_3 = vec2(leaves_at_dx.x * 6.123234e-17 + leaves_at_dx.y, rib_sum_7) / 0.04;
+    vec2 rib_quotient_2 = vec2(rib_difference_3.y, -rib_difference_3.x) / 0.04;
+    vec2 rib_magnitude_2 = abs(rib_quotient_2);
     vec2 rib_sign_2 = sign(rib_quotient_2);
-    float rib_sum_8 = -leaves_at_dy.x + leaves_at_dy.y * 6.123234e-17;
-    vec2 rib_quotient_4 = vec2(leaves_at_dy.x * 6.123234e-17 + leaves_at_dy.y, rib_sum_8) / 0.04;
-    vec2 rib_vector_3 = vec2((rib_quotient_3 * rib_sign_2).x, (rib_quotient_4 * rib_sign_2).x);
-    float rib_extent = length(rib_vector_3);
+    vec2 rib_product_2 = vec2(leaves_at_dx.y, -leaves_at_dx.x) / 0.04 * rib_sign_2;
+    vec2 rib_product_3 = vec2(leaves_at_dy.y, -leaves_at_dy.x) / 0.04 * rib_sign_2;
+    vec2 rib_vector = vec2(rib_product_2.x, rib_product_3.x);
+    float rib_extent = length(rib_vector);
     float rib_greatest = max(0.5 * rib_extent, 1.0);
     float rib_negated_2 = -rib_greatest;
-    float rib_sum_9 = 1.0 + rib_greatest;
-    float rib_clamped_2 = clamp(rib_magnitude.x, rib_negated_2, rib_sum_9);
+    float rib_sum_2 = 1.0 + rib_greatest;
+    float rib_clamped_2 = clamp(rib_magnitude_2.x, rib_negated_2, rib_sum_2);
     float rib_greatest_2 = max(rib_extent, splatter_min_box);
-    float rib_product_2 = 0.5 * rib_greatest_2;
-    vec2 rib_2 = wrinkle_splatter_clamped(rib_clamped_2 + rib_product_2);
-    vec2 rib_quotient_5 = (rib_2 - wrinkle_splatter_clamped(rib_clamped_2 - rib_product_2)) /
+    float rib_product_4 = 0.5 * rib_greatest_2;
+    vec2 rib_2 = wrinkle_splatter_clamped(rib_clamped_2 + rib_product_4);
+    vec2 rib_quotient_3 = (rib_2 - wrinkle_splatter_clamped(rib_clamped_2 - rib_product_4)) /
             rib_greatest_2;
-    vec2 rib_choice = rib_magnitude.x < rib_negated_2 ? vec2(0.0) : rib_vector_3;
-    vec2 rib_choice_2 = rib_sum_9 < max(rib_magnitude.x, rib_negated_2) ? vec2(0.0) : rib_choice;
+    vec2 rib_choice = rib_magnitude_2.x < rib_negated_2 ? vec2(0.0) : rib_vector;
+    vec2 rib_choice_2 = rib_sum_2 < max(rib_magnitude_2.x, rib_negated_2) ? vec2(0.0) : rib_choice;
     float ramp_least = min(max(leaves_detail, 0.0), 1.0);  // ramp: Color ramp
     float ramp_factor = mix(0.5, leaves_random.x, ramp_least);
-    float ramp_greatest = max(max(0.0, 1.0 - ramp_least), 1e-05);
+    float ramp_greatest = max(max(0.0, 1.0 - ramp_least), splatter_least_drawn);
     float ramp_segment = wrinkle_splatter_linear_segment(ramp_factor, ramp_greatest, 0.0, 0.5);
     vec3 ramp_product = vec3(0.1839095, -0.054989837, 0.036489613) * ramp_segment;
     float ramp_segment_2 = wrinkle_splatter_linear_segment(ramp_factor, ramp_greatest, 0.5, 0.5);
     vec3 ramp_product_2 = vec3(-0.11051571, -0.049606107, -0.029590325) * ramp_segment_2;
     vec3 ramp_color = vec3(0.5217845, 0.08298989, 0.08528676) + ramp_product + ramp_product_2;
     vec3 ramp_color_2 = wrinkle_splatter_from_oklab(ramp_color);
-    float veins_sum_2 = rib_quotient_5.x * 0.35 + 0.65;  // veins: Multiply and add (continued)
+    float veins_sum_2 = rib_quotient_3.x * 0.35 + 0.65;  // veins: Multiply and add (continued)
     // leaf: Multiply
-    vec2 leaf_product = rib_choice_2 * rib_quotient_5.y * 0.35 * blade_quotient_5;
+    vec2 leaf_product = rib_choice_2 * rib_quotient_3.y * 0.35 * blade_quotient_5;
     float leaf_product_2 = blade_quotient_5 * veins_sum_2;
     float leaf_product_3 = blade_quotient * 0.65008545;
     // leaves: Splatter (continued)
