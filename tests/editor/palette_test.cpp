@@ -71,6 +71,30 @@ TEST_F(Headless, TheWholeTitlePutsANodeFirst) {
     }
 }
 
+TEST_F(Headless, NamesInOtherProgramsFindNodes) {
+    open(small_graph);
+    const std::pair<const char*, const char*> searches[] = {
+        {"map range", "remap"},         {"lerp", "mix"},         {"noise tex", "fbm"},
+        {"xyz", "separate_vec3"},       {"one minus", "invert"}, {"Gradient Map", "ramp"},
+        {"normal comb", "gradient_add"}};
+    for (const auto& [query, type] : searches) {
+        state.palette.query = query;
+        const std::vector<PaletteRow> rows = palette_rows(state);
+        const auto found = std::ranges::find_if(rows, [&type = type](const PaletteRow& row) {
+            return row.type && row.type->id == type;
+        });
+        ASSERT_TRUE(found != rows.end()) << query;
+        EXPECT_LT(found - rows.begin(), 2) << query;
+        EXPECT_TRUE(found->doc.ends_with(" elsewhere")) << found->doc;
+    }
+    for (const OtherName& other : other_names()) {
+        EXPECT_TRUE(built_in_registry().find(other.type)) << other.type;
+        EXPECT_EQ(other_name(other.type, lower_case(other.name)), other.name);
+    }
+    EXPECT_EQ(other_name("mix", "le"), "");
+    EXPECT_EQ(other_name("add", "lerp"), "");
+}
+
 // Searches 500 types; the time is printed, not checked.
 TEST(Search, OfManyTypesIsQuick) {
     std::vector<std::string> titles;

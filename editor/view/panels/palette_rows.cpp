@@ -73,17 +73,21 @@ std::vector<PaletteRow> node_rows(const State& state) {
     for (const NodeType& type : state.registry->list()) {
         if (!type_fits(type, wire)) continue;
         auto matched = match(type.title, type.id, type.doc, wanted);
+        const std::string_view other = other_name(type.id, wanted);
+        const bool by_other = !other.empty() && (!matched || matched->rank > rank_of_other_name);
+        if (by_other) matched = Match{rank_of_other_name, {}};
         if (!matched) continue;
         const size_t last = wanted.empty() ? order_of_family(type.family) : type.title.size();
         const bool favorite = is_favorite(state, type.id);
         const NodeKey key{matched->rank, !type_matches(type, wire), !favorite,
                           order_of_use(state.recent.nodes, type.id), last};
-        found.emplace_back(key, PaletteRow{.title = type.title,
-                                           .doc = type.doc,
-                                           .target = "palette:" + type.id,
-                                           .letters = std::move(matched->letters),
-                                           .type = &type,
-                                           .favorite = favorite});
+        found.emplace_back(
+            key, PaletteRow{.title = type.title,
+                            .doc = by_other ? std::string(other) + " elsewhere" : type.doc,
+                            .target = "palette:" + type.id,
+                            .letters = std::move(matched->letters),
+                            .type = &type,
+                            .favorite = favorite});
     }
     add_subgraph_rows(state, wanted, found);
     add_library_rows(state, wanted, found);

@@ -4,12 +4,14 @@
 //   1  the beginning of the title     5  within the title
 //   2  the beginning of the id        6  within the id
 //   3  the beginning of another       7  letters of the title, in order
-//      word of the title              8  the beginning of a word of the doc line
+//      word of the title, or of       8  the beginning of a word of the doc line
+//      a name in another program
 #pragma once
 
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,6 +30,17 @@ struct Match {
 // matches everything at rank 0. The doc line is searched only for queries of three bytes or more.
 std::optional<Match> match(std::string_view title, std::string_view id, std::string_view doc,
                            std::string_view query);
+
+// The name of a node type in another program.
+struct OtherName {
+    std::string_view type, name;
+};
+std::span<const OtherName> other_names();
+
+// Returns the first other name of the type with a word that begins with the query; "" if there is
+// none, or if the query has fewer than three bytes. Precondition: as of match().
+std::string_view other_name(std::string_view type, std::string_view query);
+inline constexpr int rank_of_other_name = 3;
 
 // Returns the values in ascending order of their keys; equal keys stay in order.
 template <class Key, class Value>
