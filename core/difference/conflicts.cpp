@@ -48,7 +48,9 @@ std::optional<Conflict> read_conflict(const Value& object) {
     const auto kind = enumerator_named<ConflictKind>(conflict_kinds, text_of(object, "kind"));
     const auto section = enumerator_named<Section>(section_names, text_of(object, "section"));
     if (!kind || !section) return {};
-    if (*kind == ConflictKind::renamed && text_of(object, "theirs").empty()) return {};
+    if (*kind == ConflictKind::renamed)
+        for (const char* side : {"ours", "theirs"})
+            if (text_of(object, side).empty()) return {};
     Conflict conflict{*kind, *section, text_of(object, "id"), {}, {}, {}, {}, {}};
     conflict.key.is_port = object.has("port");
     conflict.key.name = text_of(object, conflict.key.is_port ? "port" : "key");

@@ -213,7 +213,9 @@ TEST(Conflicts, AreWrittenAndRead) {
     EXPECT_EQ(conflicts_text(*read), text);
     for (const char* wrong :
          {"{", "[]", "{}", R"({"wrinkle_conflicts": 1, "conflicts": [5]})",
-          R"({"wrinkle_conflicts": 1, "conflicts": [{"kind": "renamed", "section": "nodes"}]})"}) {
+          R"({"wrinkle_conflicts": 1, "conflicts": [{"kind": "renamed", "section": "nodes"}]})",
+          R"({"wrinkle_conflicts": 1, "conflicts": [
+              {"kind": "renamed", "section": "nodes", "id": "a", "theirs": "b"}]})"}) {
         Diagnostics faults;
         EXPECT_FALSE(read_conflicts(wrong, "c", faults)) << wrong;
         EXPECT_TRUE(faults.has_errors()) << wrong;
