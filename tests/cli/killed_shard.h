@@ -1,5 +1,6 @@
 // A `wrinkle` wrapper for the PATH of job runners: runs the real program, but kills it half-way,
-// once, when it bakes one of the shards. It logs its calls in the file `calls`.
+// once, when it bakes one of the shards. The program is stopped while its progress is read, so that
+// it does not end first. Calls are logged in the file `calls`.
 #pragma once
 
 #include "cli/support.h"
@@ -19,8 +20,14 @@ case "$*" in
         touch $here/killed
         for word; do case $last in -o) part=$word ;; esac; last=$word; done
         WRINKLE "$@" &
-        until begun=$(sed -n 's/.*"rows_of_tiles": \[\([0-9]*\),.*/\1/p' "$part/bake.json" 2>/dev/null) &&
-            [ "$begun" ] && ! grep -q "\"done\": $begun,\$" "$part/bake.json"; do :; done
+        until
+            kill -STOP $!
+            begun=$(sed -n 's/.*"rows_of_tiles": \[\([0-9]*\),.*/\1/p' "$part/bake.json" 2>/dev/null) &&
+                [ "$begun" ] && ! grep -q "\"done\": $begun,\$" "$part/bake.json"
+        do
+            kill -CONT $!
+            sleep 0.005
+        done
         kill -9 $!
         kill -9 $$
     fi ;;
