@@ -56,9 +56,8 @@ static vec4 in_cell(vec3 p, int seed, CellFunction cell) {
 static vec4 gradient_cell(Uint bits, Uint bits_y, Uint bits_z, Uint bits_yz, vec3 f) {
     const auto edge =
         function("gradient_edge(bits, way, t, dt)", [](Uint bits, vec3 way, Float t, Float dt) {
-            const vec4 a = named("a", gradient_corner(named("a_bits", hash(bits)), way));
-            const vec4 b =
-                named("b", gradient_corner(named("b_bits", hash(bits + 1u)), way - vec3(1, 0, 0)));
+            const vec4 a = named("a", gradient_corner(hash(bits), way));
+            const vec4 b = named("b", gradient_corner(hash(bits + 1u), way - vec3(1, 0, 0)));
             return named("mixed", mix(a, b, t)) + vec4(dt * (b.w() - a.w()), 0, 0, 0);
         });
     const auto [t, dt] = quintic(f);

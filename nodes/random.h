@@ -11,8 +11,8 @@ inline constexpr char seed_doc[] = "Another seed gives other random numbers";
 inline sdk::vec3 random3(sdk::Uint bits) {
     using namespace sdk;
     const auto numbers = function("random3(bits)", [](Uint bits) {
-        const Uint second = named("second", hash(bits)), third = named("third", hash(second));
-        return vec3(unit_float(bits), unit_float(second), unit_float(third));
+        const Uint hashed = named("hashed", hash(bits)), third = named("third", hash(hashed));
+        return vec3(unit_float(bits), unit_float(hashed), unit_float(third));
     });
     return numbers(bits);
 }

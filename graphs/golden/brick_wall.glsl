@@ -29,9 +29,9 @@ uint wrinkle_brick_wall_random_bits(vec2 cell, float id, int seed) {
 }
 
 vec3 wrinkle_brick_wall_random3(uint bits) {
-    uint second = wrinkle_brick_wall_pcg_hash(bits);
-    uint third = wrinkle_brick_wall_pcg_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / brick_wall_two_24;
+    uint hashed = wrinkle_brick_wall_pcg_hash(bits);
+    uint third = wrinkle_brick_wall_pcg_hash(hashed);
+    return vec3(float(bits >> 8u), float(hashed >> 8u), float(third >> 8u)) / brick_wall_two_24;
 }
 
 WrinkleMaterial_brick_wall wrinkle_brick_wall(WrinkleSurface_brick_wall s) {

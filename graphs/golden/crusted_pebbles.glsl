@@ -28,9 +28,9 @@ uint wrinkle_crusted_pebbles_hash3(vec3 cell) {
 }
 
 vec3 wrinkle_crusted_pebbles_random3(uint bits) {
-    uint second = wrinkle_crusted_pebbles_pcg_hash(bits);
-    uint third = wrinkle_crusted_pebbles_pcg_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) /
+    uint hashed = wrinkle_crusted_pebbles_pcg_hash(bits);
+    uint third = wrinkle_crusted_pebbles_pcg_hash(hashed);
+    return vec3(float(bits >> 8u), float(hashed >> 8u), float(third >> 8u)) /
             crusted_pebbles_two_24;
 }
 
@@ -120,10 +120,10 @@ vec4 wrinkle_crusted_pebbles_gradient_corner(uint bits, vec3 way) {
 }
 
 vec4 wrinkle_crusted_pebbles_gradient_edge(uint bits, vec3 way, float t, float dt) {
-    uint second = wrinkle_crusted_pebbles_pcg_hash(bits);
-    vec4 a = wrinkle_crusted_pebbles_gradient_corner(second, way);
-    uint b_bits = wrinkle_crusted_pebbles_pcg_hash(bits + 1u);
-    vec4 b = wrinkle_crusted_pebbles_gradient_corner(b_bits, vec3(way.x - 1.0, way.yz));
+    uint hashed = wrinkle_crusted_pebbles_pcg_hash(bits);
+    vec4 a = wrinkle_crusted_pebbles_gradient_corner(hashed, way);
+    vec4 b = wrinkle_crusted_pebbles_gradient_corner(wrinkle_crusted_pebbles_pcg_hash(bits + 1u),
+            vec3(way.x - 1.0, way.yz));
     vec4 mixed = mix(a, b, t);
     return vec4(mixed.x + dt * (b.w - a.w), mixed.yzw);
 }

@@ -31,9 +31,9 @@ uint wrinkle_layered_materials_hash3(vec3 cell) {
 }
 
 vec3 wrinkle_layered_materials_random3(uint bits) {
-    uint second = wrinkle_layered_materials_pcg_hash(bits);
-    uint third = wrinkle_layered_materials_pcg_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) /
+    uint hashed = wrinkle_layered_materials_pcg_hash(bits);
+    uint third = wrinkle_layered_materials_pcg_hash(hashed);
+    return vec3(float(bits >> 8u), float(hashed >> 8u), float(third >> 8u)) /
             layered_materials_two_24;
 }
 
@@ -76,10 +76,10 @@ vec4 wrinkle_layered_materials_gradient_corner(uint bits, vec3 way) {
 }
 
 vec4 wrinkle_layered_materials_gradient_edge(uint bits, vec3 way, float t, float dt) {
-    uint second = wrinkle_layered_materials_pcg_hash(bits);
-    vec4 a = wrinkle_layered_materials_gradient_corner(second, way);
-    uint b_bits = wrinkle_layered_materials_pcg_hash(bits + 1u);
-    vec4 b = wrinkle_layered_materials_gradient_corner(b_bits, vec3(way.x - 1.0, way.yz));
+    uint hashed = wrinkle_layered_materials_pcg_hash(bits);
+    vec4 a = wrinkle_layered_materials_gradient_corner(hashed, way);
+    vec4 b = wrinkle_layered_materials_gradient_corner(wrinkle_layered_materials_pcg_hash(bits +
+            1u), vec3(way.x - 1.0, way.yz));
     vec4 mixed = mix(a, b, t);
     return vec4(mixed.x + dt * (b.w - a.w), mixed.yzw);
 }

@@ -43,10 +43,10 @@ vec4 wrinkle_painted_metal_gradient_corner(uint bits, vec3 way) {
 }
 
 vec4 wrinkle_painted_metal_gradient_edge(uint bits, vec3 way, float t, float dt) {
-    uint a_bits = wrinkle_painted_metal_pcg_hash(bits);
-    vec4 a = wrinkle_painted_metal_gradient_corner(a_bits, way);
-    uint b_bits = wrinkle_painted_metal_pcg_hash(bits + 1u);
-    vec4 b = wrinkle_painted_metal_gradient_corner(b_bits, vec3(way.x - 1.0, way.yz));
+    uint hashed = wrinkle_painted_metal_pcg_hash(bits);
+    vec4 a = wrinkle_painted_metal_gradient_corner(hashed, way);
+    vec4 b = wrinkle_painted_metal_gradient_corner(wrinkle_painted_metal_pcg_hash(bits + 1u),
+            vec3(way.x - 1.0, way.yz));
     vec4 mixed = mix(a, b, t);
     return vec4(mixed.x + dt * (b.w - a.w), mixed.yzw);
 }
@@ -110,9 +110,9 @@ uint wrinkle_painted_metal_hash3(vec3 cell) {
 }
 
 vec3 wrinkle_painted_metal_random3(uint bits) {
-    uint a_bits = wrinkle_painted_metal_pcg_hash(bits);
-    uint third = wrinkle_painted_metal_pcg_hash(a_bits);
-    return vec3(float(bits >> 8u), float(a_bits >> 8u), float(third >> 8u)) / painted_metal_two_24;
+    uint hashed = wrinkle_painted_metal_pcg_hash(bits);
+    uint third = wrinkle_painted_metal_pcg_hash(hashed);
+    return vec3(float(bits >> 8u), float(hashed >> 8u), float(third >> 8u)) / painted_metal_two_24;
 }
 
 vec3 wrinkle_painted_metal_scratch(vec2 p, int index, float density, vec2 size, vec2 angles) {

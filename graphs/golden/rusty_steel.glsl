@@ -40,10 +40,10 @@ vec4 wrinkle_rusty_steel_gradient_corner(uint bits, vec3 way) {
 }
 
 vec4 wrinkle_rusty_steel_gradient_edge(uint bits, vec3 way, float t, float dt) {
-    uint a_bits = wrinkle_rusty_steel_pcg_hash(bits);
-    vec4 a = wrinkle_rusty_steel_gradient_corner(a_bits, way);
-    uint b_bits = wrinkle_rusty_steel_pcg_hash(bits + 1u);
-    vec4 b = wrinkle_rusty_steel_gradient_corner(b_bits, vec3(way.x - 1.0, way.yz));
+    uint hashed = wrinkle_rusty_steel_pcg_hash(bits);
+    vec4 a = wrinkle_rusty_steel_gradient_corner(hashed, way);
+    vec4 b = wrinkle_rusty_steel_gradient_corner(wrinkle_rusty_steel_pcg_hash(bits + 1u),
+            vec3(way.x - 1.0, way.yz));
     vec4 mixed = mix(a, b, t);
     return vec4(mixed.x + dt * (b.w - a.w), mixed.yzw);
 }
@@ -106,9 +106,9 @@ uint wrinkle_rusty_steel_hash3(vec3 cell) {
 }
 
 vec3 wrinkle_rusty_steel_random3(uint bits) {
-    uint a_bits = wrinkle_rusty_steel_pcg_hash(bits);
-    uint third = wrinkle_rusty_steel_pcg_hash(a_bits);
-    return vec3(float(bits >> 8u), float(a_bits >> 8u), float(third >> 8u)) / rusty_steel_two_24;
+    uint hashed = wrinkle_rusty_steel_pcg_hash(bits);
+    uint third = wrinkle_rusty_steel_pcg_hash(hashed);
+    return vec3(float(bits >> 8u), float(hashed >> 8u), float(third >> 8u)) / rusty_steel_two_24;
 }
 
 vec3 wrinkle_rusty_steel_scratch(vec2 p, int index, float density, vec2 size, vec2 angles) {

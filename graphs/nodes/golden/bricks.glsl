@@ -29,9 +29,9 @@ uint wrinkle_bricks_random_bits(vec2 cell, float id, int seed) {
 }
 
 vec3 wrinkle_bricks_random3(uint bits) {
-    uint second = wrinkle_bricks_pcg_hash(bits);
-    uint third = wrinkle_bricks_pcg_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / bricks_two_24;
+    uint hashed = wrinkle_bricks_pcg_hash(bits);
+    uint third = wrinkle_bricks_pcg_hash(hashed);
+    return vec3(float(bits >> 8u), float(hashed >> 8u), float(third >> 8u)) / bricks_two_24;
 }
 
 WrinkleMaterial_bricks wrinkle_bricks(WrinkleSurface_bricks s) {

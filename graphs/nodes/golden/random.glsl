@@ -23,9 +23,9 @@ uint wrinkle_random_random_bits(vec2 cell, float id, int seed) {
 }
 
 vec3 wrinkle_random_random3(uint bits) {
-    uint second = wrinkle_random_pcg_hash(bits);
-    uint third = wrinkle_random_pcg_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / random_two_24;
+    uint hashed = wrinkle_random_pcg_hash(bits);
+    uint third = wrinkle_random_pcg_hash(hashed);
+    return vec3(float(bits >> 8u), float(hashed >> 8u), float(third >> 8u)) / random_two_24;
 }
 
 vec3 wrinkle_random_from_hsv(vec3 hsv) {

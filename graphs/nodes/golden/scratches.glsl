@@ -26,9 +26,9 @@ uint wrinkle_scratches_hash3(vec3 cell) {
 }
 
 vec3 wrinkle_scratches_random3(uint bits) {
-    uint second = wrinkle_scratches_pcg_hash(bits);
-    uint third = wrinkle_scratches_pcg_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / scratches_two_24;
+    uint hashed = wrinkle_scratches_pcg_hash(bits);
+    uint third = wrinkle_scratches_pcg_hash(hashed);
+    return vec3(float(bits >> 8u), float(hashed >> 8u), float(third >> 8u)) / scratches_two_24;
 }
 
 vec3 wrinkle_scratches_scratch(vec2 p, int index, float density, vec2 size, vec2 angles) {

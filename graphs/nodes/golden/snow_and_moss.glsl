@@ -33,10 +33,9 @@ vec4 wrinkle_snow_and_moss_gradient_corner(uint bits, vec3 way) {
 }
 
 vec4 wrinkle_snow_and_moss_gradient_edge(uint bits, vec3 way, float t, float dt) {
-    uint a_bits = wrinkle_snow_and_moss_pcg_hash(bits);
-    vec4 a = wrinkle_snow_and_moss_gradient_corner(a_bits, way);
-    uint b_bits = wrinkle_snow_and_moss_pcg_hash(bits + 1u);
-    vec4 b = wrinkle_snow_and_moss_gradient_corner(b_bits, vec3(way.x - 1.0, way.yz));
+    vec4 a = wrinkle_snow_and_moss_gradient_corner(wrinkle_snow_and_moss_pcg_hash(bits), way);
+    vec4 b = wrinkle_snow_and_moss_gradient_corner(wrinkle_snow_and_moss_pcg_hash(bits + 1u),
+            vec3(way.x - 1.0, way.yz));
     vec4 mixed = mix(a, b, t);
     return vec4(mixed.x + dt * (b.w - a.w), mixed.yzw);
 }

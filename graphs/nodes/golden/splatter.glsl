@@ -30,9 +30,9 @@ uint wrinkle_splatter_random_bits(vec2 cell, float id, int seed) {
 }
 
 vec3 wrinkle_splatter_random3(uint bits) {
-    uint second = wrinkle_splatter_pcg_hash(bits);
-    uint third = wrinkle_splatter_pcg_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / splatter_two_24;
+    uint hashed = wrinkle_splatter_pcg_hash(bits);
+    uint third = wrinkle_splatter_pcg_hash(hashed);
+    return vec3(float(bits >> 8u), float(hashed >> 8u), float(third >> 8u)) / splatter_two_24;
 }
 
 vec2 wrinkle_splatter_copy_of(vec2 cell, vec2 size, vec2 reach, out vec2 result_2,

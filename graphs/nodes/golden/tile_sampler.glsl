@@ -33,9 +33,9 @@ uint wrinkle_tile_sampler_random_bits(vec2 cell, float id, int seed) {
 }
 
 vec3 wrinkle_tile_sampler_random3(uint bits) {
-    uint second = wrinkle_tile_sampler_pcg_hash(bits);
-    uint third = wrinkle_tile_sampler_pcg_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / tile_sampler_two_24;
+    uint hashed = wrinkle_tile_sampler_pcg_hash(bits);
+    uint third = wrinkle_tile_sampler_pcg_hash(hashed);
+    return vec3(float(bits >> 8u), float(hashed >> 8u), float(third >> 8u)) / tile_sampler_two_24;
 }
 
 vec2 wrinkle_tile_sampler_copy_of(vec2 cell, vec2 size, vec2 reach, out vec2 result_2,
@@ -87,10 +87,10 @@ vec4 wrinkle_tile_sampler_gradient_corner(uint bits, vec3 way) {
 }
 
 vec4 wrinkle_tile_sampler_gradient_edge(uint bits, vec3 way, float t, float dt) {
-    uint second = wrinkle_tile_sampler_pcg_hash(bits);
-    vec4 a = wrinkle_tile_sampler_gradient_corner(second, way);
-    uint b_bits = wrinkle_tile_sampler_pcg_hash(bits + 1u);
-    vec4 b = wrinkle_tile_sampler_gradient_corner(b_bits, vec3(way.x - 1.0, way.yz));
+    uint hashed = wrinkle_tile_sampler_pcg_hash(bits);
+    vec4 a = wrinkle_tile_sampler_gradient_corner(hashed, way);
+    vec4 b = wrinkle_tile_sampler_gradient_corner(wrinkle_tile_sampler_pcg_hash(bits + 1u),
+            vec3(way.x - 1.0, way.yz));
     vec4 mixed = mix(a, b, t);
     return vec4(mixed.x + dt * (b.w - a.w), mixed.yzw);
 }

@@ -27,9 +27,9 @@ uint wrinkle_voronoi_hash3(vec3 cell) {
 }
 
 vec3 wrinkle_voronoi_random3(uint bits) {
-    uint second = wrinkle_voronoi_pcg_hash(bits);
-    uint third = wrinkle_voronoi_pcg_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / voronoi_two_24;
+    uint hashed = wrinkle_voronoi_pcg_hash(bits);
+    uint third = wrinkle_voronoi_pcg_hash(hashed);
+    return vec3(float(bits >> 8u), float(hashed >> 8u), float(third >> 8u)) / voronoi_two_24;
 }
 
 vec2 wrinkle_voronoi_feature2(vec2 cell, float jitter, int seed) {

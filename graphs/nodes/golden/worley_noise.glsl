@@ -24,9 +24,9 @@ uint wrinkle_worley_noise_hash3(vec3 cell) {
 }
 
 vec3 wrinkle_worley_noise_random3(uint bits) {
-    uint second = wrinkle_worley_noise_pcg_hash(bits);
-    uint third = wrinkle_worley_noise_pcg_hash(second);
-    return vec3(float(bits >> 8u), float(second >> 8u), float(third >> 8u)) / worley_noise_two_24;
+    uint hashed = wrinkle_worley_noise_pcg_hash(bits);
+    uint third = wrinkle_worley_noise_pcg_hash(hashed);
+    return vec3(float(bits >> 8u), float(hashed >> 8u), float(third >> 8u)) / worley_noise_two_24;
 }
 
 vec3 wrinkle_worley_noise_feature_point(vec3 cell, float jitter) {

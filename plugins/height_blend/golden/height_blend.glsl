@@ -36,10 +36,10 @@ vec4 wrinkle_height_blend_gradient_corner(uint bits, vec3 way) {
 }
 
 vec4 wrinkle_height_blend_gradient_edge(uint bits, vec3 way, float t, float dt) {
-    uint second = wrinkle_height_blend_pcg_hash(bits);
-    vec4 a = wrinkle_height_blend_gradient_corner(second, way);
-    uint b_bits = wrinkle_height_blend_pcg_hash(bits + 1u);
-    vec4 b = wrinkle_height_blend_gradient_corner(b_bits, vec3(way.x - 1.0, way.yz));
+    uint hashed = wrinkle_height_blend_pcg_hash(bits);
+    vec4 a = wrinkle_height_blend_gradient_corner(hashed, way);
+    vec4 b = wrinkle_height_blend_gradient_corner(wrinkle_height_blend_pcg_hash(bits + 1u),
+            vec3(way.x - 1.0, way.yz));
     vec4 mixed = mix(a, b, t);
     return vec4(mixed.x + dt * (b.w - a.w), mixed.yzw);
 }
