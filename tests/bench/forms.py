@@ -124,11 +124,11 @@ def compare(title, forms, args, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("bin")
+    parser.add_argument("bin", type=os.path.abspath)
     parser.add_argument("--size", type=int, default=512)
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("fragments", nargs="*", metavar="FRAGMENT")
-    args = parser.parse_args()
+    args = parser.parse_intermixed_args()
     with tempfile.TemporaryDirectory() as folder:
         for title, forms in materials(os.path.join(args.bin, "wrinkle")).items():
             more = {os.path.basename(path): read(path) for path in args.fragments}
