@@ -1,5 +1,5 @@
-// Names of node types in Blender, Unreal Engine, Unity, Substance Designer and MaterialX, where the
-// title has no word of them.
+// Names of node types in Blender, Unreal Engine, Unity, Substance Designer and MaterialX, and of
+// techniques, that a search of titles, ids and doc lines would not find.
 #include "editor/view/panels/search.h"
 
 namespace wrinkle::editor {

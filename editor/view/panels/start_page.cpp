@@ -57,8 +57,9 @@ void draw_drop_area(Interface& interface, float width) {
     const float below = draw_centered(list, interface.fonts, true, narrow ? 18.0F : 24.0F,
                                       at + ImVec2(0, narrow ? 24 : 54), width, theme::text,
                                       "Drop two images here to layer them");
-    draw_centered(list, interface.fonts, false, 16, {at.x, below + 8}, width, theme::text_dim,
-                  "Normal maps, heights, slopes: their pixels say which. Press I for a list.");
+    draw_centered(
+        list, interface.fonts, false, 16, {at.x, below + 8}, width, theme::text_dim,
+        "Normal maps, heights and slopes are told apart by their pixels. Press I for a list.");
     name_area(interface, "start:drop", at, end);
     ImGui::Dummy({width, drop_tall});
 }
