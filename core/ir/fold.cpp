@@ -45,8 +45,8 @@ Folded fold_float(Op op, double a, double b, double c) {
     if (!in_domain(op, a, b)) return {};
     const Folded folded =
         meaning::floats::find<Folded>(op, [&](auto f) { return apply(f, a, b, c); });
-    // A quarter turn in radians is inexact, but its sine and cosine are meant.
-    const bool is_turn = op == Op::sin_ || op == Op::cos_;
+    // The angle of a quarter turn is rounded, so its sine or cosine is not exactly 0.
+    const bool is_turn = (op == Op::sin_ || op == Op::cos_) && std::fabs(a) > 1;
     return is_turn && std::fabs(*folded) < 1e-15 ? Folded(0) : folded;
 }
 

@@ -197,6 +197,7 @@ TEST_F(ModuleTest, QuarterTurnsHaveExactZeros) {
     EXPECT_EQ(add(Op::sin_, {n(-pi)}), n(0));
     EXPECT_NE(add(Op::cos_, {n(pi / 2 - 1e-12)}), n(0));
     EXPECT_EQ(add(Op::sin_, {n(pi / 2)}), n(1));
+    EXPECT_NE(add(Op::sin_, {n(1e-16)}), n(0));
 }
 
 TEST_F(ModuleTest, WhatIsUndefinedIsNotFolded) {
