@@ -162,7 +162,7 @@ static Float rank_of(const Copies& in, vec2 cell, const Placed& at) {
     const Float chance = unit_float(random_bits(cell, 3, in.seed));
     const Float rank = in.order == Order::random ? chance : at.copy.height + chance * (1.0 / 1024);
     const Bool drawn =
-        abs(value) > named("least_drawn // 0 after rounding, in any host", Float(1e-5));
+        abs(value) > named("least_drawn // smaller patterns count as 0", Float(1e-5));
     return select(drawn, select(coverage >= 0.5, 1 + rank, coverage), 0);
 }
 

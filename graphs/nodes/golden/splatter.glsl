@@ -12,7 +12,7 @@ struct WrinkleMaterial_splatter {
 const float splatter_two_24 = 16777216.0;    // the upper 24 bits to [0, 1)
 const float splatter_degree = 0.017453292;   // in radians
 const float splatter_min_box = 0.001953125;  // least width
-const float splatter_least_drawn = 1e-05;    // 0 after rounding, in any host
+const float splatter_least_drawn = 1e-05;    // smaller patterns count as 0
 const float splatter_min_area = 1e-36;       // smaller areas and squared lengths are zero
 
 uint wrinkle_splatter_pcg_hash(uint x) {
