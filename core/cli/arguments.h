@@ -15,6 +15,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "base/text.h"
@@ -53,7 +54,7 @@ bool parse_number(std::string_view text, T& number) {
     return problem == std::errc() && stop == end;
 }
 
-// Parses as many separated numbers as `numbers` holds: "0.5,0.25", "640x480".
+// Parses as many separated numbers as `numbers` holds, such as "0.5,0.25".
 template <class T>
 bool parse_numbers(std::string_view text, char separator, std::span<T> numbers) {
     const auto parts = split(text, separator);
@@ -61,6 +62,15 @@ bool parse_numbers(std::string_view text, char separator, std::span<T> numbers) 
     for (size_t i = 0; i < parts.size(); ++i)
         if (!parse_number(parts[i], numbers[i])) return false;
     return true;
+}
+
+// Parses "640x480", or "512" for 512 x 512. Returns false unless both sides are 1 to `max_side`.
+template <class T>
+bool parse_size(std::string_view text, std::type_identity_t<T> max_side, T& width, T& height) {
+    const auto parts = split(text, 'x');
+    const auto fits = [&](T side) { return side >= 1 && side <= max_side; };
+    return parts.size() <= 2 && parse_number(parts.front(), width) &&
+           parse_number(parts.back(), height) && fits(width) && fits(height);
 }
 
 }  // namespace wrinkle::cli

@@ -25,13 +25,6 @@ bool parse_shard(const std::string& text, BakeRequest& request) {
            parse_whole(parts[0], request.shards, request.shard);
 }
 
-// Parses "1024" or "2048x1024".
-bool parse_bake_size(const std::string& text, BakeRequest& request) {
-    const auto parts = split(text, 'x');
-    return parts.size() <= 2 && parse_whole(parts[0], max_baked_side, request.width) &&
-           parse_whole(parts.back(), max_baked_side, request.height);
-}
-
 PixelType usual_type(const std::string& extension) {
     if (extension == ".exr") return PixelType::half;
     return extension == ".hdr" ? PixelType::float32 : PixelType::u8;
@@ -96,7 +89,7 @@ std::string conflict(const BakeOptions& options, const BakeRequest& request) {
 }  // namespace
 
 std::string read_request(const BakeOptions& options, BakeRequest& request) {
-    if (!parse_bake_size(options.size, request))
+    if (!parse_size(options.size, max_baked_side, request.width, request.height))
         return "--size " + options.size +
                " is not a size such as 1024 or 2048x1024, at most 65536 a side";
     if (!parse_shard(options.shard, request))

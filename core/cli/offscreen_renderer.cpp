@@ -16,15 +16,6 @@
 
 namespace wrinkle::cli {
 
-bool parse_size(const std::string& text, int& width, int& height) {
-    constexpr int max_side = 16384;
-    int sides[2];
-    if (!parse_numbers<int>(text, 'x', sides)) return false;
-    width = sides[0];
-    height = sides[1];
-    return width >= 1 && width <= max_side && height >= 1 && height <= max_side;
-}
-
 std::optional<Mesh> displaced_mesh(const Mesh& still, const MaterialRun& run,
                                    const TextureStore& textures, Diagnostics& diagnostics) {
     constexpr float triangles_across = 300;

@@ -38,8 +38,7 @@ struct RenderOptions {
     bool displace = false;           // displaces the mesh by the output `displacement`
 };
 
-// Parses "640x480". Returns false if a side is not an integer from 1 to 16384.
-bool parse_size(const std::string& text, int& width, int& height);
+inline constexpr int max_rendered_side = 16384;  // pixels
 
 // Parses Ka, Kd, Ks and shininess, such as "0.1,0.7,0.4,32". Returns false if a value is negative
 // or not finite.

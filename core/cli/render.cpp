@@ -98,8 +98,8 @@ struct RenderCommand {
         options.mood = gpu::mood_named(mood).value_or(gpu::Mood::studio);
         options.lighting = lighting == "phong" ? gpu::Lighting::phong : gpu::Lighting::ggx;
         const std::string type = fs::path(output).extension().string();
-        if (!parse_size(size, options.width, options.height))
-            return "--size " + size + " is not a size such as 512x512, at most 16384 a side";
+        if (!parse_size(size, max_rendered_side, options.width, options.height))
+            return "--size " + size + " is not a size such as 512 or 640x480, at most 16384 a side";
         if (!options.against.empty() && options.view != gpu::View::difference)
             return "--against goes with --view difference";
         if (options.view != gpu::View::shaded && !(environment.empty() && phong.empty()))
@@ -190,7 +190,8 @@ void declare_render(CLI::App& app, Run& run) {
         ->type_name("OUT")
         ->required();
     declare_mesh(sub, c.render.mesh, "Mesh: ");
-    sub.add_option("--size", c.size, "Size of the image")->type_name("WxH")->capture_default_str();
+    sub.add_option("--size", c.size, "Size of the image in pixels: N or WxH")
+        ->capture_default_str();
     sub.add_option("--view", c.view,
                    "Shown: " + joined(gpu::view_names(), ", ") + ", or an output by its name")
         ->type_name("VIEW")

@@ -141,8 +141,8 @@ struct CaseReader {
 
     void take_size(const Value& value) {
         if (!value.is(Kind::string) ||
-            !parse_size(std::string(value.as_string()), options().width, options().height))
-            error(value, "size does not fit", "a text such as \"512x512\"");
+            !parse_size(value.as_string(), max_rendered_side, options().width, options().height))
+            error(value, "size does not fit", "a text such as \"512\" or \"640x480\"");
     }
 
     void read_keys(const Value& value, const char* what, const std::vector<CaseKey>& keys) {
@@ -178,7 +178,8 @@ const std::vector<CaseKey>& render_keys() {
         {"mesh", "A shape's name, or a mesh file relative to the graph and inside the root",
          R"("type": "string")", json_quoted(options.mesh), R"("torus")",
          [](auto& reader, auto& member) { reader.take_mesh(member); }},
-        {"size", "Width and height in pixels", R"("type": "string", "pattern": "^[0-9]+x[0-9]+$")",
+        {"size", "Width and height in pixels: N or WxH",
+         R"("type": "string", "pattern": "^[0-9]+(x[0-9]+)?$")",
          json_quoted(std::to_string(options.width) + "x" + std::to_string(options.height)),
          R"("256x256")", [](auto& reader, auto& member) { reader.take_size(member.value); }},
         {"view", "As `wrinkle render --view`", "\"enum\": " + json::string_array(views),

@@ -202,7 +202,7 @@ TEST_F(TestTest, RefusesBadFiles) {
         {R"({"render": {"mesh": "../out.obj"}})", "outside the root"},
         {R"({"render": {"mesh": "none.obj"}})", "none.obj"},
         {R"({"render": {"mesh": "a.json"}})", "a.json"},
-        {R"({"render": {"size": "9"}})", "512x512"},
+        {R"({"render": {"size": "9x"}})", "640x480"},
         {R"({"render": {"viewed": "uv"}})", "did you mean 'view'?"},
         {R"({"render": {"metric": "psnr"}})", "there is no 'psnr' (rms, flip, degrees)"},
         {R"({"render": {"max_over": -1}})", "max_over is negative"},
