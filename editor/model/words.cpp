@@ -51,4 +51,8 @@ std::string listed(const std::vector<std::string>& names) {
     return text;
 }
 
+std::string listed_or_counted(const std::vector<std::string>& files) {
+    return files.size() < 4 ? listed(files) : counted(files.size(), "file");
+}
+
 }  // namespace wrinkle::editor

@@ -23,5 +23,7 @@ std::string counted(size_t number, const char* what);  // "1 node", "2,000 nodes
 std::string milliseconds(double time);                 // "0.7 ms", "1,115 ms"
 
 std::string listed(const std::vector<std::string>& names);  // "a.json, b.json and c.json"
+// As listed(); more than three files are counted: "4 files".
+std::string listed_or_counted(const std::vector<std::string>& files);
 
 }  // namespace wrinkle::editor

@@ -135,7 +135,6 @@ void answer_save_as(Session& session) {
 
 void answer_path(Session& session) {
     session.question.error_text.clear();
-    session.question.opening = true;
     if (session.question.text.empty())
         session.question.error_text = "Type the name of a file.";
     else if (session.question.kind == Question::Kind::open)

@@ -44,7 +44,6 @@ struct Question {
     std::string text = {};        // for open and save_as: the path as typed
     std::string error_text = {};  // why the last answer failed
     std::filesystem::path file = {};
-    bool opening = true;  // first frame of the prompt, or first after a failed answer
 
     bool open() const { return kind != Kind::none; }
     bool wants_path() const { return kind == Kind::open || kind == Kind::save_as; }

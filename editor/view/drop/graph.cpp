@@ -2,9 +2,7 @@
 #include "editor/view/canvas/layout.h"
 #include "editor/view/drop/drop.h"
 #include "editor/view/edit/edits.h"
-#include "editor/view/look/draw.h"
-#include "editor/view/look/theme.h"
-#include "editor/view/panels/panels.h"
+#include "editor/view/panels/prompt.h"
 
 namespace wrinkle::editor {
 namespace fs = std::filesystem;
@@ -20,21 +18,6 @@ void use_dropped(State& state, const FileDrop& drop) {
     if (type) add_node_of_type(state, *type, to_canvas(state.view, {drop.x, drop.y}), {});
 }
 
-enum class GraphAnswer : uint8_t { asking, node, open, cancel };
-
-GraphAnswer draw_graph_answers(Interface& interface) {
-    GraphAnswer answer = GraphAnswer::asking;
-    ImGui::PushStyleColor(ImGuiCol_Button, theme::accent_fill);
-    if (button(interface, "Use as a node", "graph:node")) answer = GraphAnswer::node;
-    ImGui::PopStyleColor();
-    ImGui::SameLine();
-    if (button(interface, "Open", "graph:open")) answer = GraphAnswer::open;
-    ImGui::SameLine();
-    if (button(interface, "Cancel", "graph:cancel")) answer = GraphAnswer::cancel;
-    if (is_pressed(ImGuiKey_Escape)) return GraphAnswer::cancel;
-    return is_pressed(ImGuiKey_Enter) ? GraphAnswer::node : answer;
-}
-
 }  // namespace
 
 void take_graph(State& state, const FileDrop& drop) {
@@ -48,20 +31,17 @@ void take_graph(State& state, const FileDrop& drop) {
 
 void draw_graph_question(State& state) {
     if (state.dropped.graph.files.empty()) return;
-    const Dialog dialog("##graph", {420, 0}, {24, 24}, 8, 0.4F);
-    if (!dialog) return;
     const FileDrop drop = state.dropped.graph;
-    write_paragraph(
-        theme::text,
-        "Use " + path_in_graph(state, drop.files.front()) + " as a node of this graph, or open it?",
-        372);
-    ImGui::Dummy({0, 8});
-    const GraphAnswer answer = draw_graph_answers(state);
-    if (answer == GraphAnswer::asking) return;
+    const Prompt prompt{
+        "Use " + path_in_graph(state, drop.files.front()) + " as a node?",
+        "Or open it, which closes the graph in this window.",
+        {},
+        {{"Use as a node", "graph:node"}, {"Open", "graph:open"}, {"Cancel", "graph:cancel"}}};
+    const auto pressed = draw_prompt(state, "##graph", prompt);
+    if (!pressed) return;
     state.dropped.graph = {};
-    ImGui::CloseCurrentPopup();
-    if (answer == GraphAnswer::node) use_dropped(state, drop);
-    if (answer == GraphAnswer::open) open_dropped(state, drop.files.front());
+    if (*pressed == 0) use_dropped(state, drop);
+    if (*pressed == 1) open_dropped(state, drop.files.front());
 }
 
 }  // namespace wrinkle::editor

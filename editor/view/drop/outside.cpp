@@ -1,13 +1,14 @@
-// Dialog about images outside the graph's folder, and its answers.
+// Prompt for images outside the graph's folder, and its answers.
 #include <unistd.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/file.h"
 #include "editor/model/document/folders.h"
 #include "editor/model/words.h"
 #include "editor/view/drop/drop.h"
-#include "editor/view/panels/panels.h"
+#include "editor/view/panels/prompt.h"
 #include "lower/named_images.h"
 
 namespace wrinkle::editor {
@@ -79,64 +80,49 @@ bool may_write(const fs::path& folder) {
     return access(folder.c_str(), W_OK) == 0;
 }
 
-enum class Outside : uint8_t { asking, copy, refer, cancel };
-
-Outside draw_outside_answers(Interface& interface, const fs::path& copies, const fs::path& theirs) {
-    Outside answer = Outside::asking;
-    if (may_write(copies)) {
-        if (button(interface, "Copy", "copy:yes")) answer = Outside::copy;
-        ImGui::SameLine();
-    }
-    if (!theirs.empty()) {
-        if (button(interface, "Link", "copy:refer")) answer = Outside::refer;
-        ImGui::SameLine();
-    }
-    const bool escape = is_pressed(ImGuiKey_Escape);
-    return button(interface, "Cancel", "copy:no") || escape ? Outside::cancel : answer;
-}
-
-std::string words_on_outside(const State& state, const fs::path& copies, const fs::path& theirs) {
+Prompt outside_prompt(const State& state, const fs::path& copies, const fs::path& theirs) {
     std::vector<std::string> names;
     for (const std::string& file : state.dropped.outside.files)
         if (path_in_graph(state, file).empty()) names.push_back(fs::path(file).filename().string());
-    const bool many = names.size() > 1;
-    std::string text = listed(names) + (many ? " are" : " is") + " not below " +
-                       state.folder().string() +
-                       ". A graph reads files below its own folder only.\n\n";
-    text += may_write(copies)
-                ? "A copy goes into " + copies.string() + "."
-                : "Nothing can be copied into " + copies.string() + ", which is read-only.";
+    const bool many = names.size() > 1, copyable = may_write(copies);
+    Prompt prompt;
+    prompt.title = copyable         ? "Copy " + listed_or_counted(names) + "?"
+                   : theirs.empty() ? listed_or_counted(names) + " cannot be used."
+                                    : "Link " + listed_or_counted(names) + "?";
+    prompt.text = "A graph reads files below its own folder only, and " +
+                  std::string(many ? "these are" : "this one is") + " not below " +
+                  state.folder().string() + ". ";
+    prompt.text += copyable
+                       ? "A copy goes into " + copies.string() + "."
+                       : "Nothing can be copied into " + copies.string() + ", which is read-only.";
     if (!theirs.empty())
-        text += "\nTo link " + std::string(many ? "them" : "it") + ", this unsaved graph gets " +
-                theirs.string() + " as its folder: it is proposed when you save.";
-    return text;
+        prompt.text += " To link " + std::string(many ? "them" : "it") +
+                       ", this unsaved graph gets " + theirs.string() +
+                       " as its folder: it is proposed when you save.";
+    if (copyable) prompt.buttons.push_back({"Copy", "copy:yes"});
+    if (!theirs.empty()) prompt.buttons.push_back({"Link", "copy:refer"});
+    prompt.buttons.push_back({"Cancel", "copy:no"});
+    return prompt;
 }
 
 }  // namespace
 
-// Draws the dialog that offers to copy outside files into the graph's folder, or to make their
+// Draws the prompt that offers to copy outside files into the graph's folder, or to make their
 // folder the graph's.
 void draw_copy_question(State& state) {
     DropState& dropped = state.dropped;
-    if (!dropped.outside.files.empty() && !ImGui::IsPopupOpen("##copy")) ImGui::OpenPopup("##copy");
-    if (!ImGui::BeginPopupModal("##copy", nullptr,
-                                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize))
-        return;
-    const fs::path copies = image_folder(state);
+    if (dropped.outside.files.empty()) return;
     const fs::path theirs = folder_to_have(state, dropped.outside.files);
-    write_paragraph(theme::text, words_on_outside(state, copies, theirs), 560);
-    ImGui::Dummy({0, 8});
-    const Outside answer = draw_outside_answers(state, copies, theirs);
-    if (answer != Outside::asking) {
-        const FileDrop drop = std::exchange(dropped.outside, {});
-        ImGui::CloseCurrentPopup();
-        if (answer == Outside::refer) {
-            have_folder(state, theirs);
-            add_answered(state, drop, drop.files);
-        }
-        if (answer == Outside::copy) copy_and_add(state, drop);
+    const Prompt prompt = outside_prompt(state, image_folder(state), theirs);
+    const auto pressed = draw_prompt(state, "##copy", prompt);
+    if (!pressed) return;
+    const FileDrop drop = std::exchange(dropped.outside, {});
+    const std::string_view answer = prompt.buttons[*pressed].target;
+    if (answer == "copy:refer") {
+        have_folder(state, theirs);
+        add_answered(state, drop, drop.files);
     }
-    ImGui::EndPopup();
+    if (answer == "copy:yes") copy_and_add(state, drop);
 }
 
 }  // namespace wrinkle::editor

@@ -9,14 +9,12 @@
 #include "editor/model/document/levels.h"
 #include "editor/model/document/library.h"
 #include "editor/model/words.h"
-#include "editor/view/look/theme.h"
 #include "editor/view/look/tooltip.h"
 #include "editor/view/panels/panels.h"
+#include "editor/view/panels/prompt.h"
 
 namespace wrinkle::editor {
 namespace {
-
-constexpr float dialog_width = 520, dialog_padding = 24;
 
 struct Answer {
     const char* label;
@@ -26,7 +24,7 @@ struct Answer {
 
 struct Sheet {
     std::string sentence, detail;
-    std::vector<Answer> answers;  // the first one on Enter, the last one on Escape
+    std::vector<Answer> answers;
 };
 
 void cancel(Session& session) {
@@ -85,7 +83,7 @@ Sheet outside_sheet(const Session& session) {
     const std::filesystem::path& file = session.question.file;
     const std::vector<std::string> names = files_outside(session, file);
     const std::string folder = real_path(file.parent_path()).string();
-    return {"Copy " + (names.size() < 4 ? listed(names) : counted(names.size(), "file")) + " too?",
+    return {"Copy " + listed_or_counted(names) + " too?",
             "A graph reads files below its own folder only, and these are not below " + folder +
                 ". Without a copy there, " + file.filename().string() + " does not find them.",
             {{"Copy and save", "answer:copy", answer_copy},
@@ -139,44 +137,16 @@ Sheet sheet_of(const Session& session) {
     return {};
 }
 
-void draw_words(const State& state, const Sheet& sheet) {
-    constexpr float wrap = dialog_width - dialog_padding;
-    ImGui::PushFont(state.fonts.bold(18));
-    write_paragraph(theme::text, sheet.sentence, wrap);
-    ImGui::PopFont();
-    write_paragraph(theme::text_dim, sheet.detail, wrap);
-    write_paragraph(theme::error, state.question.error_text, wrap);
-}
-
-const Answer* draw_answers(State& state, const Sheet& sheet) {
-    const Answer* taken = nullptr;
-    ImGui::Dummy({0, 8});
-    for (const Answer& answer : sheet.answers) {
-        const bool first = &answer == &sheet.answers.front();
-        if (!first) ImGui::SameLine();
-        if (first) ImGui::PushStyleColor(ImGuiCol_Button, theme::accent_fill);
-        if (button(state, answer.label, answer.target, false, {104, 28})) taken = &answer;
-        if (first) ImGui::PopStyleColor();
-    }
-    if (is_pressed(ImGuiKey_Escape)) return &sheet.answers.back();
-    const bool enter = is_pressed(ImGuiKey_Enter) && !state.question.opening;
-    return enter ? &sheet.answers.front() : taken;
-}
-
 }  // namespace
 
 void draw_question(State& state) {
     if (!state.question.open() || state.question.wants_path()) return;
     const Sheet sheet = sheet_of(state);
-    const Dialog dialog("##question", {dialog_width, 0}, {dialog_padding, dialog_padding}, 8, 0.4F);
-    if (!dialog) return;
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 8));
-    draw_words(state, sheet);
-    const Answer* taken = draw_answers(state, sheet);
-    ImGui::PopStyleVar();
-    state.question.opening = false;
-    if (taken) taken->take(state);
-    if (!state.question.open() || state.question.wants_path()) ImGui::CloseCurrentPopup();
+    Prompt prompt{sheet.sentence, sheet.detail, state.question.error_text, {}};
+    for (const Answer& answer : sheet.answers)
+        prompt.buttons.push_back({answer.label, answer.target});
+    if (const auto pressed = draw_prompt(state, "##question", prompt))
+        sheet.answers[*pressed].take(state);
 }
 
 void draw_recent_files(State& state) {
