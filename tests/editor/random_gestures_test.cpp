@@ -150,7 +150,7 @@ TEST_F(RandomGestures, AreOneStepEachAndLeaveNoWrongWire) {
     open(small_graph);
     Random random(2026);
     std::map<std::string, int> changed;
-    for (int i = 0; i < 300 && !HasFailure(); ++i) {
+    for (int i = 0; i < 100 && !HasFailure(); ++i) {
         Document start = random_graph(random);
         Node loose;
         const auto& types = built_in_registry().list();
@@ -162,8 +162,8 @@ TEST_F(RandomGestures, AreOneStepEachAndLeaveNoWrongWire) {
             changed[trial.name] += try_one(trial, start, random);
     }
     for (const auto& [name, times] : changed) {
-        std::printf("%s: %d of 300 graphs changed\n", name.c_str(), times);
-        EXPECT_GT(times, 30) << name;
+        std::printf("%s: %d of 100 graphs changed\n", name.c_str(), times);
+        EXPECT_GT(times, 10) << name;
     }
 }
 

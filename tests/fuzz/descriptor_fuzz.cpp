@@ -64,6 +64,7 @@ private:
     }
 
     const char* text(const char* right) {
+        static const std::string megabyte(1 << 20, 'b');
         if (!choose_.wrong()) return right;
         switch (choose_.below(8)) {
             case 0:
@@ -73,7 +74,7 @@ private:
             case 2:
                 return kept(std::string(65, 'a'));
             case 3:
-                return kept(std::string(1 << 20, 'b'));
+                return megabyte.c_str();
             case 4:
                 return "\xC3";
             case 5:

@@ -20,15 +20,9 @@ namespace wrinkle::fuzz {
 namespace {
 namespace fs = std::filesystem;
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr uint32_t usual_times = 4;  // about a minute
-#else
-constexpr uint32_t usual_times = 1;
-#endif
-
 uint32_t times() {
     const char* text = std::getenv("WRINKLE_FUZZ");
-    uint32_t value = usual_times;
+    uint32_t value = 1;
     if (text) std::from_chars(text, text + std::char_traits<char>::length(text), value);
     return value;
 }

@@ -109,7 +109,9 @@ protected:
     void attack(const Position& position) {
         const fs::path path = folder / position.file;
         const std::string original = test::bytes_of(path);
-        for (size_t kind = 0; kind < std::size(kind_names); ++kind) {
+        // Bad contents can damage memory; the other kinds are refused when they are opened.
+        constexpr Kind first = WRINKLE_SANITIZED ? Kind::empty : Kind::missing;
+        for (auto kind = static_cast<size_t>(first); kind < std::size(kind_names); ++kind) {
             fs::remove_all(path);
             place(static_cast<Kind>(kind), path, original, position.is_named());
             unprivileged = static_cast<Kind>(kind) == Kind::unreadable;
