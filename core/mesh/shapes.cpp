@@ -1,5 +1,6 @@
 #include "mesh/shapes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -159,6 +160,10 @@ void add_triangle(Mesh& mesh, uint32_t a, uint32_t b, uint32_t c) {
 
 std::span<const Shape> shapes() {
     return table;
+}
+
+bool is_shape(std::string_view name) {
+    return std::ranges::find(table, name, &Shape::name) != std::end(table);
 }
 
 std::optional<Mesh> make_shape(std::string_view name) {

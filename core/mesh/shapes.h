@@ -35,6 +35,7 @@ struct Shape {
 //             spout, u along, v round them. Open as the original: the lid is a separate surface,
 //             handle and spout end within the body.
 std::span<const Shape> shapes();  // the first is the default
-std::optional<Mesh> make_shape(std::string_view name);
+bool is_shape(std::string_view name);
+std::optional<Mesh> make_shape(std::string_view name);  // thousands of vertices
 
 }  // namespace wrinkle

@@ -35,8 +35,7 @@ void show_graph(State& state, GraphSwitch how) {
 
 WindowFiles window_files(const State& state) {
     const PreviewView& view = state.view.preview_view;
-    const bool shape = std::ranges::find(shapes(), view.mesh, &Shape::name) != shapes().end();
-    WindowFiles files{shape ? "" : view.mesh, view.environment, {}};
+    WindowFiles files{is_shape(view.mesh) ? "" : view.mesh, view.environment, {}};
     for (const DropEvent& each : state.dropped.waiting)
         files.dropped.insert(files.dropped.end(), each.files.begin(), each.files.end());
     return files;

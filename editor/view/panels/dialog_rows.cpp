@@ -31,7 +31,7 @@ void choose_mesh(State& state, const std::string& prefix, std::string& mesh, flo
     const size_t shapes_end = items.size();
     // A mesh file follows the shapes: the preview's, or the chosen one.
     for (const std::string& each : {shown, mesh})
-        if (!make_shape(each) && items.size() == shapes_end)
+        if (!is_shape(each) && items.size() == shapes_end)
             items.push_back({mesh_label(each), prefix + ":mesh:file"});
     items.push_back({"Choose a file...", prefix + ":mesh:browse"});
     const int picked = choose(state, prefix + ":mesh", mesh_label(mesh), items, wide);
@@ -40,9 +40,9 @@ void choose_mesh(State& state, const std::string& prefix, std::string& mesh, flo
     if (index < shapes_end)
         mesh = shapes()[index].name;
     else if (index + 1 < items.size())
-        mesh = make_shape(shown) ? mesh : shown;
+        mesh = is_shape(shown) ? mesh : shown;
     else
-        browse(state, purpose, make_shape(mesh) ? state.folder() / "x" : fs::path(mesh));
+        browse(state, purpose, is_shape(mesh) ? state.folder() / "x" : fs::path(mesh));
 }
 
 }  // namespace wrinkle::editor

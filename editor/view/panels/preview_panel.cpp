@@ -211,7 +211,7 @@ std::string capitalised(std::string text) {
 }
 
 std::string mesh_label(const std::string& mesh) {
-    return make_shape(mesh) ? capitalised(mesh) : std::filesystem::path(mesh).filename().string();
+    return is_shape(mesh) ? capitalised(mesh) : std::filesystem::path(mesh).filename().string();
 }
 
 void draw_preview(State& state) {
