@@ -83,11 +83,12 @@ TEST_F(RenderTest, SweepsIntoNumberedFiles) {
         "s": {"type": "multiply", "in": {"a": 1, "b": 0.5}}},
         "outputs": {"roughness": {"from": "s.result"}}})");
     const Ran ran =
-        run({"render", "ramp.json", "-o", "r.png", "--size", "16x16", "--set", "s.b=0.1:0.9:3"});
+        run({"render", "ramp.json", "-o", "r.png", "--size", "16", "--set", "s.b=0.1:0.9:3"});
     ASSERT_EQ(ran.code, 0) << ran.err;
     EXPECT_TRUE(exists("r.000.png") && exists("r.001.png") && exists("r.002.png"));
     EXPECT_FALSE(exists("r.png"));
     EXPECT_NE(get("r.000.png"), get("r.002.png"));
+    EXPECT_EQ(png_size(get("r.000.png")), std::pair(16u, 16u)) << "one number is a square";
 }
 
 TEST_F(RenderTest, WritesToStandardOutput) {
@@ -167,7 +168,7 @@ TEST_F(RenderTest, RefusesWrongUsage) {
         {"render", "-o", "g.png"},
         {"render", "g.json", "-o", "g.txt"},
         {"render", "g.json", "-o", "g.png", "--size", "0x5"},
-        {"render", "g.json", "-o", "g.png", "--size", "5"},
+        {"render", "g.json", "-o", "g.png", "--size", "5x"},
         {"render", "g.json", "-o", "g.png", "--size", "99999x5"},
         {"render", "g.json", "-o", "g.png", "--mesh", "kettle"},
         {"render", "g.json", "-o", "g.png", "--camera", "30"},
