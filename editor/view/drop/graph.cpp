@@ -1,4 +1,6 @@
 // Dropped graphs: one in the folder of the open graph can be opened or become a node, others open.
+#include <utility>
+
 #include "editor/view/canvas/layout.h"
 #include "editor/view/drop/drop.h"
 #include "editor/view/edit/edits.h"
@@ -31,17 +33,16 @@ void take_graph(State& state, const FileDrop& drop) {
 
 void draw_graph_question(State& state) {
     if (state.dropped.graph.files.empty()) return;
-    const FileDrop drop = state.dropped.graph;
-    const Prompt prompt{
-        "Use " + path_in_graph(state, drop.files.front()) + " as a node?",
-        "Or open it, which closes the graph in this window.",
-        {},
-        {{"Use as a node", "graph:node"}, {"Open", "graph:open"}, {"Cancel", "graph:cancel"}}};
-    const auto pressed = draw_prompt(state, "##graph", prompt);
-    if (!pressed) return;
-    state.dropped.graph = {};
-    if (*pressed == 0) use_dropped(state, drop);
-    if (*pressed == 1) open_dropped(state, drop.files.front());
+    const std::string file = path_in_graph(state, state.dropped.graph.files.front());
+    draw_prompt(
+        state, "##graph",
+        {"Use " + file + " as a node?",
+         "Or open it, which closes the graph in this window.",
+         {{"Use as a node", "graph:node",
+           [](State& s) { use_dropped(s, std::exchange(s.dropped.graph, {})); }},
+          {"Open", "graph:open",
+           [](State& s) { open_dropped(s, std::exchange(s.dropped.graph, {}).files.front()); }},
+          {"Cancel", "graph:cancel", [](State& s) { s.dropped.graph = {}; }}}});
 }
 
 }  // namespace wrinkle::editor

@@ -42,7 +42,8 @@ void add_answered(State& state, const FileDrop& drop, const std::vector<std::str
         use_image(state, to.node, to.port, file);
 }
 
-void copy_and_add(State& state, const FileDrop& drop) {
+void copy_outside(State& state) {
+    const FileDrop drop = std::exchange(state.dropped.outside, {});
     std::vector<std::string> files;
     for (const std::string& file : drop.files) {
         const std::string place = path_in_graph(state, file).empty() ? copied(state, file) : file;
@@ -76,6 +77,12 @@ void have_folder(Session& session, const fs::path& folder) {
     session.is_synced = false;
 }
 
+void link_outside(State& state, const fs::path& folder) {
+    const FileDrop drop = std::exchange(state.dropped.outside, {});
+    have_folder(state, folder);
+    add_answered(state, drop, drop.files);
+}
+
 bool may_write(const fs::path& folder) {
     return access(folder.c_str(), W_OK) == 0;
 }
@@ -99,9 +106,11 @@ Prompt outside_prompt(const State& state, const fs::path& copies, const fs::path
         prompt.text += " To link " + std::string(many ? "them" : "it") +
                        ", this unsaved graph gets " + theirs.string() +
                        " as its folder: it is proposed when you save.";
-    if (copyable) prompt.buttons.push_back({"Copy", "copy:yes"});
-    if (!theirs.empty()) prompt.buttons.push_back({"Link", "copy:refer"});
-    prompt.buttons.push_back({"Cancel", "copy:no"});
+    if (copyable) prompt.buttons.push_back({"Copy", "copy:yes", copy_outside});
+    if (!theirs.empty())
+        prompt.buttons.push_back(
+            {"Link", "copy:refer", [theirs](State& s) { link_outside(s, theirs); }});
+    prompt.buttons.push_back({"Cancel", "copy:no", [](State& s) { s.dropped.outside = {}; }});
     return prompt;
 }
 
@@ -110,19 +119,10 @@ Prompt outside_prompt(const State& state, const fs::path& copies, const fs::path
 // Draws the prompt that offers to copy outside files into the graph's folder, or to make their
 // folder the graph's.
 void draw_copy_question(State& state) {
-    DropState& dropped = state.dropped;
-    if (dropped.outside.files.empty()) return;
-    const fs::path theirs = folder_to_have(state, dropped.outside.files);
-    const Prompt prompt = outside_prompt(state, image_folder(state), theirs);
-    const auto pressed = draw_prompt(state, "##copy", prompt);
-    if (!pressed) return;
-    const FileDrop drop = std::exchange(dropped.outside, {});
-    const std::string_view answer = prompt.buttons[*pressed].target;
-    if (answer == "copy:refer") {
-        have_folder(state, theirs);
-        add_answered(state, drop, drop.files);
-    }
-    if (answer == "copy:yes") copy_and_add(state, drop);
+    const FileDrop& outside = state.dropped.outside;
+    if (outside.files.empty()) return;
+    const fs::path theirs = folder_to_have(state, outside.files);
+    draw_prompt(state, "##copy", outside_prompt(state, image_folder(state), theirs));
 }
 
 }  // namespace wrinkle::editor

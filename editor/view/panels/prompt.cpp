@@ -19,32 +19,35 @@ void draw_words(Interface& interface, const Prompt& prompt) {
     write_paragraph(theme::error, prompt.error, wrap);
 }
 
-std::optional<size_t> draw_buttons(Interface& interface, const std::vector<PromptButton>& buttons) {
-    std::optional<size_t> pressed;
-    for (size_t i = 0; i < buttons.size(); ++i) {
-        if (i > 0) ImGui::SameLine();
-        if (i == 0) ImGui::PushStyleColor(ImGuiCol_Button, theme::accent_fill);
-        if (button(interface, buttons[i].label, buttons[i].target, false, {104, 28})) pressed = i;
-        if (i == 0) ImGui::PopStyleColor();
+// Returns the pressed button or nullptr.
+const PromptButton* draw_buttons(Interface& interface, const std::vector<PromptButton>& buttons) {
+    const PromptButton* pressed = nullptr;
+    for (const PromptButton& each : buttons) {
+        const bool first = &each == &buttons.front();
+        if (!first) ImGui::SameLine();
+        if (first) ImGui::PushStyleColor(ImGuiCol_Button, theme::accent_fill);
+        if (button(interface, each.label, each.target, false, {104, 28})) pressed = &each;
+        if (first) ImGui::PopStyleColor();
     }
     // The key that led to the prompt does not answer it.
     if (ImGui::IsWindowAppearing()) return pressed;
-    if (is_pressed(ImGuiKey_Escape)) return buttons.size() - 1;
-    return is_pressed(ImGuiKey_Enter) ? 0 : pressed;
+    if (is_pressed(ImGuiKey_Escape)) return &buttons.back();
+    return is_pressed(ImGuiKey_Enter) ? &buttons.front() : pressed;
 }
 
 }  // namespace
 
-std::optional<size_t> draw_prompt(Interface& interface, const char* id, const Prompt& prompt) {
+void draw_prompt(State& state, const char* id, const Prompt& prompt) {
     const Dialog dialog(id, {prompt_width, 0}, {prompt_padding, prompt_padding}, 8, 0.4F);
-    if (!dialog) return {};
+    if (!dialog) return;
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8, 8));
-    draw_words(interface, prompt);
+    draw_words(state, prompt);
     ImGui::Dummy({0, 8});
-    const std::optional<size_t> pressed = draw_buttons(interface, prompt.buttons);
+    const PromptButton* pressed = draw_buttons(state, prompt.buttons);
     ImGui::PopStyleVar();
-    if (pressed) ImGui::CloseCurrentPopup();
-    return pressed;
+    if (!pressed) return;
+    ImGui::CloseCurrentPopup();
+    pressed->press(state);
 }
 
 }  // namespace wrinkle::editor

@@ -2,7 +2,7 @@
 // Escape the last.
 #pragma once
 
-#include <optional>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,15 +13,17 @@ namespace wrinkle::editor {
 struct PromptButton {
     const char* label;
     const char* target;  // its name for scripts
+    std::function<void(State&)> press;
 };
 
 struct Prompt {
-    std::string title, text, error;  // text and error may be empty
+    std::string title, text;  // the text may be empty
     std::vector<PromptButton> buttons;
+    std::string error = {};  // empty: none
 };
 
-// Draws the prompt; the first call opens it, and a press of a button closes it. Returns the index
-// of the pressed button. `id` is that of the popup, such as "##question".
-std::optional<size_t> draw_prompt(Interface& interface, const char* id, const Prompt& prompt);
+// Draws the prompt; the first call opens it. A button closes it and calls its `press`. `id` is that
+// of the popup, such as "##question".
+void draw_prompt(State& state, const char* id, const Prompt& prompt);
 
 }  // namespace wrinkle::editor

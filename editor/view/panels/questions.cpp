@@ -16,17 +16,6 @@
 namespace wrinkle::editor {
 namespace {
 
-struct Answer {
-    const char* label;
-    const char* target;
-    void (*take)(Session&);
-};
-
-struct Sheet {
-    std::string sentence, detail;
-    std::vector<Answer> answers;
-};
-
 void cancel(Session& session) {
     session.question = {};
 }
@@ -48,11 +37,11 @@ void take_mine(Session& session) {
     session.question = {};
 }
 
-constexpr Answer cancelled{"Cancel", "answer:cancel", cancel};
+const PromptButton cancelled{"Cancel", "answer:cancel", cancel};
 
 // Prompt for the unsaved edits of an editor that ended unexpectedly.
-Sheet recovery_sheet(const Session& session) {
-    Sheet sheet;
+Prompt recovery_prompt(const Session& session) {
+    Prompt prompt;
     for (const Recoverable& found : session.keeping.recoverable) {
         if (found.file != session.question.file) continue;
         const std::string file =
@@ -61,17 +50,17 @@ Sheet recovery_sheet(const Session& session) {
         const time_t seconds = found.when;
         if (const tm* local = std::localtime(&seconds))
             std::strftime(when, sizeof when, "%H:%M on %d %B", local);
-        sheet.sentence = "Recover unsaved edits of " + file + "?";
-        sheet.detail = "The editor ended before they were saved. The last one was made at " +
-                       std::string(when) + ".";
+        prompt.title = "Recover unsaved edits of " + file + "?";
+        prompt.text = "The editor ended before they were saved. The last one was made at " +
+                      std::string(when) + ".";
     }
-    sheet.answers = {{"Recover", "answer:recover", answer_recover},
-                     {"Discard", "answer:forget", answer_forget},
-                     {"Later", "answer:later", cancel}};
-    return sheet;
+    prompt.buttons = {{"Recover", "answer:recover", answer_recover},
+                      {"Discard", "answer:forget", answer_forget},
+                      {"Later", "answer:later", cancel}};
+    return prompt;
 }
 
-Sheet running_sheet(const Session& session) {
+Prompt running_prompt(const Session& session) {
     const Task* task = session.tasks.running.get();
     return {task ? task->order().name + " is not done yet." : "All is done.",
             task ? "To quit stops it. Nothing of it is written." : "",
@@ -79,7 +68,7 @@ Sheet running_sheet(const Session& session) {
 }
 
 // Prompt for a graph that is saved to a folder that its files are not below.
-Sheet outside_sheet(const Session& session) {
+Prompt saved_elsewhere_prompt(const Session& session) {
     const std::filesystem::path& file = session.question.file;
     const std::vector<std::string> names = files_outside(session, file);
     const std::string folder = real_path(file.parent_path()).string();
@@ -91,7 +80,7 @@ Sheet outside_sheet(const Session& session) {
              cancelled}};
 }
 
-Sheet sheet_of(const Session& session) {
+Prompt prompt_of(const Session& session) {
     const Question& question = session.question;
     switch (question.kind) {
         case Question::Kind::unsaved:
@@ -118,11 +107,11 @@ Sheet sheet_of(const Session& session) {
                     "The graph there would be lost.",
                     {{"Replace", "answer:library", replace_in_library}, cancelled}};
         case Question::Kind::outside:
-            return outside_sheet(session);
+            return saved_elsewhere_prompt(session);
         case Question::Kind::recover:
-            return recovery_sheet(session);
+            return recovery_prompt(session);
         case Question::Kind::running:
-            return running_sheet(session);
+            return running_prompt(session);
         case Question::Kind::failed:
             return {session.file_name() + " could not be saved.",
                     "",
@@ -141,12 +130,9 @@ Sheet sheet_of(const Session& session) {
 
 void draw_question(State& state) {
     if (!state.question.open() || state.question.wants_path()) return;
-    const Sheet sheet = sheet_of(state);
-    Prompt prompt{sheet.sentence, sheet.detail, state.question.error_text, {}};
-    for (const Answer& answer : sheet.answers)
-        prompt.buttons.push_back({answer.label, answer.target});
-    if (const auto pressed = draw_prompt(state, "##question", prompt))
-        sheet.answers[*pressed].take(state);
+    Prompt prompt = prompt_of(state);
+    prompt.error = state.question.error_text;
+    draw_prompt(state, "##question", prompt);
 }
 
 void draw_recent_files(State& state) {
