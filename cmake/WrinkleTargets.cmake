@@ -2,7 +2,7 @@
 # (tests/layout greps the #include lines as well).
 #
 #   wrinkle_library(NAME LINK lib...)        static library of the folder's *.cpp
-#   wrinkle_compile_quickly(TARGET)          for code without inner loops: -O1 in releases, -O0 in asan
+#   wrinkle_compile_quickly(TARGET)          for code without inner loops: -O1, in asan -O0
 #   wrinkle_texts(TARGET SPACE FOLDER)       the files of a folder as constants
 #   wrinkle_test(NAME LINK lib...)           one GoogleTest program of the folder's *.cpp
 #   wrinkle_sanitized_cases(NAME FILTER)     the cases that NAME runs in sanitized builds
@@ -56,7 +56,8 @@ endif()
 # -O3 doubles the time to compile commands and writers, without a gain that a user notices. With
 # sanitizers, -O1 triples it.
 function(wrinkle_compile_quickly target)
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:RelWithDebInfo>:-O0>)
+    target_compile_options(${target} PRIVATE
+        $<$<CONFIG:Release>:-O1> $<$<CONFIG:RelWithDebInfo>:-O0>)
 endfunction()
 
 function(wrinkle_library name)

@@ -185,8 +185,9 @@ TEST_F(Levels, ACleanInnerGraphDoesNotHideAnUnsavedOuterOne) {
 
 TEST_F(Levels, WhatCannotBeSavedStaysOpen) {
     open_strap();
-    play("click node:number\nkey M\ndouble node:weave+0,24\nclick node:noise\nkey M\nkey Ctrl+Q\n"
-         "assert target answer:save");
+    play(
+        "click node:number\nkey M\ndouble node:weave+0,24\nclick node:noise\nkey M\nkey Ctrl+Q\n"
+        "assert target answer:save");
     fs::remove(folder.path() / "weave.json");
     fs::create_directory(folder.path() / "weave.json");
     play("click answer:save");

@@ -109,7 +109,7 @@ protected:
     void attack(const Position& position) {
         const fs::path path = folder / position.file;
         const std::string original = test::bytes_of(path);
-        // Bad contents can damage memory; the other kinds are refused when they are opened.
+        // Only contents reach the parsers that sanitizers check; the other kinds fail to open.
         constexpr Kind first = WRINKLE_SANITIZED ? Kind::empty : Kind::missing;
         for (auto kind = static_cast<size_t>(first); kind < std::size(kind_names); ++kind) {
             fs::remove_all(path);
